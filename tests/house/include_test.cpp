@@ -181,17 +181,19 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"the geometry of groups and links",
        std::regex("detail/"
                   "(closed_form|closure_geometry|completion|first_values|limit_turns|"
-                  "multiple_assembly|neighbourhood|pivots|products|special_search)|"
+                  "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
+                  "special_search)|"
                   "support/(configuration_order|derivative_digits|discriminant|displaced_frame|"
                   "flat_variables|limits|nearest|placed_link|position_polynomial|"
                   "rigid_motion|scale|second_rates|solved_by_lu)")},
       {"answers at a configuration", std::regex("branch_point|kinematics|normal_form|second_order|"
                                                 "singularity|special_points")},
       {"the searches", std::regex("detail/(assembly_order|branch_step|closed_search|general_search|"
-                                  "polish|special_group)")},
+                                  "polish|special_group|wider)")},
       {"all configurations, and branches", std::regex("assembly|tracking")},
       {"whole mechanisms",
-       std::regex("assur|support/(displacement|placed_group|scene_search|scene_track|shared_search|"
+       std::regex("assur|support/"
+                  "(displacement|placed_group|scene_search|scene_solve|scene_track|shared_search|"
                   "specialised)")},
   };
   return storeys;

@@ -139,9 +139,9 @@ class SceneEmitter {
     view_.set("variable_option", variables.empty() ? "" : " --variable " + variable_names());
     view_.set("has_variables", !variables.empty());
     view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
-    view_.set("given_list", variables.empty() ? "const Drivers<double>& drivers"
-                                              : "const Drivers<double>& drivers, const "
-                                                "Parameters<double>& values");
+    view_.set("given_list", variables.empty() ? "const Drivers<Scalar>& drivers"
+                                              : "const Drivers<Scalar>& drivers, const "
+                                                "Parameters<Scalar>& values");
   }
 
   /// As the command takes them.
@@ -193,7 +193,7 @@ class SceneEmitter {
       const std::string& member = solver_.members.links[link];
       if (!solver_.is_ground(link) && solver_.needs[link] != FrameNeed::nothing) {
         const bool whole = solver_.needs[link] == FrameNeed::everything;
-        placed.push_back((whole ? "LinkFrame " : "Direction<double> ") + member + ";");
+        placed.push_back((whole ? "LinkFrame " : "Direction<Scalar> ") + member + ";");
       }
       if (const std::string& relative = solver_.members.relative[link]; !relative.empty()) {
         placed.push_back("LinkFrame " + relative + ";");
@@ -306,12 +306,12 @@ class SceneEmitter {
   /// Short names of the types that the statements use.
   void show_aliases() {
     const std::vector<std::pair<std::string, std::string>> aliases = {
-        {"LinkCoordinate", "support::Coordinate<order, parameter_count>"},
-        {"LinkFrame", "support::Frame<double, order, parameter_count>"},
-        {"LinkPoint", "support::Point<double, order, parameter_count>"},
-        {"LinkSlide", "support::Slide<order>"},
-        {"ParameterRow", "Matrix<double, 1, parameter_count>"},
-        {"Rates", "Matrix<double, 1, order>"}};
+        {"LinkCoordinate", "support::Coordinate<Scalar, order, parameter_count>"},
+        {"LinkFrame", "support::Frame<Scalar, order, parameter_count>"},
+        {"LinkPoint", "support::Point<Scalar, order, parameter_count>"},
+        {"LinkSlide", "support::Slide<Scalar, order>"},
+        {"ParameterRow", "Matrix<Scalar, 1, parameter_count>"},
+        {"Rates", "Matrix<Scalar, 1, order>"}};
     std::vector<std::string> lines;
     for (const auto& [name, type] : aliases) {
       if (mention(statements_, name)) {
@@ -334,8 +334,8 @@ class SceneEmitter {
       const Direction<double> wanted = direction_of(solver_.values.number(angle.theta).value());
       names.push_back(solver_.link_name(angle.link));
       angles.push_back("angle_of(turned(links." + solver_.members.links[angle.link] +
-                       ".pose.direction, {" + cpp::round_trip(wanted.cos) + ", " +
-                       cpp::round_trip(-wanted.sin) + "}))");
+                       ".pose.direction, {Scalar(" + cpp::round_trip(wanted.cos) + "), Scalar(" +
+                       cpp::round_trip(-wanted.sin) + ")}))");
     }
     view_.set("has_reference", !names.empty());
     view_.set("reference_list", cpp::comment_text(text::listed(names)));

@@ -7,6 +7,8 @@
 #include <assur/text/names.hpp>
 #include <cctype>
 #include <functional>
+#include <iterator>
+#include <regex>
 
 #include "emission/cpp/cpp_text.hpp"
 
@@ -29,6 +31,24 @@ bool reads(const std::string& line, const std::string& step) {
     }
   }
   return false;
+}
+
+/// A statement whose numbers are the solver's scalar: in float none is computed in double. Whole
+/// numbers without a point are places and counts.
+std::string in_scalar(const std::string& line) {
+  static const std::regex number(R"(([A-Za-z_][\w.]*)|(\d+\.?\d*(?:e[+-]?\d+)?))");
+  const std::size_t end = std::min(line.find("//"), line.size());
+  std::string result;
+  auto from = line.begin();
+  const auto code_end = line.begin() + static_cast<std::ptrdiff_t>(end);
+  for (std::sregex_iterator at(line.begin(), code_end, number), none; at != none; ++at) {
+    const std::string literal = (*at)[2];
+    result.append(from, (*at)[0].first);
+    result += literal.find_first_of(".e") == std::string::npos ? (*at)[0].str()
+                                                               : "Scalar(" + literal + ")";
+    from = (*at)[0].second;
+  }
+  return result.append(from, line.end());
 }
 
 }  // namespace
@@ -57,7 +77,7 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
     for (std::size_t step = 0; step < named.size(); ++step) {
       if (!is_declared[step] && reads(line, named[step].name)) {
         is_declared[step] = true;
-        add_with_steps("const double " + named[step].name + " = " + named[step].formula + ";");
+        add_with_steps("const Scalar " + named[step].name + " = " + named[step].formula + ";");
       }
     }
     readers.push_back(line);
@@ -69,12 +89,12 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
   };
   std::vector<std::string> all;
   if (any_reads("p")) {
-    all.push_back("const Parameters<double>& p = placed.parameters;");
+    all.push_back("const Parameters<Scalar>& p = placed.parameters;");
   }
   if (!has_drivers && any_reads("drivers")) {
-    all.push_back("const Drivers<double>& drivers = placed.drivers;");
+    all.push_back("const Drivers<Scalar>& drivers = placed.drivers;");
   }
-  all.insert(all.end(), readers.begin(), readers.end());
+  std::transform(readers.begin(), readers.end(), std::back_inserter(all), in_scalar);
   return all;
 }
 
@@ -102,7 +122,7 @@ std::string SceneLines::point(const std::string& name, const std::string& frame,
     const bool is_origin = values[0] == "0.0" && values[1] == "0.0";
     const std::string place = is_origin ? "{}" : "{" + values[0] + ", " + values[1] + "}";
     return frame.empty() ? "LinkPoint" + place
-                         : "support::point_in(" + frame + ", support::Place" + place + ")";
+                         : "support::point_in(" + frame + ", support::Place<Scalar>" + place + ")";
   }
   std::string point = declared(name);
   add("LinkPoint " + point + ";");

@@ -84,7 +84,7 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
     }
     const auto hold = [&](const std::string& function, const std::string& text,
                           const std::string& gradient, const std::string& rates) {
-      held.add("held." + function + "<" + std::to_string(first++) + ">(" + text +
+      held.add("held.template " + function + "<" + std::to_string(first++) + ">(" + text +
                (gradient.empty() && rates.empty() ? ""
                 : gradient.empty()                ? ", ParameterRow::Zero()"
                                                   : ", " + gradient) +
@@ -197,7 +197,7 @@ void add_driven_links(const SolverScene& solver, std::size_t groups_before, Scen
       law += ", " + gradient;
     }
     const std::string moved = (at.prismatic ? "support::sliding" : "support::turning") +
-                              std::string("<double, order, parameter_count>(") + law + ")";
+                              std::string("<Scalar, order, parameter_count>(") + law + ")";
     const std::string near =
         lines.frame(on(solver, at.name, link.from), feature_frame(solver, at, link.from));
     const std::string far = lines.frame(solver.link_name(link.to) + "_on_" + at.name,
@@ -252,9 +252,10 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     if (at.prismatic) {
       const std::string line =
           held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
-      held.add("held.hold_line" + place + nested_frames({external.frame(solver), line}) + ");");
+      held.add("held.template hold_line" + place + nested_frames({external.frame(solver), line}) +
+               ");");
     } else {
-      held.add("held.hold_point" + place +
+      held.add("held.template hold_point" + place +
                held.point(on(solver, at.name, base), external.frame(solver), feature.x, feature.y) +
                ");");
     }
@@ -302,14 +303,14 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     const std::string sign = sense < 0 ? "-" : "";
     const std::string slide = "placed.slide_" + solver.slide_member(at);
     const std::string unknown =
-        solver.group_struct(group) + "::unit * group.q." + unknowns[index].name;
+        "Scalar(" + solver.group_struct(group) + "::unit) * group.q." + unknowns[index].name;
     const std::string by = lines.number(shift);
     const std::string sum = by.starts_with("-") ? " - " + by.substr(1) : " + " + by;
     const std::string shifted = by == "0.0" ? unknown : "(" + unknown + sum + ")";
     lines.add(slide + ".displacement = " + sign + shifted + ";");
     if (solver.derivative_order > 0 && solver.reports(at.joint)) {
-      const std::string rates =
-          solver.group_struct(group) + "::unit * group.rates.row(" + std::to_string(index) + ")";
+      const std::string rates = "Scalar(" + solver.group_struct(group) +
+                                "::unit) * group.rates.row(" + std::to_string(index) + ")";
       const std::string by_drivers = lines.rates(shift);
       lines.add(slide + ".rates = " + sign +
                 (by_drivers.empty() ? rates : "(" + rates + " + " + by_drivers + ")") + ";");

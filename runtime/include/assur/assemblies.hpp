@@ -14,20 +14,31 @@ enum class AssemblyStatus : unsigned char {
   not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
   /// The program was compiled, or the processor is set, so that rounding has no bound (-ffast-math
   /// and its parts, x87; lengths that it flushes to zero): nothing is listed.
-  unsound_arithmetic
+  unsound_arithmetic,
+  /// The precision does not tell how many configurations there are, and double was not to be
+  /// asked: nothing is listed.
+  unresolved
+};
+
+/// What is to be done where float does not tell how many configurations there are. In double there
+/// is no such place: a search in special position settles the list.
+enum class Unresolved : unsigned char {
+  ask_double,  ///< the same group is solved in double, and its configurations are rounded
+  refuse       ///< the status says so: no code in double is compiled
 };
 
 /// The assembly configurations of a model, in an order that rigid motion, reflection and change of
 /// units keep.
-template <typename Model>
+template <typename Model, typename Scalar = double>
 struct Assemblies {
   static constexpr auto capacity = static_cast<std::size_t>(Model::max_configurations);
 
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;
-  std::array<typename Model::template Configuration<double>, capacity> configurations;
-  /// ok, or near_singular: the derivatives may keep fewer than six digits, or configurations meet
-  /// so closely that rounding of the inputs decides whether they are two, one or none.
+  std::array<typename Model::template Configuration<Scalar>, capacity> configurations;
+  /// ok, or near_singular: the derivatives may keep fewer digits than `regularity` promises, six in
+  /// double and three in float, or configurations meet so closely that rounding of the inputs
+  /// decides whether they are two, one or none.
   std::array<Status, capacity> regularity{};
   /// Of the freest family of configurations, beside those that are listed; zero if there is none.
   int mobility = 0;

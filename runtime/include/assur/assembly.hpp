@@ -9,6 +9,7 @@
 #include <assur/detail/general_search.hpp>
 #include <assur/detail/index.hpp>
 #include <assur/detail/special_group.hpp>
+#include <assur/detail/wider.hpp>
 #include <assur/numeric/arithmetic.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
@@ -20,21 +21,28 @@ namespace assur {
 
 namespace detail {
 
-/// Every configuration, where the formula alone does not vouch for the list.
-template <typename Model>
+template <typename Model, typename Scalar>
+void ask_double(const typename Model::template Dimensions<Scalar>& d,
+                const typename Model::template Inputs<Scalar>& u,
+                const support::DisplacementOf<Scalar>& displaced,
+                Assemblies<Model, Scalar>& result);
+
+/// Every configuration, where the formula alone does not vouch for the list. What float does not
+/// tell, a word of two floats may; what that does not tell is unresolved.
+template <typename Model, typename Scalar>
 [[gnu::noinline, gnu::cold]] void search(
-    const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs, const support::Displacement& given,
-    Assemblies<Model>& result) {
-  using Dimensions = typename Model::template Dimensions<double>;
-  using Inputs = typename Model::template Inputs<double>;
-  if (!numeric::sums_are_exact()) {
+    const typename Model::template Dimensions<Scalar>& dimensions,
+    const typename Model::template Inputs<Scalar>& inputs,
+    const support::DisplacementOf<Scalar>& given, Assemblies<Model, Scalar>& result) {
+  using Dimensions = typename Model::template Dimensions<Scalar>;
+  using Inputs = typename Model::template Inputs<Scalar>;
+  if (!numeric::sums_are_exact<Scalar>()) {
     result.status = AssemblyStatus::unsound_arithmetic;
     return;
   }
-  const support::Displacement displaced = given.bounded();
+  const support::DisplacementOf<Scalar> displaced = given.bounded();
   if constexpr (has_closed_form<Model>) {
-    if (ClosedSearch<Model>::list_polished(dimensions, inputs, displaced, result)) {
+    if (ClosedSearch<Model, Scalar>::list_polished(dimensions, inputs, displaced, result)) {
       return;
     }
   }
@@ -42,26 +50,40 @@ template <typename Model>
     result.status = AssemblyStatus::not_finite;
     return;
   }
-  const double size = support::size_among<Model>(dimensions, inputs, displaced);
-  if (size < support::least_size && !numeric::keeps_subnormals()) {
+  const Scalar size = support::size_among<Model, Scalar>(dimensions, inputs, displaced);
+  if (size < support::least_size<Scalar> && !numeric::keeps_subnormals<Scalar>()) {
     result.status = AssemblyStatus::unsound_arithmetic;
     return;
   }
-  const double scale = support::scale_of(size);
+  const Scalar scale = support::scale_of(size);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
   // Lengths are near one: a turn moves their ends by as much.
-  const double off = (std::max)(displaced.moved * scale, displaced.turned);
-  const double held = support::counted_displacement(off, (std::max)(1.0, displaced.reach * scale));
+  const Scalar off = (std::max)(displaced.moved * scale, displaced.turned);
+  const Scalar held =
+      support::counted_displacement(off, (std::max)(Scalar(1), displaced.reach * scale));
   bool found = false;
   if constexpr (!has_closed_form<Model>) {
-    found = GeneralSearch<Model>(d, u, held, off, result).run();
+    found = GeneralSearch<Model, Scalar, Scalar>(d, u, held, off, result).run();
+    if constexpr (!std::is_same_v<Scalar, double>) {
+      if (!found) {
+        result = {};
+        found = GeneralSearch<Model, Scalar, numeric::DoubleWord<Scalar>>(d, u, held, off, result)
+                    .run();
+      }
+    }
   }
   if (!found) {
-    const double unsure = support::unsure_jacobian<Model>(dimensions, inputs, displaced);
-    search_in_special_position<Model>(d, u, held, unsure, result);
+    if constexpr (std::is_same_v<Scalar, double>) {
+      const double unsure = support::unsure_jacobian<Model>(dimensions, inputs, displaced);
+      search_in_special_position<Model>(d, u, held, unsure, result);
+    } else {
+      result = {};
+      result.status = AssemblyStatus::unresolved;
+      return;
+    }
   }
-  list_in<Model>(d, u, 1 / scale, result);
+  list_in<Model, Scalar>(d, u, 1 / scale, result);
 }
 
 }  // namespace detail
@@ -80,26 +102,52 @@ template <typename Model>
 /// their own, and verdicts on the derivatives with them: far from the origin, as on what rounding
 /// has displaced, fewer configurations are ok. Status: ok, also where the links cannot reach, with
 /// no configuration; degenerate; not_finite; unsound_arithmetic.
-template <typename Model>
-[[nodiscard]] Assemblies<Model> assemblies(
-    const typename Model::template Dimensions<double>& dimensions,
-    const typename Model::template Inputs<double>& inputs,
-    const support::Displacement& displaced = {}) {
+///
+/// In float, `assemblies<Model, float>`, everything counts in roundings of float, and there is no
+/// search in special position. `unresolved` tells what happens where one would be needed: the group
+/// is solved in double, and its configurations are rounded; or the status is `unresolved`.
+template <typename Model, typename Scalar = double, Unresolved unresolved = Unresolved::ask_double>
+[[nodiscard]] Assemblies<Model, Scalar> assemblies(
+    const typename Model::template Dimensions<Scalar>& dimensions,
+    const typename Model::template Inputs<Scalar>& inputs,
+    const support::DisplacementOf<Scalar>& displaced = {}) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
-  Assemblies<Model> result;
-  if constexpr (!numeric::rounds_as_written) {
+  Assemblies<Model, Scalar> result;
+  if constexpr (!numeric::rounds_as_written<Scalar>) {
     result.status = AssemblyStatus::unsound_arithmetic;
   } else {
     bool found = false;
     if constexpr (detail::has_closed_form<Model>) {
-      found = detail::ClosedSearch<Model>::list(dimensions, inputs, displaced, result);
+      found = detail::ClosedSearch<Model, Scalar>::list(dimensions, inputs, displaced, result);
     }
     if (!found) {
-      detail::search<Model>(dimensions, inputs, displaced, result);
+      detail::search<Model, Scalar>(dimensions, inputs, displaced, result);
+    }
+    if constexpr (!std::is_same_v<Scalar, double> && unresolved == Unresolved::ask_double) {
+      if (result.status == AssemblyStatus::unresolved) {
+        detail::ask_double<Model, Scalar>(dimensions, inputs, displaced, result);
+      }
     }
   }
   return result;
 }
+
+namespace detail {
+
+/// The same group solved in double.
+template <typename Model, typename Scalar>
+[[gnu::noinline, gnu::cold]] void ask_double(const typename Model::template Dimensions<Scalar>& d,
+                                             const typename Model::template Inputs<Scalar>& u,
+                                             const support::DisplacementOf<Scalar>& displaced,
+                                             Assemblies<Model, Scalar>& result) {
+  const Assemblies<Model> found = assur::assemblies<Model>(
+      widened<typename Model::template Dimensions<double>>(d),
+      widened<typename Model::template Inputs<double>>(u), displaced.in_double());
+  round_answer<Model, Scalar>(d, u, support::unsure_jacobian<Model, Scalar>(d, u, displaced), found,
+                              result);
+}
+
+}  // namespace detail
 
 /// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
 /// reach: the largest of |F(d, u, q)| at the best q that a search from some places finds. Set where
@@ -109,7 +157,7 @@ template <typename Model>
                                  const typename Model::template Inputs<double>& inputs,
                                  double& gap) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
-  if (!numeric::rounds_as_written || !numeric::sums_are_exact()) {
+  if (!numeric::rounds_as_written<double> || !numeric::sums_are_exact<double>()) {
     return Status::unsound_arithmetic;
   }
   if (!is_finite(dimensions) || !is_finite(inputs)) {

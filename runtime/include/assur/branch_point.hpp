@@ -9,32 +9,32 @@
 namespace assur {
 
 /// Where a model's inputs are and how they move with a parameter.
-template <typename Model>
+template <typename Model, typename Scalar = double>
 struct InputMotion {
-  typename Model::template Inputs<double> u;
-  Vector<double, Model::input_count> rate;
-  Vector<double, Model::input_count> second_rate;
+  typename Model::template Inputs<Scalar> u;
+  Vector<Scalar, Model::input_count> rate;
+  Vector<Scalar, Model::input_count> second_rate;
 };
 
 /// A point of a branch: a configuration and its derivatives to the parameter.
-template <typename Model>
+template <typename Model, typename Scalar = double>
 struct BranchPoint {
-  /// ok, or near_singular where the derivatives may keep fewer than six digits; with any other
-  /// there are none, and nothing can be tracked from here.
+  /// ok, or near_singular where the derivatives may keep fewer digits than `regularity` promises;
+  /// with any other there are none, and nothing can be tracked from here.
   Status status = Status::singular;
-  typename Model::template Configuration<double> q;
-  Motion<Model, double> motion;  ///< set where the status is ok or near_singular
+  typename Model::template Configuration<Scalar> q;
+  Motion<Model, Scalar> motion;  ///< set where the status is ok or near_singular
   int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
 };
 
 /// Where a branch begins: a configuration that `assemblies` or `refine` found, F(d, u, q) = 0, with
 /// its derivatives q' = dq/dt and q'' for inputs that move with a parameter t.
-template <typename Model>
-[[nodiscard]] BranchPoint<Model> branch_point(
-    const typename Model::template Dimensions<double>& d, const InputMotion<Model>& inputs,
-    const typename Model::template Configuration<double>& q) {
+template <typename Model, typename Scalar = double>
+[[nodiscard]] BranchPoint<Model, Scalar> branch_point(
+    const typename Model::template Dimensions<Scalar>& d, const InputMotion<Model, Scalar>& inputs,
+    const typename Model::template Configuration<Scalar>& q) {
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
-  BranchPoint<Model> point;
+  BranchPoint<Model, Scalar> point;
   point.q = q;
   if (!numeric::tells_nan) {
     point.status = Status::unsound_arithmetic;
@@ -45,8 +45,8 @@ template <typename Model>
     point.status = Status::not_finite;
     return point;
   }
-  const auto pivots = detail::pivots_at<Model, double>(d, inputs.u, q);
-  point.status = detail::regularity_of(pivots, detail::derivative_rounding<double>()).status;
+  const auto pivots = detail::pivots_at<Model, Scalar>(d, inputs.u, q);
+  point.status = detail::regularity_at<Model, Scalar>(pivots, d, inputs.u, q).status;
   if (is_solvable(point.status)) {
     Model::motion(d, inputs.u, q, inputs.rate, inputs.second_rate, point.motion.velocity,
                   point.motion.acceleration);

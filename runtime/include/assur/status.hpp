@@ -9,7 +9,7 @@ namespace assur {
 /// Every operation of the runtime says how far its result can be trusted.
 enum class Status : unsigned char {
   ok,                 ///< the result holds
-  near_singular,      ///< computed, but fewer than six digits may hold
+  near_singular,      ///< computed, but fewer digits may hold than `regularity` promises
   singular,           ///< the Jacobian has no inverse here; nothing was computed
   not_finite,         ///< an input is NaN or infinite; nothing was computed
   no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
@@ -54,8 +54,8 @@ inline constexpr double two_digits = 5e-3;
 /// How far a configuration is from singular, by the pivots of the model's structured elimination.
 template <typename Scalar>
 struct Regularity {
-  /// ok; near_singular where derivatives may keep fewer than six digits; singular where there are
-  /// none; not_finite; unsound_arithmetic.
+  /// ok; near_singular where derivatives may keep fewer digits than are promised, six in double and
+  /// three in float; singular where there are none; not_finite; unsound_arithmetic.
   Status status = Status::singular;
   /// The derivatives' relative error is about rounding/margin: the product of what the core's
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,

@@ -8,19 +8,21 @@
 #include <assur/variables.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace assur {
 
 /// How far a branch was followed.
-template <typename Model>
+template <typename Model, typename Scalar = double>
 struct Track {
   /// ok: `point` is the branch's at the end of the way. no_convergence: within 0.2% of the way from
   /// `reached` the branch ends or comes too close to another; what follows is for `assemblies` to
   /// say. not_finite: a dimension, an end of the way, or the inputs next to `reached` are. Or the
   /// status of a start that is not solvable.
   Status status = Status::singular;
-  double reached = 0;        ///< the parameter at `point`
-  BranchPoint<Model> point;  ///< the last that is certainly of the branch; the start if none is
+  Scalar reached = 0;  ///< the parameter at `point`
+  BranchPoint<Model, Scalar>
+      point;  ///< the last that is certainly of the branch; the start if none is
 };
 
 /// Follows a branch from its point `start` at the parameter `from` to the parameter `to`;
@@ -30,11 +32,12 @@ struct Track {
 /// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
 /// change to a branch that this one could meet would show in the sign of det J; that other branches
 /// are far enough away is experience, not proof: docs/performance.md counts.
-template <typename Model, typename Path>
-[[nodiscard]] Track<Model> track(const typename Model::template Dimensions<double>& d,
-                                 const Path& path, double from, double to,
-                                 const BranchPoint<Model>& start) {
-  Track<Model> way{start.status, from, start};
+template <typename Model, typename Scalar = double, typename Path>
+[[nodiscard]] Track<Model, Scalar> track(const typename Model::template Dimensions<Scalar>& d,
+                                         const Path& path, std::common_type_t<Scalar> from,
+                                         std::common_type_t<Scalar> to,
+                                         const BranchPoint<Model, Scalar>& start) {
+  Track<Model, Scalar> way{start.status, from, start};
   if (!is_solvable(start.status)) {
     return way;
   }
@@ -42,26 +45,30 @@ template <typename Model, typename Path>
     way.status = Status::not_finite;
     return way;
   }
-  const double longest = longest_length(d);
-  const double inverse_size = longest > 0 ? 1 / longest : (std::numeric_limits<double>::max)();
-  const double shortest = std::abs(to - from) * detail::StepLimits().shortest;
-  double width = to - from;
+  const Scalar longest = longest_length(d);
+  const Scalar inverse_size = longest > 0 ? 1 / longest : (std::numeric_limits<Scalar>::max)();
+  // A shorter step may be none among parameters of this size.
+  const Scalar shortest = (std::max)(
+      std::abs(to - from) * detail::StepLimits<Scalar>().shortest,
+      2 * std::numeric_limits<Scalar>::epsilon() * (std::max)(std::abs(from), std::abs(to)));
+  Scalar width = to - from;
   // Where a step was refused the branch may end. It does so like a square root of what is left of
   // the way, which is its first derivative over twice its second. The next step goes most of that.
-  const auto before_end = [&](double step) {
+  const auto before_end = [&](Scalar step) {
     const auto& motion = way.point.motion;
-    const double left = detail::turn_of<Model>(motion.velocity, inverse_size) /
-                        (2 * detail::turn_of<Model>(motion.acceleration, inverse_size));
-    const double most = (std::max)(0.75 * left, 1.5 * shortest);
+    const Scalar left = detail::turn_of<Model, Scalar>(motion.velocity, inverse_size) /
+                        (2 * detail::turn_of<Model, Scalar>(motion.acceleration, inverse_size));
+    const Scalar most = (std::max)(Scalar(0.75) * left, Scalar(1.5) * shortest);
     return std::copysign((std::min)(std::abs(step), most), step);
   };
   bool halved = false;
   while (way.reached != to) {
-    const double rest = std::abs(to - way.reached);
-    const double next = rest <= std::abs(width) ? to : way.reached + width;
-    const InputMotion<Model> inputs = path(next);
-    BranchPoint<Model> end;
-    if (detail::step_along<Model>(d, inputs, next - way.reached, inverse_size, way.point, end)) {
+    const Scalar rest = std::abs(to - way.reached);
+    const Scalar next = rest <= std::abs(width) ? to : way.reached + width;
+    const InputMotion<Model, Scalar> inputs = path(next);
+    BranchPoint<Model, Scalar> end;
+    if (detail::step_along<Model, Scalar>(d, inputs, next - way.reached, inverse_size, way.point,
+                                          end)) {
       way.point = end;
       way.reached = next;
       width = halved ? before_end(width) : 2 * width;

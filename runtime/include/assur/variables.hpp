@@ -39,8 +39,9 @@ void advance(Variables& variables, const Vector<Scalar, Count>& step) {
 
 /// The largest of the lengths and coordinates among variables, by magnitude; zero if there is none.
 template <typename Variables>
-[[nodiscard]] double longest_length(const Variables& variables) {
-  return detail::longest(&variables, detail::SortsOf<Variables>::lengths);
+[[nodiscard]] auto longest_length(const Variables& variables) {
+  using Scalar = typename detail::ScalarOf<Variables>::Type;
+  return detail::longest<Scalar>(&variables, detail::SortsOf<Variables>::lengths);
 }
 
 /// The sum of the squares of the lengths and coordinates among variables.
@@ -75,9 +76,10 @@ template <typename Variables>
   });
   return finite;
 }
-template <template <typename> class Variables>
-[[nodiscard]] bool is_finite(const Variables<double>& variables) {
-  return detail::are_finite(&variables, detail::SortsOf<Variables<double>>::count);
+template <template <typename> class Variables, typename Scalar,
+          std::enable_if_t<std::is_floating_point_v<Scalar>, int> = 0>
+[[nodiscard]] bool is_finite(const Variables<Scalar>& variables) {
+  return detail::are_finite<Scalar>(&variables, detail::SortsOf<Variables<Scalar>>::count);
 }
 
 }  // namespace assur

@@ -65,7 +65,7 @@ Group<Model> filled_by(Filler& filler) {
 /// configurations as its discriminant is `part` of what vouches for a regular group.
 template <typename Model>
 bool bring_near_end(Group<Model>& group, const Group<Model>& other, double part) {
-  using Form = detail::ClosedForm<Model>;
+  using Form = detail::ClosedForm<Model, double>;
   const auto over = [&](const Group<Model>& at) {
     return detail::discriminants_of(at.polynomial()).discriminant * Form::firmness / part -
            Form::discriminant.power(at.square());
@@ -154,12 +154,12 @@ void examine_roots(const Group<Model>& group, Largest& largest_of) {
   typename Model::template Configuration<Pair> q;
   detail::first_of<Model>(q) = detail::roots_of(T, detail::discriminants_of(T));
   const Pair off = detail::complete_root<Model, Pair>(d, u, q);
-  detail::for_each_key<Model>(d, u, q, [&](const Pair& key, int place, bool is_length) {
+  detail::for_each_key<Model, Pair>(d, u, q, [&](const Pair& key, int place, bool is_length) {
     const double difference = std::abs(key[0] - key[1]);
     if (place < Model::first_key) {
       largest_of.key = largest(largest_of.key, difference);
     } else if (place == Model::first_key) {
-      const Pair alone = detail::key_at<Model, Model::first_key>(d, u, q);
+      const Pair alone = detail::key_at<Model, Model::first_key, Pair>(d, u, q);
       EXPECT_TRUE(alone[0] == key[0] && alone[1] == key[1]);
       const double rounding = 1e-6 * ((is_length ? longest : 1) + std::abs(key[0]));
       largest_of.alike = largest(largest_of.alike, rounding / difference);
@@ -167,7 +167,7 @@ void examine_roots(const Group<Model>& group, Largest& largest_of) {
   });
   using Scalar = DoubleDouble;
   for (std::size_t index = 0; index < 2; ++index) {
-    if (detail::completes_angles<Model> && !(off[index] <= detail::settled_direction)) {
+    if (detail::completes_angles<Model> && !(off[index] <= detail::settled_direction<double>)) {
       continue;
     }
     const auto one = detail::lane_of<typename Model::template Configuration<double>>(q, index);
@@ -187,7 +187,7 @@ void examine_roots(const Group<Model>& group, Largest& largest_of) {
 template <typename Model>
 void examine(const Group<Model>& group, RandomInputs& random, Largest& largest_of) {
   using Certified = detail::Discriminants<DoubleDouble>;
-  using Form = detail::ClosedForm<Model>;
+  using Form = detail::ClosedForm<Model, double>;
   const double square = group.square();
   if (!(square > 0)) {
     return;
@@ -201,21 +201,21 @@ void examine(const Group<Model>& group, RandomInputs& random, Largest& largest_o
       exact_T);
   const Certified exact = detail::discriminants_of(exact_T);
   const auto part = [square](double value, const DoubleDouble& truth,
-                             const detail::Certainty& certainty) {
+                             const detail::Certainty<double>& certainty) {
     return std::abs(static_cast<double>(DoubleDouble(value) - truth)) * certainty.firmness /
            certainty.power(square);
   };
   largest_of.error =
       largest(largest_of.error, part(found.discriminant, exact.discriminant, Form::discriminant));
   if constexpr (!detail::is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2) {
-    constexpr detail::Certainty leading = {1 / Model::leading_error, Model::leading_degree};
+    constexpr auto leading = detail::certainty<double>(Model::leading_error, Model::leading_degree);
     largest_of.error = largest(largest_of.error, part(found.leading, exact.leading, leading));
   }
   if constexpr (Form::vouches) {
     if (found.discriminant * Form::firmness > Form::discriminant.power(square)) {
       ++largest_of.regular;
       largest_of.lost = largest(largest_of.lost, detail::derivative_rounding<double>() /
-                                                     (detail::six_digits * least_margin(group)));
+                                                     (support::six_digits * least_margin(group)));
       examine_roots(group, largest_of);
     }
   }
@@ -241,7 +241,7 @@ TYPED_TEST(ClosedForm, HoldsOfAllGroups) {
       const auto group = filled_by<Model>(random);
       examine(group, random, largest_of);
       examine(filled_by<Model>(lattice), random, largest_of);
-      if (detail::ClosedForm<Model>::vouches) {
+      if (detail::ClosedForm<Model, double>::vouches) {
         Group<Model> there = group;
         if (bring_near_end(there, filled_by<Model>(random), 1 + 1e-6)) {
           ++near_end;
@@ -259,15 +259,15 @@ TYPED_TEST(ClosedForm, HoldsOfAllGroups) {
     EXPECT_LT(largest_of.key, 1e-6);
     EXPECT_LT(largest_of.alike, 1);
     EXPECT_LT(largest_of.miss, 8);
-    EXPECT_EQ(near_end > 200, detail::ClosedForm<Model>::vouches);
+    EXPECT_EQ(near_end > 200, (detail::ClosedForm<Model, double>::vouches));
   }
 }
 
 TEST(ClosedFormReport, VouchesForTheDyads) {
   // The determinants are these parts of the root of the discriminant in every textbook.
-  EXPECT_TRUE(detail::ClosedForm<dyad::Model01>::vouches);
-  EXPECT_TRUE(detail::ClosedForm<dyad::Model02>::vouches);
-  EXPECT_TRUE(detail::ClosedForm<dyad::Model03>::vouches);
+  EXPECT_TRUE((detail::ClosedForm<dyad::Model01, double>::vouches));
+  EXPECT_TRUE((detail::ClosedForm<dyad::Model02, double>::vouches));
+  EXPECT_TRUE((detail::ClosedForm<dyad::Model03, double>::vouches));
   EXPECT_EQ(dyad::Model01::first_key, 1);
   EXPECT_EQ(dyad::Model02::first_key, 0);
   EXPECT_EQ(dyad::Model03::first_key, 2);

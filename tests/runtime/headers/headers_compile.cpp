@@ -29,34 +29,34 @@ namespace {
 
 using Model = assur::tetrad::Model02;
 
-/// One use of each function that a program calls, so that it is compiled here.
-[[maybe_unused]] assur::Status use(const Model::Dimensions<double>& d,
-                                   const Model::Inputs<double>& u) {
-  const auto found = assur::assemblies<Model>(d, u);
-  Model::Configuration<double> q = found.configurations[0];
-  const assur::Vector<double, Model::input_count> steady =
-      assur::Vector<double, Model::input_count>::Zero();
-  const assur::Vector<double, Model::dimension_count> held =
-      assur::Vector<double, Model::dimension_count>::Zero();
-  const auto path = [&](double) { return assur::InputMotion<Model>{u, steady, steady}; };
-  const auto start = assur::branch_point<Model>(d, path(0), q);
-  const auto way = assur::track<Model>(d, path, 0, 1, start);
-  assur::Sensitivities<Model, double> sensitive;
-  assur::Motion<Model, double> moving;
-  assur::Vector<double, Model::unknown_count> third;
-  assur::SecondDerivative<Model, double> second;
-  assur::FirstDerivative<Model, double> first;
-  const assur::SecondOrder<Model, double> order(d, u, q);
+/// One use of each function that a program calls, so that it is compiled here, for both scalars.
+template <typename Scalar>
+assur::Status use(const Model::Dimensions<Scalar>& d, const Model::Inputs<Scalar>& u) {
+  const auto found = assur::assemblies<Model, Scalar>(d, u);
+  Model::Configuration<Scalar> q = found.configurations[0];
+  const assur::Vector<Scalar, Model::input_count> steady =
+      assur::Vector<Scalar, Model::input_count>::Zero();
+  const assur::Vector<Scalar, Model::dimension_count> held =
+      assur::Vector<Scalar, Model::dimension_count>::Zero();
+  const auto path = [&](Scalar) { return assur::InputMotion<Model, Scalar>{u, steady, steady}; };
+  const auto start = assur::branch_point<Model, Scalar>(d, path(0), q);
+  const auto way = assur::track<Model, Scalar>(d, path, 0, 1, start);
+  assur::Sensitivities<Model, Scalar> sensitive;
+  assur::Motion<Model, Scalar> moving;
+  assur::Vector<Scalar, Model::unknown_count> third;
+  assur::SecondDerivative<Model, Scalar> second;
+  assur::FirstDerivative<Model, Scalar> first;
+  const assur::SecondOrder<Model, Scalar> order(d, u, q);
   const assur::Status statuses[] = {
       way.status,
-      assur::refine<Model, double>(d, u, q),
-      assur::regularity<Model, double>(d, u, q).status,
-      assur::sensitivities<Model, double>(d, u, q, sensitive),
-      assur::motion<Model, double>(d, u, q, steady, steady, moving),
-      assur::sensitivities_and_motion<Model, double>(d, u, q, steady, steady, sensitive, moving),
-      assur::jerk<Model, double>(d, u, q, steady, steady, steady, moving, third),
-      assur::singularity_along<Model, double>(d, u, q, held, steady).status,
-      assur::special_point_motion<Model, double>(d, u, q, steady, steady, moving),
+      assur::refine<Model, Scalar>(d, u, q),
+      assur::regularity<Model, Scalar>(d, u, q).status,
+      assur::sensitivities<Model, Scalar>(d, u, q, sensitive),
+      assur::motion<Model, Scalar>(d, u, q, steady, steady, moving),
+      assur::sensitivities_and_motion<Model, Scalar>(d, u, q, steady, steady, sensitive, moving),
+      assur::jerk<Model, Scalar>(d, u, q, steady, steady, steady, moving, third),
+      assur::singularity_along<Model, Scalar>(d, u, q, held, steady).status,
+      assur::special_point_motion<Model, Scalar>(d, u, q, steady, steady, moving),
       order.first(held, steady, first),
       order.second(first, first, second)};
   assur::Status worst = assur::Status::ok;
@@ -65,5 +65,7 @@ using Model = assur::tetrad::Model02;
   }
   return worst;
 }
+
+[[maybe_unused]] const std::tuple uses(&use<double>, &use<float>);
 
 }  // namespace

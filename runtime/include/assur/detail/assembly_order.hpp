@@ -38,20 +38,22 @@ template <typename To, typename From>
 }
 
 /// So many numbers of one and of other variables, each two as a pair.
-inline void pair_numbers(const void* one, const void* other, std::size_t count, void* pairs) {
+template <typename Scalar>
+void pair_numbers(const void* one, const void* other, std::size_t count, void* pairs) {
   for (std::size_t place = 0; place < count; ++place) {
-    put_number(pairs, place,
-               numeric::Pair(number_at<double>(one, place), number_at<double>(other, place)));
+    put_number(
+        pairs, place,
+        numeric::PairOf<Scalar>(number_at<Scalar>(one, place), number_at<Scalar>(other, place)));
   }
 }
 
-template <typename Model>
-[[nodiscard]] typename Model::template Configuration<numeric::Pair> pair_of(
-    const typename Model::template Configuration<double>& first,
-    const typename Model::template Configuration<double>& second) {
-  typename Model::template Configuration<numeric::Pair> result;
-  pair_numbers(&first, &second, SortsOf<typename Model::template Configuration<double>>::count,
-               &result);
+template <typename Model, typename Scalar>
+[[nodiscard]] typename Model::template Configuration<numeric::PairOf<Scalar>> pair_of(
+    const typename Model::template Configuration<Scalar>& first,
+    const typename Model::template Configuration<Scalar>& second) {
+  typename Model::template Configuration<numeric::PairOf<Scalar>> result;
+  pair_numbers<Scalar>(&first, &second,
+                       SortsOf<typename Model::template Configuration<Scalar>>::count, &result);
   return result;
 }
 
@@ -68,9 +70,9 @@ template <typename Scalar>
 /// Calls `use` with what puts two configurations in order, its place from 0 and whether it is a
 /// length: the cosines, then the sines, of the angles between each two links; then the lengths
 /// among the unknowns. The cosines do not change under rigid motion and reflection.
-template <std::size_t Links, typename Use>
-void for_each_key_of(const std::array<Pose<numeric::Pair>, Links>& links, Use& use, int& place) {
-  using Link = Pose<numeric::Pair>;
+template <typename Both, std::size_t Links, typename Use>
+void for_each_key_of(const std::array<Pose<Both>, Links>& links, Use& use, int& place) {
+  using Link = Pose<Both>;
   const auto use_links = [&](auto key_of) {
     visit(links, [&](const Link& one, std::size_t first) {
       visit(links, [&](const Link& other, std::size_t second) {
@@ -80,19 +82,19 @@ void for_each_key_of(const std::array<Pose<numeric::Pair>, Links>& links, Use& u
       });
     });
   };
-  use_links(cosine_between<numeric::Pair>);
-  use_links(sine_between<numeric::Pair>);
+  use_links(cosine_between<Both>);
+  use_links(sine_between<Both>);
 }
-template <typename Model, typename Use>
-void for_each_key(const typename Model::template Dimensions<numeric::Pair>& d,
-                  const typename Model::template Inputs<numeric::Pair>& u,
-                  const typename Model::template Configuration<numeric::Pair>& q, Use use) {
-  Poses<numeric::Pair, Model::link_count> links;
+template <typename Model, typename Both, typename Use>
+void for_each_key(const typename Model::template Dimensions<Both>& d,
+                  const typename Model::template Inputs<Both>& u,
+                  const typename Model::template Configuration<Both>& q, Use use) {
+  Poses<Both, Model::link_count> links;
   Model::link_poses(d, u, q, links);
   int place = 0;
   for_each_key_of(links, use, place);
   for_each_member(q, [&](const auto& member, std::size_t) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, numeric::Pair>) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(member)>, Both>) {
       use(member, place++, true);
     }
   });
@@ -123,16 +125,16 @@ template <typename Model>
 }
 
 /// The key at one place alone.
-template <typename Model, int Place>
-[[nodiscard]] numeric::Pair key_at(const typename Model::template Dimensions<numeric::Pair>& d,
-                                   const typename Model::template Inputs<numeric::Pair>& u,
-                                   const typename Model::template Configuration<numeric::Pair>& q) {
+template <typename Model, int Place, typename Both>
+[[nodiscard]] Both key_at(const typename Model::template Dimensions<Both>& d,
+                          const typename Model::template Inputs<Both>& u,
+                          const typename Model::template Configuration<Both>& q) {
   constexpr int pairs = Model::link_count * (Model::link_count - 1) / 2;
   constexpr KeySource source = key_source<Model>(Place);
   if constexpr (Place >= 2 * pairs) {
     return std::get<source.first>(q.members());
   } else {
-    Poses<numeric::Pair, Model::link_count> links;
+    Poses<Both, Model::link_count> links;
     Model::link_poses(d, u, q, links);
     const auto& one = links[source.first].direction;
     const auto& other = links[source.second].direction;
@@ -142,55 +144,58 @@ template <typename Model, int Place>
 
 /// Whether the first of two configurations comes before the second, by all that may tell them
 /// apart.
-template <typename Model>
+template <typename Model, typename Scalar>
 [[nodiscard, gnu::noinline, gnu::cold]] bool comes_before_by_keys(
-    const typename Model::template Dimensions<numeric::Pair>& d,
-    const typename Model::template Inputs<numeric::Pair>& u,
-    const typename Model::template Configuration<numeric::Pair>& q, double square) {
+    const typename Model::template Dimensions<numeric::PairOf<Scalar>>& d,
+    const typename Model::template Inputs<numeric::PairOf<Scalar>>& u,
+    const typename Model::template Configuration<numeric::PairOf<Scalar>>& q, Scalar square) {
   constexpr std::size_t turning = size(Model::link_count) * size(Model::link_count - 1);
-  std::array<double, turning + size(Model::unknown_count)> first{};
-  std::array<double, turning + size(Model::unknown_count)> second{};
-  for_each_key<Model>(d, u, q, [&](const numeric::Pair& key, int place, bool /*is_length*/) {
-    entry(first, place) = key[0];
-    entry(second, place) = key[1];
-  });
+  std::array<Scalar, turning + size(Model::unknown_count)> first{};
+  std::array<Scalar, turning + size(Model::unknown_count)> second{};
+  for_each_key<Model, numeric::PairOf<Scalar>>(
+      d, u, q, [&](const numeric::PairOf<Scalar>& key, int place, bool /*is_length*/) {
+        entry(first, place) = key[0];
+        entry(second, place) = key[1];
+      });
   return numeric::comes_before(first, second, turning, std::sqrt(square));
 }
 
 /// Whether the first of two configurations comes before the second. `square` is that of the unit of
 /// lengths. The key by which the roots of a formula differ tells them apart however close they are.
-template <typename Model>
-[[nodiscard]] bool comes_before(const typename Model::template Dimensions<numeric::Pair>& d,
-                                const typename Model::template Inputs<numeric::Pair>& u,
-                                const typename Model::template Configuration<numeric::Pair>& q,
-                                double square) {
-  if constexpr (vouches_for_roots<Model>) {
-    const numeric::Pair key = key_at<Model, Model::first_key>(d, u, q);
+template <typename Model, typename Scalar>
+[[nodiscard]] bool comes_before(
+    const typename Model::template Dimensions<numeric::PairOf<Scalar>>& d,
+    const typename Model::template Inputs<numeric::PairOf<Scalar>>& u,
+    const typename Model::template Configuration<numeric::PairOf<Scalar>>& q, Scalar square) {
+  if constexpr (vouches_for_roots<Model, Scalar>) {
+    const numeric::PairOf<Scalar> key =
+        key_at<Model, Model::first_key, numeric::PairOf<Scalar>>(d, u, q);
     return key[0] < key[1];
   } else {
     if constexpr (Model::link_count > 1) {
-      const numeric::Pair key = key_at<Model, 0>(d, u, q);
+      const numeric::PairOf<Scalar> key = key_at<Model, 0, numeric::PairOf<Scalar>>(d, u, q);
       if (numeric::are_apart(key[0], key[1])) {
         return key[0] < key[1];
       }
     }
-    return comes_before_by_keys<Model>(d, u, q, square);
+    return comes_before_by_keys<Model, Scalar>(d, u, q, square);
   }
 }
 
 /// Puts a model's configurations in order.
-template <typename Model>
-void put_in_order(const typename Model::template Dimensions<double>& dimensions,
-                  const typename Model::template Inputs<double>& inputs,
-                  Assemblies<Model>& result) {
-  using numeric::Pair;
-  const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(dimensions, 1.0);
-  const auto u = support::scaled_to<typename Model::template Inputs<Pair>>(inputs, 1.0);
+template <typename Model, typename Scalar>
+void put_in_order(const typename Model::template Dimensions<Scalar>& dimensions,
+                  const typename Model::template Inputs<Scalar>& inputs,
+                  Assemblies<Model, Scalar>& result) {
+  using Pair = numeric::PairOf<Scalar>;
+  const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(dimensions, 1);
+  const auto u = support::scaled_to<typename Model::template Inputs<Pair>>(inputs, 1);
   numeric::insertion_sort(
       size(result.count),
       [&](std::size_t one, std::size_t other) {
-        return comes_before<Model>(
-            d, u, pair_of<Model>(result.configurations[one], result.configurations[other]), 1);
+        return comes_before<Model, Scalar>(
+            d, u, pair_of<Model, Scalar>(result.configurations[one], result.configurations[other]),
+            1);
       },
       [&result](std::size_t one, std::size_t other) {
         std::swap(result.configurations[one], result.configurations[other]);
@@ -200,12 +205,12 @@ void put_in_order(const typename Model::template Dimensions<double>& dimensions,
 
 /// Puts the configurations of a group whose lengths are near one in order, and gives them in the
 /// unit of which these lengths are multiples.
-template <typename Model>
-void list_in(const typename Model::template Dimensions<double>& d,
-             const typename Model::template Inputs<double>& u, double unit,
-             Assemblies<Model>& result) {
+template <typename Model, typename Scalar>
+void list_in(const typename Model::template Dimensions<Scalar>& d,
+             const typename Model::template Inputs<Scalar>& u, Scalar unit,
+             Assemblies<Model, Scalar>& result) {
   if constexpr (!comes_in_any_order<Model> && Model::max_configurations > 1) {
-    put_in_order<Model>(d, u, result);
+    put_in_order<Model, Scalar>(d, u, result);
   }
   for (int index = 0; index < result.count; ++index) {
     auto& q = entry(result.configurations, index);

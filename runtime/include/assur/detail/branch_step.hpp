@@ -7,6 +7,7 @@
 #include <assur/detail/pivots.hpp>
 #include <assur/detail/products.hpp>
 #include <assur/kinematics.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
 #include <cstddef>
@@ -15,12 +16,12 @@
 namespace assur::detail {
 
 /// Largest entry, NaN if there is one; lengths count by the size of the group.
-template <typename Model>
-[[nodiscard]] double turn_of(const Vector<double, Model::unknown_count>& step,
-                             double inverse_size) {
-  double largest = 0;
+template <typename Model, typename Scalar>
+[[nodiscard]] Scalar turn_of(const Vector<Scalar, Model::unknown_count>& step,
+                             Scalar inverse_size) {
+  Scalar largest = 0;
   for (int index = 0; index < Model::unknown_count; ++index) {
-    const double turn = std::abs(step(index)) * (is_angle<Model>(index) ? 1 : inverse_size);
+    const Scalar turn = std::abs(step(index)) * (is_angle<Model>(index) ? Scalar(1) : inverse_size);
     if (turn > largest || std::isnan(turn)) {
       largest = turn;
     }
@@ -31,62 +32,71 @@ template <typename Model>
 /// A turn of at most 0.4 radians by the first terms of its sine and cosine. Their squares' sum is
 /// off by at most 1e-5; normalising leaves the square of that, and after the next, small turn
 /// nothing.
-inline void turn_slightly(Direction<double>& direction, double angle) {
-  const double square = angle * angle;
-  const double cosine = 1 - square * (1.0 / 2 - square * (1.0 / 24));
-  const double sine = angle * (1 - square * (1.0 / 6 - square * (1.0 / 120)));
+template <typename Scalar>
+inline void turn_slightly(Direction<Scalar>& direction, Scalar angle) {
+  const Scalar square = angle * angle;
+  const Scalar cosine = 1 - square * (Scalar(1) / 2 - square * (Scalar(1) / 24));
+  const Scalar sine = angle * (1 - square * (Scalar(1) / 6 - square * (Scalar(1) / 120)));
   direction = normalised(turned(direction, {cosine, sine}));
 }
-inline void turn_slightly(double& length, double step) { length += step; }
+template <typename Scalar>
+inline void turn_slightly(Scalar& length, Scalar step) {
+  length += step;
+}
 
-template <typename Model>
-void move_slightly(typename Model::template Configuration<double>& q,
-                   const Vector<double, Model::unknown_count>& step) {
+template <typename Model, typename Scalar>
+void move_slightly(typename Model::template Configuration<Scalar>& q,
+                   const Vector<Scalar, Model::unknown_count>& step) {
   for_each_member(q, [&step](auto& member, std::size_t index) {
     turn_slightly(member, step(static_cast<Eigen::Index>(index)));
   });
 }
 
 /// What a step may be for its end to be taken for the same branch.
+template <typename Scalar>
 struct StepLimits {
-  double prediction = 0.4;       ///< of the way, radians
-  double correction = 0.2;       ///< the first, of the prediction, radians
-  double contraction = 0.3;      ///< of a correction to the one before
-  double defect = 0.03;          ///< of the way against both ends' derivatives, radians
-  double settled = 1e-7;         ///< the last correction; its square is left
-  double nearly_settled = 2e-5;  ///< a correction whose inverse does for the last, too
+  using Limits = std::numeric_limits<Scalar>;
+  Scalar prediction = Scalar(0.4);   ///< of the way, radians
+  Scalar correction = Scalar(0.2);   ///< the first, of the prediction, radians
+  Scalar contraction = Scalar(0.3);  ///< of a correction to the one before
+  Scalar defect = Scalar(0.03);      ///< of the way against both ends' derivatives, radians
+  /// The last correction; its square is left, which is a rounding.
+  Scalar settled = (std::max)(Scalar(1e-7), numeric::half_of_digits<Scalar>);
+  /// A correction whose inverse does for the last, too: its cube is left.
+  Scalar nearly_settled =
+      (std::max)(Scalar(2e-5), numeric::power_of_two<Scalar>(-Limits::digits / 3));
   /// A step, as a part of the way asked for. The last step that is refused is at most two of these,
   /// and a branch has ended within twice that step wherever it was measured: within 0.2%.
-  double shortest = 5e-4;
+  Scalar shortest = Scalar(5e-4);
 };
 
 /// Moves a configuration as predicted and corrects it by Newton's steps; `way` is all that it has
 /// moved by then, `inverse` J^-1 before the last step. False where prediction or steps are too long
 /// to stay on a branch.
-template <typename Model>
+template <typename Model, typename Scalar>
 [[nodiscard, gnu::always_inline]] inline bool predict_and_correct(
-    const typename Model::template Dimensions<double>& d,
-    const typename Model::template Inputs<double>& u, double inverse_size,
-    const Vector<double, Model::unknown_count>& predicted,
-    typename Model::template Configuration<double>& q, Vector<double, Model::unknown_count>& way,
-    Matrix<double, Model::unknown_count, Model::equation_count>& inverse) {
-  constexpr StepLimits limits;
-  using Unknowns = Vector<double, Model::unknown_count>;
-  if (!(turn_of<Model>(predicted, inverse_size) < limits.prediction)) {
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u, Scalar inverse_size,
+    const Vector<Scalar, Model::unknown_count>& predicted,
+    typename Model::template Configuration<Scalar>& q, Vector<Scalar, Model::unknown_count>& way,
+    Matrix<Scalar, Model::unknown_count, Model::equation_count>& inverse) {
+  constexpr StepLimits<Scalar> limits;
+  using Unknowns = Vector<Scalar, Model::unknown_count>;
+  if (!(turn_of<Model, Scalar>(predicted, inverse_size) < limits.prediction)) {
     return false;
   }
-  move_slightly<Model>(q, predicted);
+  move_slightly<Model, Scalar>(q, predicted);
   way = predicted;
-  Vector<double, Model::equation_count> f;
-  for (double limit = limits.correction;;) {
+  Vector<Scalar, Model::equation_count> f;
+  for (Scalar limit = limits.correction;;) {
     Model::residual(d, u, q, f);
     Model::inverse_jacobian(d, u, q, inverse);
     const Unknowns step = -product(inverse, f);
-    const double turn = turn_of<Model>(step, inverse_size);
+    const Scalar turn = turn_of<Model, Scalar>(step, inverse_size);
     if (!(turn <= (std::max)(limit, limits.settled))) {
       return false;
     }
-    move_slightly<Model>(q, step);
+    move_slightly<Model, Scalar>(q, step);
     way += step;
     if (turn <= limits.settled) {
       return true;
@@ -96,8 +106,8 @@ template <typename Model>
       // The same inverse once more leaves of what it finds as much as it has found of this step.
       Model::residual(d, u, q, f);
       const Unknowns rest = -product(inverse, f);
-      const double found = turn_of<Model>(rest, inverse_size);
-      move_slightly<Model>(q, rest);
+      const Scalar found = turn_of<Model, Scalar>(rest, inverse_size);
+      move_slightly<Model, Scalar>(q, rest);
       way += rest;
       if (found * found <= limits.settled * limits.settled * turn) {
         return true;
@@ -108,21 +118,23 @@ template <typename Model>
 
 /// One step: predicted to second order, corrected by Newton's steps. False if anything speaks
 /// against the end being of the same branch.
-template <typename Model>
-[[nodiscard]] bool step_along(const typename Model::template Dimensions<double>& d,
-                              const InputMotion<Model>& inputs, double width, double inverse_size,
-                              const BranchPoint<Model>& start, BranchPoint<Model>& end) {
-  using Unknowns = Vector<double, Model::unknown_count>;
+template <typename Model, typename Scalar>
+[[nodiscard]] bool step_along(const typename Model::template Dimensions<Scalar>& d,
+                              const InputMotion<Model, Scalar>& inputs, Scalar width,
+                              Scalar inverse_size, const BranchPoint<Model, Scalar>& start,
+                              BranchPoint<Model, Scalar>& end) {
+  using Unknowns = Vector<Scalar, Model::unknown_count>;
   const Unknowns predicted =
       width * start.motion.velocity + width * width / 2 * start.motion.acceleration;
   Unknowns way;
-  Matrix<double, Model::unknown_count, Model::equation_count> inverse;
+  Matrix<Scalar, Model::unknown_count, Model::equation_count> inverse;
   end.q = start.q;
-  if (!predict_and_correct<Model>(d, inputs.u, inverse_size, predicted, end.q, way, inverse)) {
+  if (!predict_and_correct<Model, Scalar>(d, inputs.u, inverse_size, predicted, end.q, way,
+                                          inverse)) {
     return false;
   }
-  const Pivots<Model, double> pivots = pivots_at<Model, double>(d, inputs.u, end.q);
-  end.status = regularity_of(pivots, derivative_rounding<double>()).status;
+  const Pivots<Model, Scalar> pivots = pivots_at<Model, Scalar>(d, inputs.u, end.q);
+  end.status = regularity_at<Model, Scalar>(pivots, d, inputs.u, end.q).status;
   end.orientation = orientation_of(pivots);
   if (!is_solvable(end.status) || end.orientation != start.orientation) {
     return false;
@@ -131,8 +143,8 @@ template <typename Model>
                 end.motion.acceleration);
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
-      width * width * (1.0 / 12) * (start.motion.acceleration - end.motion.acceleration);
-  return turn_of<Model>(defect, inverse_size) <= StepLimits().defect;
+      width * width * (Scalar(1) / 12) * (start.motion.acceleration - end.motion.acceleration);
+  return turn_of<Model, Scalar>(defect, inverse_size) <= StepLimits<Scalar>().defect;
 }
 
 }  // namespace assur::detail

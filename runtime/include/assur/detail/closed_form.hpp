@@ -6,6 +6,7 @@
 #include <assur/model.hpp>
 #include <assur/numeric/magnitude.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/support/discriminant.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
@@ -24,24 +25,25 @@ using support::Discriminants;
 using support::discriminants_of;
 
 /// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
-[[nodiscard]] inline Direction<numeric::Pair> roots_of(const TrigonometricPolynomial<double, 1>& T,
-                                                       const Discriminants<double>& found) {
-  using numeric::Pair;
-  const double root = std::sqrt(found.discriminant);
-  const double scale = 1 / found.leading;
-  const double cosine = T.cosine[1] * scale;
-  const double sine = T.sine[1] * scale;
-  const Pair roots(root, -root);
+template <typename Scalar>
+[[nodiscard]] Direction<numeric::PairOf<Scalar>> roots_of(
+    const TrigonometricPolynomial<Scalar, 1>& T, const Discriminants<Scalar>& found) {
+  const Scalar root = std::sqrt(found.discriminant);
+  const Scalar scale = 1 / found.leading;
+  const Scalar cosine = T.cosine[1] * scale;
+  const Scalar sine = T.sine[1] * scale;
+  const numeric::PairOf<Scalar> roots(root, -root);
   return {-T.cosine[0] * cosine - roots * sine, roots * cosine - T.cosine[0] * sine};
 }
-[[nodiscard]] inline double roots_of(const Vector<double, 2>& T,
-                                     const Discriminants<double>& /*found*/) {
+template <typename Scalar>
+[[nodiscard]] Scalar roots_of(const Vector<Scalar, 2>& T, const Discriminants<Scalar>& /*found*/) {
   return -T(0) / T(1);
 }
-[[nodiscard]] inline numeric::Pair roots_of(const Vector<double, 3>& T,
-                                            const Discriminants<double>& found) {
-  using numeric::Pair;
-  const double larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
+template <typename Scalar>
+[[nodiscard]] numeric::PairOf<Scalar> roots_of(const Vector<Scalar, 3>& T,
+                                               const Discriminants<Scalar>& found) {
+  using Pair = numeric::PairOf<Scalar>;
+  const Scalar larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
   // Both roots are zero only where the discriminant is.
   return Pair(larger, T(0)) / Pair(T(2), larger);
 }
@@ -54,8 +56,9 @@ using FinalPolynomial =
                        Vector<Scalar, static_cast<int>(Model::polynomial_degree) + 1>>;
 
 /// What holds an unknown of all configurations, which are computed at once.
-template <typename Model>
-using AllRoots = std::conditional_t<Model::max_configurations == 2, numeric::Pair, double>;
+template <typename Model, typename Scalar>
+using AllRoots =
+    std::conditional_t<Model::max_configurations == 2, numeric::PairOf<Scalar>, Scalar>;
 
 /// Coefficients that may be off by more: `error` is a number without a value.
 template <typename Scalar, std::size_t Degree>
@@ -73,19 +76,21 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
 }
 
 /// The length up to which what is said of a model, or of a specialised group, holds.
-template <typename Model>
-inline constexpr double most_length =
-    Model::dimension_count == 0 ? support::most_length_of_numbers : 1;
+template <typename Model, typename Scalar>
+inline constexpr Scalar most_length = Model::dimension_count == 0
+                                          ? static_cast<Scalar>(support::most_length_of_numbers)
+                                          : Scalar(1);
 
 /// Tells whether a discriminant of a model has a certain sign. It is homogeneous in the lengths; of
 /// a specialised group it counts as of degree zero.
+template <typename Scalar>
 struct Certainty {
-  double firmness = 0;  ///< one over the largest error where the longest length is `most_length`
+  Scalar firmness = 0;  ///< one over the largest error where the longest length is `most_length`
   int degree = 0;       ///< of the discriminant in the lengths
 
   /// A length to the discriminant's degree, by the length's square.
-  [[nodiscard]] double power(double square) const {
-    double result = (degree & 1) != 0 ? std::sqrt(square) : 1;
+  [[nodiscard]] Scalar power(Scalar square) const {
+    Scalar result = (degree & 1) != 0 ? std::sqrt(square) : 1;
     if ((degree & 2) != 0) {
       result *= square;
     }
@@ -98,34 +103,48 @@ struct Certainty {
   /// The largest error, times `firmness`, by the square of the longest length. Where rounding has
   /// displaced the inputs, errors grow as this has grown beyond the rounding that is taken for
   /// granted; where that is not a number, neither is what is certain.
-  [[nodiscard]] double error(double square, const support::Displacement& displaced) const {
-    const double error = power(square);
+  [[nodiscard]] Scalar error(Scalar square,
+                             const support::DisplacementOf<Scalar>& displaced) const {
+    const Scalar error = power(square);
     if (!(displaced.moved <= 0) || !(displaced.turned <= 0)) {
-      const double part = displaced.moved / std::sqrt(square) + displaced.turned;
-      return error * (1 + part / numeric::Magnitude::given_rounding());
+      const Scalar part = displaced.moved / std::sqrt(square) + displaced.turned;
+      constexpr Scalar given = static_cast<Scalar>(numeric::Magnitude::given_rounding()) *
+                               numeric::roundings_of_double<Scalar>;
+      return error * (1 + part / given);
     }
     return error;
   }
 };
 
+/// How certain what the generator has derived for double is, with an error in units of it.
+template <typename Scalar>
+[[nodiscard]] constexpr Certainty<Scalar> certainty(double error, int degree) {
+  return {static_cast<Scalar>(1 / error) / numeric::roundings_of_double<Scalar>, degree};
+}
+
 /// What is certain of all groups of a model, as the generator has derived it.
-template <typename Model>
+template <typename Model, typename Scalar>
 struct ClosedForm {
-  static constexpr Certainty discriminant = {1 / Model::discriminant_error,
-                                             Model::discriminant_degree};
+  static constexpr Certainty<Scalar> discriminant =
+      certainty<Scalar>(Model::discriminant_error, Model::discriminant_degree);
+  /// Whether no unknown is loose where the discriminant is not zero: det J is a multiple of it.
+  static constexpr bool determines = Model::regular_discriminant > 0;
   /// Whether a large discriminant vouches for configurations that are regular, that differ by
-  /// Model::first_key, and that close.
-  static constexpr bool vouches = Model::regular_discriminant > 0;
+  /// Model::first_key, and that close. In float what would vouch for all groups is larger than the
+  /// discriminants of most: each group is looked at there.
+  static constexpr bool vouches = determines && std::is_same_v<Scalar, double>;
   /// One over a discriminant that has a certain sign and, if any does, vouches.
-  static constexpr double firmness =
-      1 / (std::max)(Model::discriminant_error, Model::regular_discriminant);
+  static constexpr Scalar firmness =
+      vouches ? 1 / (std::max)(static_cast<Scalar>(Model::discriminant_error),
+                               static_cast<Scalar>(Model::regular_discriminant))
+              : discriminant.firmness;
 };
 
 /// Whether there is a formula for a model's configurations of which that is said.
-template <typename Model>
+template <typename Model, typename Scalar>
 inline constexpr bool vouches_for_roots = [] {
   if constexpr (has_closed_form<Model>) {
-    return ClosedForm<Model>::vouches;
+    return ClosedForm<Model, Scalar>::vouches;
   } else {
     return false;
   }

@@ -10,45 +10,50 @@
 #include <assur/detail/polish.hpp>
 #include <assur/numeric/bounded.hpp>
 #include <assur/numeric/pair.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace assur::detail {
 
 /// The search by formula. It vouches for its list where the discriminant has a certain sign,
 /// however dimensions and inputs were rounded, and what it lists closes.
-template <typename Model>
+template <typename Model, typename Number = double>
 class ClosedSearch {
-  using Dimensions = typename Model::template Dimensions<double>;
-  using Inputs = typename Model::template Inputs<double>;
-  using Configuration = typename Model::template Configuration<double>;
+  using Dimensions = typename Model::template Dimensions<Number>;
+  using Inputs = typename Model::template Inputs<Number>;
+  using Configuration = typename Model::template Configuration<Number>;
   static constexpr auto root_count = static_cast<std::size_t>(Model::max_configurations);
-  using Scalar = AllRoots<Model>;
+  using Scalar = AllRoots<Model, Number>;
+  using Displacement = support::DisplacementOf<Number>;
 
  public:
   /// Most groups, as they are. False if a closer look is needed; the list is undefined then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
-                                               const support::Displacement& displaced,
-                                               Assemblies<Model>& result) {
-    const double of_dimensions = square_of_lengths<double>(dimensions);
-    const double square = of_dimensions + square_of_lengths<double>(inputs);
-    if (!is_in_range(square, 0x1p64, most_length<Model> * most_length<Model>)) {
+                                               const Displacement& displaced,
+                                               Assemblies<Model, Number>& result) {
+    const Number of_dimensions = square_of_lengths<Number>(dimensions);
+    const Number square = of_dimensions + square_of_lengths<Number>(inputs);
+    constexpr Number longest = numeric::power_of_two<Number>(most_power);
+    constexpr Number longest_of_numbers = most_length<Model, Number>;
+    if (!is_in_range(square, longest * longest, longest_of_numbers * longest_of_numbers)) {
       return false;
     }
-    FinalPolynomial<Model, double> T;
+    FinalPolynomial<Model, Number> T;
     Model::position_polynomial(dimensions, inputs, T);
-    const Discriminants<double> found = discriminants_of(T);
-    const double in_units = is_scaled ? square : 1;
-    const double error = Form::discriminant.error(in_units, displaced);
+    const Discriminants<Number> found = discriminants_of(T);
+    const Number in_units = is_scaled ? square : 1;
+    const Number error = Form::discriminant.error(in_units, displaced);
     if (!(found.discriminant * Form::firmness > error)) {
       return found.discriminant * Form::discriminant.firmness < -error && is_finite(dimensions) &&
              is_finite(inputs);
     }
     if constexpr (has_leading_coefficient) {
-      constexpr Certainty leading = {1 / Model::leading_error, Model::leading_degree};
+      constexpr auto leading = certainty<Number>(Model::leading_error, Model::leading_degree);
       if (!(std::abs(found.leading) * leading.firmness > leading.error(in_units, displaced))) {
         return false;
       }
@@ -60,15 +65,15 @@ class ClosedSearch {
     const auto unsure = [&] {
       // What is near the origin is as unsure as its lengths, which every verdict counts.
       const bool counts =
-          displaced.moved > 0 || displaced.turned > 0 || square > 0x1p8 * of_dimensions;
-      return counts ? support::unsure_jacobian<Model>(dimensions, inputs, displaced) : 0.0;
+          displaced.moved > 0 || displaced.turned > 0 || square > 256 * of_dimensions;
+      return counts ? support::unsure_jacobian<Model, Number>(dimensions, inputs, displaced) : 0;
     };
     if (!completes(d, u, q, square, unsure)) {
       return false;
     }
     std::size_t first = 0;
     if constexpr (root_count == 2 && !comes_in_any_order<Model>) {
-      first = comes_before<Model>(d, u, q, in_units) ? 0 : 1;
+      first = comes_before<Model, Number>(d, u, q, in_units) ? 0 : 1;
     }
     for (std::size_t index = 0; index < root_count; ++index) {
       result.configurations[index ^ first] = lane_of<Configuration>(q, index);
@@ -81,56 +86,65 @@ class ClosedSearch {
   /// A closer look: with the bounds of these very dimensions and inputs, which are much closer
   /// where many lengths are multiplied, and polished. False if it cannot vouch for its list.
   [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
-      const Dimensions& dimensions, const Inputs& inputs, const support::Displacement& displaced,
-      Assemblies<Model>& result) {
-    const double longest = (std::max)(longest_length(inputs), longest_length(dimensions));
+      const Dimensions& dimensions, const Inputs& inputs, const Displacement& displaced,
+      Assemblies<Model, Number>& result) {
+    const Number longest = (std::max)(longest_length(inputs), longest_length(dimensions));
     // What is scaled may have any unit of which the scale is a number.
-    if (!is_in_range(longest, 0x1p500, most_length<Model>) || !is_finite(dimensions) ||
+    constexpr Number most = numeric::power_of_two<Number>(most_power_of_scale);
+    if (!is_in_range(longest, most, most_length<Model, Number>) || !is_finite(dimensions) ||
         !is_finite(inputs)) {
       return false;
     }
-    const double scale = is_scaled ? support::inverse_power_of_two(longest) / 2 : 1.0;
+    const Number scale = is_scaled ? support::inverse_power_of_two(longest) / 2 : 1;
     const auto d = support::scaled_to<Dimensions>(dimensions, scale);
     const auto u = support::scaled_to<Inputs>(inputs, scale);
-    FinalPolynomial<Model, double> T;
+    FinalPolynomial<Model, Number> T;
     Model::position_polynomial(d, u, T);
-    const Discriminants<double> found = discriminants_of(T);
-    const support::Displacement scaled = displaced.scaled(scale);
+    const Discriminants<Number> found = discriminants_of(T);
+    const Displacement scaled = displaced.scaled(scale);
     if (!is_certain(d, u, scaled)) {
       return false;
     }
     if (found.discriminant < 0) {
       return true;
     }
-    const double unsure = support::unsure_jacobian<Model>(d, u, scaled);
+    const Number unsure = support::unsure_jacobian<Model, Number>(d, u, scaled);
     const auto roots = roots_of(T, found);
     for (std::size_t index = 0; index < root_count; ++index) {
       Configuration& q = result.configurations[index];
       first_of<Model>(q) = numeric::lane(roots, index);
-      if (!complete<Model>(d, u, q)) {
+      if (!complete<Model, Number>(d, u, q)) {
         return false;
       }
       // Where a discriminant vouches, no other unknown can be loose.
-      result.regularity[index] = polish<Model>(d, u, q, unsure, Form::vouches ? 0 : loose_margin);
+      result.regularity[index] =
+          polish<Model, Number>(d, u, q, unsure, Form::determines ? 0 : loose_margin<Number>);
       if (!is_solvable(result.regularity[index])) {
         return false;
       }
     }
     result.count = static_cast<int>(root_count);
-    if (has_twins<Model>(result)) {
+    if (has_twins<Model, Number>(result)) {
       result.count = 0;
       return false;
     }
-    list_in<Model>(d, u, 1 / scale, result);
+    list_in<Model, Number>(d, u, 1 / scale, result);
     return true;
   }
 
  private:
-  using Form = ClosedForm<Model>;
+  using Form = ClosedForm<Model, Number>;
   static constexpr bool is_scaled = Model::dimension_count > 0;
+  /// The discriminant of lengths of this power of two, and of its inverse, is far from overflow and
+  /// underflow; and any length whose inverse is a number can be scaled.
+  static constexpr int most_power =
+      (std::min)(32, std::numeric_limits<Number>::max_exponent * 7 / 16 /
+                         (std::max)(1, Model::discriminant_degree));
+  static constexpr int most_power_of_scale =
+      std::numeric_limits<Number>::max_exponent * 500 / std::numeric_limits<double>::max_exponent;
 
   /// Products of several lengths may neither overflow nor underflow.
-  [[nodiscard]] static bool is_in_range(double size, double most, double most_of_numbers) {
+  [[nodiscard]] static bool is_in_range(Number size, Number most, Number most_of_numbers) {
     return is_scaled ? size * most > 1 && size < most : size <= most_of_numbers;
   }
 
@@ -143,12 +157,13 @@ class ClosedSearch {
   /// regular, where the Jacobian is `unsure` by so much. A discriminant that vouches counts that.
   template <typename ScalarDimensions, typename ScalarInputs, typename Roots, typename Unsure>
   [[nodiscard]] static bool completes(const ScalarDimensions& d, const ScalarInputs& u, Roots& q,
-                                      double square, const Unsure& unsure) {
+                                      Number square, const Unsure& unsure) {
     // What the longest length is for the closures: at most 1.8 times as long as it is.
     const auto holds = [&] { return closes<Model, Scalar>(d, u, q, square / 2); };
     if constexpr (Form::vouches) {
       const Scalar miss = complete_root<Model, Scalar>(d, u, q);
-      return !completes_angles<Model> || static_cast<bool>(miss <= Scalar(settled_direction)) ||
+      return !completes_angles<Model> ||
+             static_cast<bool>(miss <= Scalar(settled_direction<Number>)) ||
              static_cast<bool>(holds());
     } else {
       return static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds()) &&
@@ -157,19 +172,21 @@ class ClosedSearch {
   }
 
   [[nodiscard]] static bool is_certain(const Dimensions& d, const Inputs& u,
-                                       const support::Displacement& displaced) {
-    using Certified = numeric::Bounded<double>;
+                                       const Displacement& displaced) {
+    using Certified = numeric::Bounded<Number>;
     FinalPolynomial<Model, Certified> T;
     Model::position_polynomial(
         support::rounded<typename Model::template Dimensions<Certified>>(
-            d, support::rounding_of_one, support::rounding_of_one),
+            d, support::rounding_of_one<Number>, support::rounding_of_one<Number>),
         support::rounded<typename Model::template Inputs<Certified>>(
             u, support::rounding_of_inputs(u, displaced.moved),
             support::rounding_of_inputs(u, (std::max)(displaced.moved, displaced.turned))),
         T);
-    widen(T, Certified(0, support::rounding_of_numbers<Model>()));
+    constexpr Number lost = numeric::lost_in_underflow<Number>;
+    widen(T, Certified(0, support::rounding_of_numbers<Model, Number>() + lost));
     const Discriminants<Certified> found = discriminants_of(T);
-    return found.discriminant.sign_is_certain() && found.leading.sign_is_certain();
+    return found.discriminant.sign_is_certain() && found.leading.sign_is_certain() &&
+           found.discriminant.size() > lost && found.leading.size() > lost;
   }
 };
 

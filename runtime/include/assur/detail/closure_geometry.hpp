@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <assur/model.hpp>
 #include <assur/numeric/matrix4.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/support/flat_variables.hpp>
 #include <cmath>
 #include <cstddef>
@@ -18,7 +19,9 @@ using support::FlatVariables;
 
 /// A configuration with a longer displacement, among lengths near one, has run to infinity as far
 /// as rounding lets tell.
-inline constexpr double farthest_configuration = 0x1p24;
+template <typename Scalar>
+inline constexpr Scalar farthest_configuration =
+    numeric::power_of_two<Scalar>(std::numeric_limits<Scalar>::digits / 2 - 2);
 
 /// The loop closures f(q) of one group in double precision, on flat unknowns: four in four unknowns
 /// at most. Where a group has fewer, the rest are those of the identity, which change nothing.

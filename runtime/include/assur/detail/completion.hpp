@@ -57,7 +57,8 @@ inline constexpr bool completes_angles = [] {
 
 /// What a direction that was computed may be off by for its link to close: the closures miss by the
 /// link's length, times half of what the direction's square is off by.
-inline constexpr double settled_direction = 8 * std::numeric_limits<double>::epsilon();
+template <typename Scalar>
+inline constexpr Scalar settled_direction = 8 * std::numeric_limits<Scalar>::epsilon();
 
 /// The unknowns that follow at a root that is a direction to a few roundings: what the squares of
 /// the others' directions are off by at most.
@@ -80,13 +81,13 @@ template <typename Model, typename Scalar>
 
 /// The other unknowns at a simple root of the final polynomial, where one second value fits. False
 /// where none does.
-template <typename Model>
-[[nodiscard]] bool complete(const typename Model::template Dimensions<double>& d,
-                            const typename Model::template Inputs<double>& u,
-                            typename Model::template Configuration<double>& q) {
+template <typename Model, typename Scalar>
+[[nodiscard]] bool complete(const typename Model::template Dimensions<Scalar>& d,
+                            const typename Model::template Inputs<Scalar>& u,
+                            typename Model::template Configuration<Scalar>& q) {
   if constexpr (Model::second_unknown >= 0) {
     auto& second = std::get<size(Model::second_unknown)>(q.members());
-    Matrix<double, 2, 3> e;
+    Matrix<Scalar, 2, 3> e;
     Model::second_equations(d, u, q, e);
     const auto candidates = numeric::second_candidates<std::decay_t<decltype(second)>>(e);
     if (candidates.count == 0) {
@@ -94,7 +95,7 @@ template <typename Model>
     }
     second = candidates.list[0].value;
   }
-  return complete_rest<Model, double>(d, u, q);
+  return complete_rest<Model, Scalar>(d, u, q);
 }
 
 /// The same where the two reduced equations tell the second unknown well: what comes of it must be

@@ -20,52 +20,60 @@
 
 namespace assur::detail {
 
-/// The search in double precision, of a group whose longest length is near one. It vouches for its
+/// The search in the precision of the scalar, with a polynomial and roots in that or one of more
+/// digits, `Work`, of a group whose longest length is near one. It vouches for its
 /// list where every root of the final polynomial is certainly simple, however dimensions and inputs
 /// were rounded, and completes to a configuration that closes: a simple root belongs to one
 /// configuration at most.
-template <typename Model>
+template <typename Model, typename Scalar, typename Work>
 class GeneralSearch {
-  using Dimensions = typename Model::template Dimensions<double>;
-  using Inputs = typename Model::template Inputs<double>;
-  using Configuration = typename Model::template Configuration<double>;
+  using Dimensions = typename Model::template Dimensions<Scalar>;
+  using Inputs = typename Model::template Inputs<Scalar>;
+  using Configuration = typename Model::template Configuration<Scalar>;
 
  public:
   /// Rounding has `displaced` the inputs by so much as counts for the list, and by so much that
-  /// they are `off` as counts for verdicts.
-  GeneralSearch(const Dimensions& d, const Inputs& u, double displaced, double off,
-                Assemblies<Model>& result)
-      : d_(d), u_(u), displaced_(displaced), off_(off), result_(result) {}
+  /// they are `off` as counts for verdicts: in float that is the same.
+  GeneralSearch(const Dimensions& d, const Inputs& u, Scalar displaced, Scalar off,
+                Assemblies<Model, Scalar>& result)
+      : d_(d),
+        u_(u),
+        displaced_(displaced),
+        off_(std::is_same_v<Scalar, float> ? displaced : off),
+        result_(result) {}
 
   /// False if it cannot vouch for its list.
   [[nodiscard]] bool run() {
     static_assert(is_angle<Model>(Model::first_unknown),
                   "a polynomial in a displacement is of second degree at most");
-    const auto polynomial = support::position_polynomial<Model, double>(d_, u_, displaced_);
-    const auto roots = numeric::trigonometric_roots<double, Model::polynomial_degree>(
-        polynomial.value, polynomial.error);
-    if (roots.status == numeric::RootStatus::invalid) {
-      result_.status = AssemblyStatus::not_finite;
-      return true;
+    const auto polynomial = support::position_polynomial<Model, Work, Scalar>(d_, u_, displaced_);
+    const auto roots = numeric::trigonometric_roots<Work, Model::polynomial_degree>(
+        polynomial.value, Work(polynomial.error));
+    if constexpr (std::is_same_v<Scalar, double>) {
+      if (roots.status == numeric::RootStatus::invalid) {
+        result_.status = AssemblyStatus::not_finite;
+        return true;
+      }
     }
     if (roots.status != numeric::RootStatus::certified) {
       return false;
     }
-    const double longest = (std::max)(1.0, longest_length(u_));
+    const Scalar longest = (std::max)(Scalar(1), longest_length(u_));
     // The Jacobian is as unsure as the places are; a length of one is among those of the group.
-    const double unsure = (std::max)(off_, std::numeric_limits<double>::epsilon() * longest);
+    const Scalar unsure = (std::max)(off_, std::numeric_limits<Scalar>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
-      if (!accept({roots.roots[root].cosine, roots.roots[root].sine}, longest, unsure)) {
+      if (!accept({Scalar(roots.roots[root].cosine), Scalar(roots.roots[root].sine)}, longest,
+                  unsure)) {
         return false;
       }
     }
-    return !has_twins<Model>(result_);
+    return !has_twins<Model, Scalar>(result_);
   }
 
  private:
   /// Completes the configuration at a simple root, where one second value fits, polishes it on the
   /// loop equations if need be and lists it; false if it does not close.
-  [[nodiscard]] bool accept(const Direction<double>& first, double longest, double unsure) {
+  [[nodiscard]] bool accept(const Direction<Scalar>& first, Scalar longest, Scalar unsure) {
     if (result_.count == Model::max_configurations) {
       return false;
     }
@@ -73,15 +81,16 @@ class GeneralSearch {
     Status& regularity = entry(result_.regularity, result_.count);
     regularity = Status::no_convergence;
     first_of<Model>(q) = first;
-    if (complete_simple<Model, double>(d_, u_, q)) {
-      const bool settled = closes<Model, double>(d_, u_, q, longest * longest) &&
-                           is_regular<Model, double>(d_, u_, q, unsure);
-      regularity = settled ? Status::ok : polish<Model>(d_, u_, q, unsure, loose_margin);
+    if (complete_simple<Model, Scalar>(d_, u_, q)) {
+      const bool settled = closes<Model, Scalar>(d_, u_, q, longest * longest) &&
+                           is_regular<Model, Scalar>(d_, u_, q, unsure);
+      regularity =
+          settled ? Status::ok : polish<Model, Scalar>(d_, u_, q, unsure, loose_margin<Scalar>);
     }
     if (regularity == Status::no_convergence) {
       first_of<Model>(q) = first;
-      if (complete<Model>(d_, u_, q)) {
-        regularity = polish<Model>(d_, u_, q, unsure, loose_margin);
+      if (complete<Model, Scalar>(d_, u_, q)) {
+        regularity = polish<Model, Scalar>(d_, u_, q, unsure, loose_margin<Scalar>);
       }
     }
     result_.count += is_solvable(regularity) ? 1 : 0;
@@ -90,9 +99,9 @@ class GeneralSearch {
 
   const Dimensions& d_;
   const Inputs& u_;
-  double displaced_;
-  double off_;
-  Assemblies<Model>& result_;
+  Scalar displaced_;
+  Scalar off_;
+  Assemblies<Model, Scalar>& result_;
 };
 
 }  // namespace assur::detail

@@ -14,14 +14,27 @@
 
 namespace assur::detail {
 
+/// The scalar of a model's variables.
+template <typename Variables>
+struct ScalarOf;
+template <template <typename> class Variables, typename Scalar>
+struct ScalarOf<Variables<Scalar>> {
+  using Type = Scalar;
+};
+
+template <typename Member>
+inline constexpr bool is_direction = false;
+template <typename Scalar>
+inline constexpr bool is_direction<Direction<Scalar>> = true;
+
 /// What the members of variables are, and the numbers that they consist of.
 template <typename Members>
 struct Sorts;
 template <typename... Members>
 struct Sorts<std::tuple<const Members&...>> {
-  static constexpr std::size_t count = (std::size_t{0} + ... + (sizeof(Members) / sizeof(double)));
-  static constexpr std::array<bool, sizeof...(Members)> angles = {
-      std::is_same_v<Members, Direction<double>>...};
+  static constexpr std::size_t count =
+      (std::size_t{0} + ... + std::size_t{is_direction<Members> ? 2 : 1});
+  static constexpr std::array<bool, sizeof...(Members)> angles = {is_direction<Members>...};
   static constexpr std::array<bool, count> lengths = [] {
     std::array<bool, count> result{};
     std::size_t place = 0;
@@ -52,32 +65,34 @@ void put_number(void* variables, std::size_t place, const Scalar& number) {
 }
 
 /// Whether none of so many numbers is NaN or infinite.
-[[nodiscard]] inline bool are_finite(const void* variables, std::size_t count) {
+template <typename Scalar>
+[[nodiscard]] bool are_finite(const void* variables, std::size_t count) {
   bool finite = true;
   for (std::size_t place = 0; place < count; ++place) {
-    finite = finite && std::isfinite(number_at<double>(variables, place));
+    finite = finite && std::isfinite(number_at<Scalar>(variables, place));
   }
   return finite;
 }
 
 /// The largest length by magnitude; zero if there is none.
-template <std::size_t Count>
-[[nodiscard]] double longest(const void* variables, const std::array<bool, Count>& is_length) {
-  double largest = 0;
+template <typename Scalar, std::size_t Count>
+[[nodiscard]] Scalar longest(const void* variables, const std::array<bool, Count>& is_length) {
+  Scalar largest = 0;
   for (std::size_t place = 0; place < Count; ++place) {
     if (is_length[place]) {
-      largest = (std::max)(largest, std::abs(number_at<double>(variables, place)));
+      largest = (std::max)(largest, std::abs(number_at<Scalar>(variables, place)));
     }
   }
   return largest;
 }
 
 /// The largest difference of so many numbers of one and of other variables.
-[[nodiscard]] inline double farthest_apart(const void* one, const void* other, std::size_t count) {
-  double largest = 0;
+template <typename Scalar>
+[[nodiscard]] Scalar farthest_apart(const void* one, const void* other, std::size_t count) {
+  Scalar largest = 0;
   for (std::size_t place = 0; place < count; ++place) {
     largest = (std::max)(largest,
-                         std::abs(number_at<double>(one, place) - number_at<double>(other, place)));
+                         std::abs(number_at<Scalar>(one, place) - number_at<Scalar>(other, place)));
   }
   return largest;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/model.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/status.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <cmath>
@@ -29,7 +30,7 @@ template <typename Model, typename Scalar>
 }
 
 using support::derivative_rounding;
-using support::six_digits;
+using support::regular_error;
 
 /// `rounding`: the relative error of what the pivots are computed from, with all constants.
 template <typename Model, typename Scalar>
@@ -65,15 +66,16 @@ template <typename Model, typename Scalar>
   result.margin = kept * firmness;
   result.firmness = firmness;
   result.rounding = rounding;
-  const bool keeps = rounding < Scalar(six_digits) * result.margin;
+  const bool keeps = rounding < Scalar(regular_error<Scalar>) * result.margin;
   result.status = keeps ? Status::ok : Status::near_singular;
   return result;
 }
 
 /// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots, double rounding) {
-  Scalar core = Scalar(six_digits);
+[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
+                              typename numeric::PartOf<Scalar>::Type rounding) {
+  Scalar core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
   Scalar lost = Scalar(rounding) * pivots.terms;
   for (int index = 0; index < Model::core_pivot_count; ++index) {
     core = core * (pivots.values(index) * pivots.values(index));
@@ -87,32 +89,32 @@ template <typename Model, typename Scalar>
   return static_cast<bool>(regular);
 }
 
-/// Whether second rates keep six digits too, whatever moves: they divide by the firmness once more
-/// (see `second_rate_error`). Without a division, as above.
-template <typename Model>
-[[nodiscard]] bool is_firm(const Pivots<Model, double>& pivots, double rounding) {
-  double core = 1;
-  double sizes = 1;
+/// Whether second rates keep as many digits too, whatever moves: they divide by the firmness once
+/// more (see `second_rate_error`). Without a division, as above.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool is_firm(const Pivots<Model, Scalar>& pivots, Scalar rounding) {
+  Scalar core = 1;
+  Scalar sizes = 1;
   for (int index = 0; index < Model::core_pivot_count; ++index) {
     core *= std::abs(pivots.values(index));
     sizes *= pivots.sizes(index);
   }
-  core *= six_digits * core * core;
-  const double lost = rounding * pivots.terms * sizes * sizes;
+  core *= Scalar(regular_error<Scalar>) * core * core;
+  const Scalar lost = rounding * pivots.terms * sizes * sizes;
   bool firm = lost < core;
   for (int index = Model::core_pivot_count; index < Model::pivot_count; ++index) {
-    const double value = pivots.values(index) * pivots.values(index);
-    const double size = pivots.sizes(index) * pivots.sizes(index);
+    const Scalar value = pivots.values(index) * pivots.values(index);
+    const Scalar size = pivots.sizes(index) * pivots.sizes(index);
     firm = firm && lost * (size * size) < core * (value * value);
   }
   return firm;
 }
 
 /// The sign of det J; zero only where a pivot vanishes.
-template <typename Model>
-[[nodiscard]] int orientation_of(const Pivots<Model, double>& pivots) {
+template <typename Model, typename Scalar>
+[[nodiscard]] int orientation_of(const Pivots<Model, Scalar>& pivots) {
   int sign = Model::determinant_sign;
-  for (const double pivot : pivots.values) {
+  for (const Scalar pivot : pivots.values) {
     sign *= (pivot > 0 ? 1 : 0) - (pivot < 0 ? 1 : 0);
   }
   return sign;

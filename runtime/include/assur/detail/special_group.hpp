@@ -135,7 +135,7 @@ class SpecialGroupOf {
   }
 
   static FirstValues values(const PreciseVariables& d, const PreciseVariables& u, double within) {
-    const double own = (std::min)(within, support::rounding_of_one);
+    const double own = (std::min)(within, support::rounding_of_one<double>);
     constexpr auto degree = Model::polynomial_degree;
     if constexpr (is_angle<Model>(Model::first_unknown)) {
       TrigonometricPolynomial<Certified, degree> polynomial;

@@ -87,7 +87,7 @@ class SpecialSearch {
       }
       FlatVariables<double> q = found.list[0];
       closures.straighten(q);
-      if (!(longest_displacement(closures, q) < farthest_configuration) ||
+      if (!(longest_displacement(closures, q) < farthest_configuration<double>) ||
           !(close(closures, q) < rounding(closures, q)) ||
           distance(closures, q, found.list[0]) > 1e-6 ||
           free_directions(closures, q, lost_pivot).count > 0) {
@@ -194,14 +194,14 @@ class SpecialSearch {
   void add(const FlatVariables<double>& start) {
     const Closures& closures = group_.closures;
     FlatVariables<double> q = start;
-    if (!(longest_displacement(closures, q) < farthest_configuration)) {
+    if (!(longest_displacement(closures, q) < farthest_configuration<double>)) {
       return;
     }
     // A second value that does not fit completes to directions that are none.
     closures.straighten(q);
     const double miss = close(closures, q);
     const double displacement = longest_displacement(closures, q);
-    if (!(displacement < farthest_configuration && miss < rounding(closures, q))) {
+    if (!(displacement < farthest_configuration<double> && miss < rounding(closures, q))) {
       return;
     }
     const bool singular = free_directions(closures, q, singular_pivot).count > 0;
@@ -270,7 +270,7 @@ double SpecialSearch<Group>::least_miss() const {
   double least = std::numeric_limits<double>::infinity();
   for_each_sample([&](const FlatVariables<double>& start) {
     FlatVariables<double> q = start;
-    if (longest_displacement(group_.closures, q) < farthest_configuration) {
+    if (longest_displacement(group_.closures, q) < farthest_configuration<double>) {
       group_.closures.straighten(q);
       least = (std::min)(least, close(group_.closures, q));
     }

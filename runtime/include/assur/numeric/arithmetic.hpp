@@ -14,33 +14,47 @@ inline constexpr bool tells_nan = true;
 #endif
 
 /// Whether the compiler promises to round every sum, product and quotient once, where it is
-/// written, and to half an ulp of double. Bounds of rounding are derived from that.
+/// written, and to half an ulp of the scalar, double or float. Bounds of rounding are derived from
+/// that. Where float is computed in double, it is rounded twice.
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
     (defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0))
+template <typename Scalar>
 inline constexpr bool rounds_as_written = false;
 #else
-inline constexpr bool rounds_as_written = tells_nan && std::numeric_limits<double>::is_iec559 &&
-                                          std::numeric_limits<double>::digits == 53;
+template <typename Scalar>
+inline constexpr bool rounds_as_written = tells_nan&& std::numeric_limits<Scalar>::is_iec559 &&
+                                          (std::numeric_limits<Scalar>::digits == 53
+#if !defined(__FLT_EVAL_METHOD__) || __FLT_EVAL_METHOD__ != 1
+                                           || std::numeric_limits<Scalar>::digits == 24
+#endif
+                                          );
 #endif
 
 /// Whether error-free sums and products are so. Not every compiler tells what it rearranges, and
 /// none how the processor rounds, so some are computed from a number that it does not know.
-[[nodiscard]] inline bool sums_are_exact() {
-  const volatile double unknown = 1;
-  const double one = unknown;
+template <typename Scalar>
+[[nodiscard]] bool sums_are_exact() {
+  constexpr int digits = std::numeric_limits<Scalar>::digits;
+  constexpr auto power = [](int exponent) { return power_of_two<Scalar>(exponent); };
+  const volatile Scalar unknown = 1;
+  const Scalar one = unknown;
   // Rounding twice, or towards zero, misses the first; rounding upwards the second.
-  constexpr double above_half = 0x1p-53 + 0x1p-70;
-  constexpr double below_half = 0x1p-54;
-  const DoubleDouble up = two_sum(one, above_half);
-  const DoubleDouble down = two_sum(one, below_half);
-  const DoubleDouble square = two_prod(one + 0x1p-30, one + 0x1p-30);
-  return (up.high == 1 + 0x1p-52) & (up.low == above_half - 0x1p-52) & (down.high == 1) &
-         (down.low == below_half) & (square.high == 1 + 0x1p-29) & (square.low == 0x1p-60);
+  constexpr Scalar ulp = power(1 - digits);
+  constexpr Scalar above_half = ulp / 2 + power(-digits - digits / 3);
+  constexpr Scalar below_half = ulp / 4;
+  const DoubleWord<Scalar> up = two_sum<Scalar>(one, above_half);
+  const DoubleWord<Scalar> down = two_sum<Scalar>(one, below_half);
+  constexpr Scalar little = power(-digits / 2 - 4);
+  const DoubleWord<Scalar> square = two_prod<Scalar>(one + little, one + little);
+  return (up.high == 1 + ulp) & (up.low == above_half - ulp) & (down.high == 1) &
+         (down.low == below_half) & (square.high == 1 + 2 * little) &
+         (square.low == little * little);
 }
 
 /// Whether numbers are told from zero that are too small to have all their digits.
-[[nodiscard]] inline bool keeps_subnormals() {
-  const volatile double least = (std::numeric_limits<double>::min)();
+template <typename Scalar>
+[[nodiscard]] bool keeps_subnormals() {
+  const volatile Scalar least = (std::numeric_limits<Scalar>::min)();
   return least / 2 > 0;
 }
 

@@ -2,43 +2,50 @@
 #pragma once
 
 #include <algorithm>
+#include <assur/numeric/precision.hpp>
 #include <cmath>
 #include <cstddef>
 
 namespace assur::numeric {
 
 /// A difference of two entries of keys above this counts, relative to the larger of the entry and
-/// its unit. Rounding moves a double configuration by the root of epsilon.
-inline constexpr double key_rounding = 1e-6;
+/// its unit: 1e-6 of double, 1e-3 of float. Rounding moves a double configuration by the root of
+/// epsilon.
+template <typename Scalar>
+inline constexpr Scalar key_rounding = static_cast<Scalar>(last_regular_digit<Scalar>);
 
 /// Whether two entries of keys differ by more than rounding.
-[[nodiscard]] inline bool are_apart(double left, double right, double one = 1) {
-  return std::abs(left - right) > key_rounding * (one + std::abs(left));
+template <typename Scalar>
+[[nodiscard]] bool are_apart(Scalar left, Scalar right, Scalar one = 1) {
+  return std::abs(left - right) > key_rounding<Scalar> * (one + std::abs(left));
 }
 
 /// Whether one key comes before another of its size: by the first entry, of those from `from` on,
 /// by which they differ; those before are the same. From `lengths_from` on entries count in the
 /// unit `one`. A difference is relative to the larger of the entry and its unit, and counts above
-/// 1e-6. Two keys that are close together as a whole belong to configurations that meet. There
-/// every entry falls with the distance, so each counts in parts of the largest: the first by which
-/// they differ stays the first.
+/// `key_rounding`. Two keys that are close together as a whole belong to configurations that meet.
+/// There every entry falls with the distance, so each counts in parts of the largest: the first by
+/// which they differ stays the first.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right, std::size_t lengths_from,
-                                double one, std::size_t from = 0) {
-  constexpr double close = 1e-2;
-  constexpr double equal = 1e-13;
+                                typename Key::value_type one, std::size_t from = 0) {
+  using Scalar = typename Key::value_type;
+  constexpr auto close = static_cast<Scalar>(1e-2);
+  constexpr Scalar equal = static_cast<Scalar>(1e-13) * roundings_of_double<Scalar>;
   const auto difference = [&](std::size_t place) {
-    const double unit = place < lengths_from ? 1 : one;
+    const Scalar unit = place < lengths_from ? Scalar(1) : one;
     return (left[place] - right[place]) / (unit + std::abs(left[place]));
   };
-  if (from < left.size() && are_apart(left[from], right[from], from < lengths_from ? 1 : one)) {
+  if (from < left.size() &&
+      are_apart(left[from], right[from], from < lengths_from ? Scalar(1) : one)) {
     return left[from] < right[from];
   }
-  double farthest = 0;
+  Scalar farthest = 0;
   for (std::size_t place = from; place < left.size(); ++place) {
     farthest = (std::max)(farthest, std::abs(difference(place)));
   }
-  const double least = (std::max)(equal, key_rounding * (std::min)(1.0, farthest / close));
+  const Scalar least =
+      (std::max)(equal, key_rounding<Scalar> * (std::min)(Scalar(1), farthest / close));
   for (std::size_t place = from; place < left.size(); ++place) {
     if (std::abs(difference(place)) > least) {
       return difference(place) < 0;

@@ -3,64 +3,93 @@
 
 #include <algorithm>
 #include <assur/model.hpp>
+#include <assur/numeric/precision.hpp>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace assur::numeric {
 
 /// What holds or does not of each of two numbers; of both, as a bool.
+template <typename Both>
 struct PairTruth {
-  typedef long long Both __attribute__((vector_size(2 * sizeof(long long))));
   Both both;
 
   explicit operator bool() const { return (both[0] & both[1]) != 0; }
   friend PairTruth operator&(const PairTruth& a, const PairTruth& b) { return {a.both & b.both}; }
 };
 
+/// Two numbers as compilers have them side by side.
+template <typename Scalar>
+struct TwoOf;
+template <>
+struct TwoOf<double> {
+  typedef double Type __attribute__((vector_size(2 * sizeof(double))));
+};
+template <>
+struct TwoOf<float> {
+  typedef float Type __attribute__((vector_size(2 * sizeof(float))));
+};
+
 /// Two numbers, for what is computed alike of both. A comparison does not hold where one of them is
 /// no number.
-class Pair {
-  typedef double Both __attribute__((vector_size(2 * sizeof(double))));
+template <typename Scalar>
+class PairOf {
+  using Both = typename TwoOf<Scalar>::Type;
+  using Truth = PairTruth<decltype(Both() < Both())>;
   Both both_{};
 
-  explicit Pair(Both both) : both_(both) {}
+  explicit PairOf(Both both) : both_(both) {}
 
  public:
-  Pair() = default;
-  Pair(double one) : both_{one, one} {}
-  Pair(double first, double second) : both_{first, second} {}
+  PairOf() = default;
+  PairOf(Scalar one) : both_{one, one} {}
+  PairOf(Scalar first, Scalar second) : both_{first, second} {}
+  /// A constant of generated code.
+  template <
+      typename Number,
+      std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
+  PairOf(Number one) : PairOf(static_cast<Scalar>(one)) {}
 
-  [[nodiscard]] double operator[](std::size_t lane) const { return both_[lane]; }
+  [[nodiscard]] Scalar operator[](std::size_t lane) const { return both_[lane]; }
 
-  friend Pair operator+(const Pair& a, const Pair& b) { return Pair(a.both_ + b.both_); }
-  friend Pair operator-(const Pair& a, const Pair& b) { return Pair(a.both_ - b.both_); }
-  friend Pair operator-(const Pair& a) { return Pair(-a.both_); }
-  friend Pair operator*(const Pair& a, const Pair& b) { return Pair(a.both_ * b.both_); }
-  friend Pair operator/(const Pair& a, const Pair& b) { return Pair(a.both_ / b.both_); }
+  friend PairOf operator+(const PairOf& a, const PairOf& b) { return PairOf(a.both_ + b.both_); }
+  friend PairOf operator-(const PairOf& a, const PairOf& b) { return PairOf(a.both_ - b.both_); }
+  friend PairOf operator-(const PairOf& a) { return PairOf(-a.both_); }
+  friend PairOf operator*(const PairOf& a, const PairOf& b) { return PairOf(a.both_ * b.both_); }
+  friend PairOf operator/(const PairOf& a, const PairOf& b) { return PairOf(a.both_ / b.both_); }
 
   // Without a branch: what is larger is as good as random.
-  friend Pair max EIGEN_NOT_A_MACRO(const Pair& a, const Pair& b) {
-    return Pair(a.both_ < b.both_ ? b.both_ : a.both_);
+  friend PairOf max EIGEN_NOT_A_MACRO(const PairOf& a, const PairOf& b) {
+    return PairOf(a.both_ < b.both_ ? b.both_ : a.both_);
   }
-  friend Pair abs(const Pair& a) { return max EIGEN_NOT_A_MACRO(a, -a); }
+  friend PairOf abs(const PairOf& a) { return max EIGEN_NOT_A_MACRO(a, -a); }
 
-  friend PairTruth operator==(const Pair& a, const Pair& b) {
-    return {PairTruth::Both(a.both_ == b.both_)};
-  }
-  friend PairTruth operator<(const Pair& a, const Pair& b) {
-    return {PairTruth::Both(a.both_ < b.both_)};
-  }
-  friend PairTruth operator<=(const Pair& a, const Pair& b) {
-    return {PairTruth::Both(a.both_ <= b.both_)};
-  }
+  friend Truth operator==(const PairOf& a, const PairOf& b) { return {a.both_ == b.both_}; }
+  friend Truth operator<(const PairOf& a, const PairOf& b) { return {a.both_ < b.both_}; }
+  friend Truth operator<=(const PairOf& a, const PairOf& b) { return {a.both_ <= b.both_}; }
+};
+
+using Pair = PairOf<double>;
+
+template <typename Scalar>
+struct PartOf<PairOf<Scalar>> {
+  using Type = Scalar;
 };
 
 /// One number of a pair, or a number that is one.
-[[nodiscard]] inline double lane(const Pair& pair, std::size_t index) { return pair[index]; }
-[[nodiscard]] inline double lane(double number, std::size_t /*index*/) { return number; }
 template <typename Scalar>
-[[nodiscard]] Direction<double> lane(const Direction<Scalar>& direction, std::size_t index) {
-  return {lane(direction.cos, index), lane(direction.sin, index)};
+[[nodiscard]] Scalar lane(const PairOf<Scalar>& pair, std::size_t index) {
+  return pair[index];
+}
+template <typename Scalar, std::enable_if_t<std::is_floating_point_v<Scalar>, int> = 0>
+[[nodiscard]] Scalar lane(Scalar number, std::size_t /*index*/) {
+  return number;
+}
+template <typename Scalar>
+[[nodiscard]] auto lane(const Direction<Scalar>& direction, std::size_t index) {
+  const auto cos = lane(direction.cos, index);
+  return Direction<std::decay_t<decltype(cos)>>{cos, lane(direction.sin, index)};
 }
 
 /// The first of a pair, and another number as the second.

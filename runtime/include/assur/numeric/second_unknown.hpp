@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/model.hpp>
+#include <assur/numeric/double_double.hpp>
 #include <assur/numeric/order.hpp>
 #include <cmath>
 #include <cstddef>
@@ -13,9 +14,18 @@
 namespace assur::numeric {
 
 template <typename Scalar>
-[[nodiscard]] double size_of(const Scalar& value) {
-  return std::abs(static_cast<double>(value));
+[[nodiscard]] typename PartOf<Scalar>::Type size_of(const Scalar& value) {
+  return std::abs(static_cast<typename PartOf<Scalar>::Type>(value));
 }
+/// The scalar in which what fits badly is told of an unknown.
+template <typename Unknown>
+struct MissOf {
+  using Type = typename PartOf<Unknown>::Type;
+};
+template <typename Scalar>
+struct MissOf<Direction<Scalar>> {
+  using Type = typename PartOf<Scalar>::Type;
+};
 
 /// Values of the second unknown that satisfy one of the equations, with how badly they miss both,
 /// relative to the size of the coefficients. Both equations hold at an assembly.
@@ -23,7 +33,7 @@ template <typename Unknown>
 struct SecondCandidates {
   struct Candidate {
     Unknown value{};
-    double miss = 0;
+    typename MissOf<Unknown>::Type miss = 0;
   };
   std::array<Candidate, 4> list;
   std::size_t count = 0;
@@ -31,27 +41,27 @@ struct SecondCandidates {
 
 /// a cos z + b sin z + c, relative to the size of its coefficients.
 template <typename Scalar>
-[[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row,
-                                   const Direction<Scalar>& z) {
+[[nodiscard]] typename PartOf<Scalar>::Type relative_miss(const Matrix<Scalar, 2, 3>& e, int row,
+                                                          const Direction<Scalar>& z) {
   const Scalar value = e.coeff(row, 0) * z.cos + e.coeff(row, 1) * z.sin + e.coeff(row, 2);
-  const double scale =
-      size_of(e.coeff(row, 0)) + size_of(e.coeff(row, 1)) + size_of(e.coeff(row, 2));
+  const auto scale = size_of(e.coeff(row, 0)) + size_of(e.coeff(row, 1)) + size_of(e.coeff(row, 2));
   return scale > 0 ? size_of(value) / scale : 0;
 }
 
 /// a z^2 + b z + c, relative to the size of its terms.
 template <typename Scalar>
-[[nodiscard]] double relative_miss(const Matrix<Scalar, 2, 3>& e, int row, const Scalar& z) {
+[[nodiscard]] typename PartOf<Scalar>::Type relative_miss(const Matrix<Scalar, 2, 3>& e, int row,
+                                                          const Scalar& z) {
   const Scalar square = e.coeff(row, 0) * z * z;
   const Scalar linear = e.coeff(row, 1) * z;
-  const double scale = size_of(square) + size_of(linear) + size_of(e.coeff(row, 2));
+  const auto scale = size_of(square) + size_of(linear) + size_of(e.coeff(row, 2));
   return scale > 0 ? size_of(square + linear + e.coeff(row, 2)) / scale : 0;
 }
 
 template <typename Scalar, typename Unknown>
 void add_candidate(const Matrix<Scalar, 2, 3>& e, const Unknown& z,
                    SecondCandidates<Unknown>& candidates) {
-  const double miss = relative_miss(e, 0, z) + relative_miss(e, 1, z);
+  const auto miss = relative_miss(e, 0, z) + relative_miss(e, 1, z);
   if (std::isfinite(miss)) {
     candidates.list[candidates.count++] = {z, miss};
   }
@@ -103,11 +113,12 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>&
 
 /// How well a row determines an angle: the sine squared at which its line cuts the circle.
 template <typename Scalar>
-[[nodiscard]] double sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
-  const auto a = static_cast<double>(e.coeff(row, 0));
-  const auto b = static_cast<double>(e.coeff(row, 1));
-  const auto c = static_cast<double>(e.coeff(row, 2));
-  const double square = a * a + b * b;
+[[nodiscard]] typename PartOf<Scalar>::Type sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
+  using Part = typename PartOf<Scalar>::Type;
+  const auto a = static_cast<Part>(e.coeff(row, 0));
+  const auto b = static_cast<Part>(e.coeff(row, 1));
+  const auto c = static_cast<Part>(e.coeff(row, 2));
+  const Part square = a * a + b * b;
   return square > 0 ? (square - c * c) / square : -1;
 }
 
@@ -117,10 +128,10 @@ template <typename Unknown, typename Scalar>
 [[nodiscard]] SecondCandidates<Unknown> second_candidates(const Matrix<Scalar, 2, 3>& e) {
   SecondCandidates<Unknown> candidates;
   if constexpr (std::is_same_v<Unknown, Direction<Scalar>>) {
-    const double first = sharpness(e, 0);
-    const double second = sharpness(e, 1);
+    const auto first = sharpness(e, 0);
+    const auto second = sharpness(e, 1);
     solve_row(e, first > second ? 0 : 1, candidates);
-    if ((std::max)(first, second) < 1e-3) {
+    if ((std::max)(first, second) < static_cast<decltype(first)>(1e-3)) {
       solve_row(e, first > second ? 1 : 0, candidates);
     }
   } else {

@@ -1,15 +1,24 @@
 // Turns sums and products of numbers into those of numbers with a derivative.
 #pragma once
 
+#include <type_traits>
+
 namespace assur::numeric {
 
 /// A number and its derivative along one direction.
+template <typename Scalar>
 struct Slope {
-  double value = 0;
-  double slope = 0;
+  Scalar value = 0;
+  Scalar slope = 0;
 
   constexpr Slope() = default;
-  constexpr explicit Slope(double number, double along = 0) : value(number), slope(along) {}
+  constexpr explicit Slope(Scalar number, Scalar along = 0) : value(number), slope(along) {}
+
+  /// A constant of generated code.
+  template <
+      typename Number,
+      std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
+  constexpr explicit Slope(Number number) : value(static_cast<Scalar>(number)) {}
 
   friend constexpr Slope operator-(Slope a) { return Slope(-a.value, -a.slope); }
   friend constexpr Slope operator+(Slope a, Slope b) {

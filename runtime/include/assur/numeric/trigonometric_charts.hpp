@@ -115,12 +115,12 @@ struct ChartTables {
       return Scalar(rational[eighths % 8]) + Scalar(irrational[eighths % 8]) * half_root;
     };
     for (std::size_t k = 0; k <= N; ++k) {
-      const Scalar choices(binomial(degree, N - k));
+      const auto choices = Scalar(binomial(degree, N - k));
       for (std::size_t i = 0; i <= degree; ++i) {
         Scalar cosine(0);
         Scalar sine(0);
         for (std::size_t j = 0; j <= N - k; ++j) {
-          const Scalar weight(binomial(i, j) * binomial(degree - i, N - k - j));
+          const auto weight = Scalar(binomial(i, j) * binomial(degree - i, N - k - j));
           cosine += weight * cosine_of_eighths(32 + i - 2 * j - k);
           sine += weight * cosine_of_eighths(30 + i - 2 * j - k);
         }

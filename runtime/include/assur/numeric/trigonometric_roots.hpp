@@ -20,10 +20,12 @@
 #pragma once
 
 #include <array>
+#include <assur/numeric/double_double.hpp>
 #include <assur/numeric/polynomial_bracket.hpp>
 #include <assur/numeric/trigonometric_charts.hpp>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace assur::numeric {
 
@@ -35,19 +37,25 @@ enum class RootStatus {
   invalid     // a coefficient is not finite, or coefficient_error is negative or not a number
 };
 
+// Angles serve to look at and to sort: a word of floats has them in float, all else in double.
+template <class Scalar>
+using AngleOf =
+    std::conditional_t<std::is_same_v<typename PartOf<Scalar>::Type, float>, float, double>;
+
 template <class Scalar>
 struct TrigonometricRoot {
-  double angle;         // in [0, 2 pi)
-  Scalar cosine, sine;  // of the root, in the precision of Scalar
-  Scalar slope;         // dT/dth there; the error of the root is about (error of T) / |slope|
+  AngleOf<Scalar> angle;  // in [0, 2 pi)
+  Scalar cosine, sine;    // of the root, in the precision of Scalar
+  Scalar slope;           // dT/dth there; the error of the root is about (error of T) / |slope|
 };
 
 // The arc angle +- half_width holds max_roots roots, or max_roots - 2, ..., with multiplicity, that
 // could not be told apart. T is certainly not zero at the ends of an arc inside it that holds them
 // all.
+template <class Scalar>
 struct RootCluster {
-  double angle;  // where T is flattest: the nearly multiple root; in [0, 2 pi)
-  double half_width;
+  AngleOf<Scalar> angle;  // where T is flattest: the nearly multiple root; in [0, 2 pi)
+  AngleOf<Scalar> half_width;
   int max_roots;
 };
 
@@ -57,8 +65,8 @@ struct TrigonometricRoots {
   std::size_t root_count = 0;
   std::size_t cluster_count = 0;
   std::array<TrigonometricRoot<Scalar>, 2 * N>
-      roots;                                // the first root_count are set, by ascending angle
-  std::array<RootCluster, 2 * N> clusters;  // the first cluster_count are set
+      roots;  // the first root_count are set, by ascending angle
+  std::array<RootCluster<Scalar>, 2 * N> clusters;  // the first cluster_count are set
 };
 
 template <class Scalar, std::size_t N>
@@ -66,7 +74,11 @@ class TrigonometricRootSearch {
   static_assert(N >= 1 && N <= 3, "the error bounds are derived for N <= 3");
   static constexpr std::size_t D = 2 * N;
   static constexpr int max_depth = 128;  // two levels at least halve an arc
-  static constexpr double two_pi = 6.28318530717958647693;
+  using Angle = AngleOf<Scalar>;
+  static constexpr Angle two_pi = static_cast<Angle>(6.28318530717958647693);
+  // Sums between the inverse of this and this are far from overflow and underflow.
+  static constexpr int most_power =
+      200 * std::numeric_limits<Scalar>::max_exponent / std::numeric_limits<double>::max_exponent;
   using Polynomial = std::array<Scalar, D + 1>;
 
   struct Arc {
@@ -82,7 +94,7 @@ class TrigonometricRootSearch {
   Scalar sum, error, unscale{1};
   Harmonics<Scalar, N> harmonics;
   Harmonic<Scalar> turn_back{Scalar(1), Scalar(0)};
-  double turn_angle = 0.0;
+  Angle turn_angle = 0;
   std::array<Polynomial, 4> bernstein, power;  // by chart
   std::array<Bracket<Scalar>, D> brackets;
   std::size_t bracket_count = 0;
@@ -95,7 +107,7 @@ class TrigonometricRootSearch {
   void run(const TrigonometricPolynomial<Scalar, N>& polynomial, Scalar coefficient_error) {
     result.status = prepare(polynomial, coefficient_error);
     if (result.status != RootStatus::certified) return;
-    if (!choose_cuts()) return report_cluster(two_pi / 2.0, two_pi / 2.0, static_cast<int>(D));
+    if (!choose_cuts()) return report_cluster(two_pi / 2, two_pi / 2, static_cast<int>(D));
     using std::sqrt;
     const Scalar edge = sqrt(Scalar(2)) - Scalar(1);  // tan(pi/8)
     for (std::size_t chart = 0; chart < 4; ++chart) {
@@ -122,10 +134,13 @@ class TrigonometricRootSearch {
     add_up();
     // All that follows is linear in T, but for ratios of degree four: keep them far from overflow
     // and underflow. (The sum itself may have overflowed.)
-    if (!(sum < Scalar(0x1p200)) || sum < Scalar(0x1p-200)) {
+    using Part = typename PartOf<Scalar>::Type;
+    if (!(sum < Scalar(power_of_two<Part>(most_power))) ||
+        sum < Scalar(power_of_two<Part>(-most_power))) {
       const bool large = !(sum < Scalar(1));
-      const Scalar scale(large ? 0x1p-600 : 0x1p600);
-      unscale = Scalar(large ? 0x1p600 : 0x1p-600);
+      constexpr Part scales = power_of_two<Part>(3 * most_power);
+      const Scalar scale(large ? 1 / scales : scales);
+      unscale = Scalar(large ? scales : 1 / scales);
       for (Harmonic<Scalar>& h : harmonics) h = {h.cosine * scale, h.sine * scale};
       coefficient_error *= scale;
       add_up();
@@ -146,11 +161,11 @@ class TrigonometricRootSearch {
     const Harmonics<Scalar, N> original = harmonics;
     error += turn_error(sum);
     for (int attempt = 1; attempt <= 6; ++attempt) {
-      const Scalar norm(256 + attempt * attempt);
+      const auto norm = Scalar(256 + attempt * attempt);
       const Harmonic<Scalar> turn{Scalar(256 - attempt * attempt) / norm,
                                   Scalar(32 * attempt) / norm};
       turn_back = {turn.cosine, -turn.sine};
-      turn_angle = 2.0 * std::atan(attempt / 16.0);
+      turn_angle = 2 * std::atan(static_cast<Angle>(attempt) / 16);
       Harmonic<Scalar> multiple = turn;
       for (std::size_t k = 1; k <= N; ++k) {
         harmonics[k] = original[k].less(multiple);
@@ -181,8 +196,8 @@ class TrigonometricRootSearch {
     if (arc.depth >= 2 && !hopeless) {
       const auto [t, coefficient] = flattest(chart, arc);
       if (cut(chart, arc, (t - arc.left) / width)) return;
-      const Scalar reach(3.0 *
-                         std::pow(std::abs(double(arc.error / coefficient)), 1.0 / arc.max_roots));
+      const Scalar reach(3 * std::pow(std::abs(Angle(arc.error / coefficient)),
+                                      1 / static_cast<Angle>(arc.max_roots)));
       const bool left_near = t - arc.left < Scalar(2) * reach;
       const bool right_near = arc.right - t < Scalar(2) * reach;
       if (!left_near && cut(chart, arc, (t - reach - arc.left) / width)) return;
@@ -194,10 +209,10 @@ class TrigonometricRootSearch {
     }
     const Scalar t = flattest(chart, arc)[0];
     const Scalar reach = t - arc.left > arc.right - t ? t - arc.left : arc.right - t;
-    report_cluster(angle_at(chart, t), 2.0 * double(reach), arc.max_roots);
+    report_cluster(angle_at(chart, t), 2 * Angle(reach), arc.max_roots);
   }
 
-  void report_cluster(double angle, double half_width, int max_roots) {
+  void report_cluster(Angle angle, Angle half_width, int max_roots) {
     result.status = RootStatus::undecided;
     if (result.cluster_count < D) {
       result.clusters[result.cluster_count++] = {angle, half_width, max_roots};
@@ -279,10 +294,9 @@ class TrigonometricRootSearch {
     for (std::size_t r = 0; r < bracket_count; ++r) store(brackets[r].chart, brackets[r].t);
   }
 
-  [[nodiscard]] double angle_at(std::size_t chart, Scalar t) const {
-    double angle =
-        2.0 * std::atan(double(t)) + (static_cast<double>(chart) * (two_pi / 4.0) + turn_angle);
-    if (angle < 0.0) angle += two_pi;
+  [[nodiscard]] Angle angle_at(std::size_t chart, Scalar t) const {
+    Angle angle = 2 * std::atan(Angle(t)) + (static_cast<Angle>(chart) * (two_pi / 4) + turn_angle);
+    if (angle < 0) angle += two_pi;
     return angle < two_pi ? angle : angle - two_pi;
   }
 
@@ -296,7 +310,7 @@ class TrigonometricRootSearch {
     for (std::size_t k = 1; k < N; ++k) slope = slope / norm;
     const Harmonic<Scalar> local{(Scalar(1) - square) / norm, (t + t) / norm};
     const Harmonic<Scalar> point = local.less_quarters(4 - chart).less(turn_back);
-    const double angle = angle_at(chart, t);
+    const Angle angle = angle_at(chart, t);
     std::size_t place = result.root_count++;
     for (; place > 0 && result.roots[place - 1].angle > angle; --place) {
       result.roots[place] = result.roots[place - 1];

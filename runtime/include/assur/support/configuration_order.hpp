@@ -19,18 +19,19 @@ namespace assur::support {
 /// squares and cubes, and of the sines; then every further link's angle against the first, as
 /// cosine and sine. They do not depend on where the mechanism stands, the cosines not on
 /// reflection. So the links must come in an order that does not depend on how they are listed, as
-/// that of their names. `directions` is a range of Direction<double>, `key` one with room for
+/// that of their names. `directions` is a range of directions, `key` one with room for
 /// turning_key_size entries, of which those before the place `From` are not set where it is 3.
 template <std::size_t From = 0, typename Directions, typename Key>
 void turning_key(const Directions& directions, Key& key) {
   static_assert(From == 0 || From == 3, "the sums of the cosines are set together");
-  double cosines = 0;
-  double squares = 0;
-  double cubes = 0;
-  double sines = 0;
+  using Scalar = typename Key::value_type;
+  Scalar cosines = 0;
+  Scalar squares = 0;
+  Scalar cubes = 0;
+  Scalar sines = 0;
   for (std::size_t one = 0; one < directions.size(); ++one) {
     for (std::size_t other = one + 1; other < directions.size(); ++other) {
-      const Direction<double> between = turned(directions[other], reversed(directions[one]));
+      const Direction<Scalar> between = turned(directions[other], reversed(directions[one]));
       cosines += between.cos;
       squares += between.cos * between.cos;
       cubes += between.cos * between.cos * between.cos;
@@ -57,7 +58,7 @@ template <typename Keys, typename Exchange>
 void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange,
                   std::size_t from = 0) {
   const auto size = static_cast<std::size_t>(count);
-  double longest = 0;
+  typename Keys::value_type::value_type longest = 0;
   for (std::size_t index = 0; index < size; ++index) {
     for (std::size_t place = lengths_from; place < keys[index].size(); ++place) {
       longest = (std::max)(longest, std::abs(keys[index][place]));

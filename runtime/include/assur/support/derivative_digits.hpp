@@ -1,6 +1,7 @@
 // Turns the margin of a configuration from singular ones into the digits that its derivatives keep.
 #pragma once
 
+#include <assur/numeric/precision.hpp>
 #include <assur/status.hpp>
 #include <limits>
 
@@ -12,7 +13,10 @@ template <typename Scalar>
   return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
 }
 
-/// What a regular configuration promises of its derivatives.
-inline constexpr double six_digits = 5e-7;
+/// What a regular configuration promises of its derivatives, relative: 5e-7 in double, which is six
+/// digits; 5e-4 in float, three.
+template <typename Scalar>
+inline constexpr double regular_error = numeric::last_regular_digit<Scalar> / 2;
+inline constexpr double six_digits = regular_error<double>;
 
 }  // namespace assur::support

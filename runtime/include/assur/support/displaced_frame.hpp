@@ -10,52 +10,59 @@ namespace assur::support {
 /// By how much rounding may have moved what stands in a frame up to `extent` from its origin, and
 /// turned the frame, at most. What is computed from lengths that cancel is not known to a rounding
 /// of its own value, but to one of theirs: `reach` is the longest of them.
-struct Displacement {
-  double moved = 0;
-  double turned = 0;
-  double reach = 0;
-  double extent = 0;
+template <typename Scalar>
+struct DisplacementOf {
+  Scalar moved = 0;
+  Scalar turned = 0;
+  Scalar reach = 0;
+  Scalar extent = 0;
 
   /// The same where it is finite. What is not bounds nothing: all may be off by any amount.
-  [[nodiscard]] Displacement bounded() const {
-    constexpr double any = std::numeric_limits<double>::infinity();
+  [[nodiscard]] DisplacementOf bounded() const {
+    constexpr Scalar any = std::numeric_limits<Scalar>::infinity();
     const bool is_bound = std::isfinite(moved) && std::isfinite(turned);
     return {is_bound ? moved : any, is_bound ? turned : any, std::isfinite(reach) ? reach : 0,
             extent};
   }
   /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
-  [[nodiscard]] static Displacement of_turn(double angle) {
-    return {0, std::numeric_limits<double>::epsilon() * (1 + std::abs(angle)), 0};
+  [[nodiscard]] static DisplacementOf of_turn(Scalar angle) {
+    return {0, std::numeric_limits<Scalar>::epsilon() * (1 + std::abs(angle)), 0};
   }
   /// A frame that slides along an axis.
-  [[nodiscard]] static Displacement of_slide(double displacement) {
-    const double length = std::abs(displacement);
-    return {std::numeric_limits<double>::epsilon() * length, 0, length};
+  [[nodiscard]] static DisplacementOf of_slide(Scalar displacement) {
+    const Scalar length = std::abs(displacement);
+    return {std::numeric_limits<Scalar>::epsilon() * length, 0, length};
   }
   /// A feature whose coordinates are computed with an error, and its direction with another.
-  [[nodiscard]] static Displacement of_rounding(double error, double turn) {
-    return {error, turn, error / std::numeric_limits<double>::epsilon()};
+  [[nodiscard]] static DisplacementOf of_rounding(Scalar error, Scalar turn) {
+    return {error, turn, error / std::numeric_limits<Scalar>::epsilon()};
   }
   /// The larger of each, of two that may not add up.
-  [[nodiscard]] Displacement worst_of(const Displacement& other) const {
+  [[nodiscard]] DisplacementOf worst_of(const DisplacementOf& other) const {
     return {(std::max)(moved, other.moved), (std::max)(turned, other.turned),
             (std::max)(reach, other.reach)};
   }
   /// Lengths in another unit.
-  [[nodiscard]] Displacement scaled(double scale) const {
+  [[nodiscard]] DisplacementOf scaled(Scalar scale) const {
     return {moved * scale, turned, reach * scale, extent * scale};
   }
+  /// The same numbers in double.
+  [[nodiscard]] DisplacementOf<double> in_double() const {
+    return {static_cast<double>(moved), static_cast<double>(turned), static_cast<double>(reach),
+            static_cast<double>(extent)};
+  }
   /// Of what stands at (x, y) in this frame.
-  [[nodiscard]] Displacement carries(double x, double y) const {
-    const double arm = std::abs(x) + std::abs(y);
-    return {moved + turned * (std::max)(0.0, arm - extent), turned, (std::max)(reach, arm)};
+  [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y) const {
+    const Scalar arm = std::abs(x) + std::abs(y);
+    return {moved + turned * (std::max)(Scalar(0), arm - extent), turned, (std::max)(reach, arm)};
   }
   /// Of a frame that stands there and is displaced against this one.
-  [[nodiscard]] Displacement carries(double x, double y, const Displacement& inner) const {
-    const Displacement origin = carries(x, y);
+  [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y, const DisplacementOf& inner) const {
+    const DisplacementOf origin = carries(x, y);
     return {origin.moved + inner.moved, turned + inner.turned,
             (std::max)(origin.reach, inner.reach)};
   }
 };
+using Displacement = DisplacementOf<double>;
 
 }  // namespace assur::support

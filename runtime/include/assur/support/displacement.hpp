@@ -4,74 +4,117 @@
 
 #include <algorithm>
 #include <assur/detail/index.hpp>
+#include <assur/detail/numbers.hpp>
+#include <assur/detail/second_look.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/support/scale.hpp>
+#include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace assur::support {
 
 /// A group among neighbours that rounding has moved and turned; lengths in the group's unit.
-template <typename Model>
+template <typename Model, typename Scalar = double>
 class DisplacedGroup {
-  using Dimensions = typename Model::template Dimensions<double>;
-  using Inputs = typename Model::template Inputs<double>;
-  using Configuration = typename Model::template Configuration<double>;
-  using Inverse = Matrix<double, Model::unknown_count, Model::equation_count>;
+  using Dimensions = typename Model::template Dimensions<Scalar>;
+  using Inputs = typename Model::template Inputs<Scalar>;
+  using Configuration = typename Model::template Configuration<Scalar>;
+  using Displacement = DisplacementOf<Scalar>;
+  using Inverse = Matrix<Scalar, Model::unknown_count, Model::equation_count>;
 
  public:
   /// `displaced`: how far what holds the group may be from where exact arithmetic has it. That is
   /// known to a rounding of its coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
-      : size_(1 / unit_scale<Model>(d, u, displaced)),
+      : size_(is_exact ? own_size<Model, Scalar>(d, u)
+                       : 1 / unit_scale<Model, Scalar>(d, u, displaced)),
         held_((std::max)(displaced.moved, epsilon * longest_length(u))),
         moved_(displaced.moved + epsilon * longest_length(u)),
         turned_(displaced.turned),
-        unsure_(unsure_jacobian<Model>(d, u, displaced)),
+        unsure_(unsure_jacobian<Model, Scalar>(d, u, displaced)),
         reach_(displaced.reach) {}
 
   /// The regularity of a configuration, counting the neighbours' displacement.
-  [[nodiscard]] Regularity<double> regularity(const Dimensions& d, const Inputs& u,
+  [[nodiscard]] Regularity<Scalar> regularity(const Dimensions& d, const Inputs& u,
                                               const Configuration& q) const {
-    return assur::regularity<Model, double>(d, u, q, unsure_);
+    return assur::regularity<Model, Scalar>(d, u, q, unsure_);
+  }
+
+  /// The same where second rates count, too: in float the pivots' firmness is never enough.
+  [[nodiscard]] Regularity<Scalar> regularity_in_motion(const Dimensions& d, const Inputs& u,
+                                                        const Configuration& q) const {
+    Regularity<Scalar> result = regularity(d, u, q);
+    if constexpr (std::is_same_v<Scalar, float>) {
+      if (result.status == Status::ok) {
+        detail::look_again<Model, Scalar>(d, u, q, unsure_, result);
+      }
+    }
+    return result;
   }
 
   /// How far the group's own links may be off: both ends of a closure move, slides turn, its own
   /// rounding is added, J^-1 makes of it turns and slides, and a turn moves points by the group's
   /// size.
   [[nodiscard]] Displacement displaced(const Configuration& q, const Inverse& J_inverse) const {
-    const double reach = (std::max)(reach_, size_);
-    constexpr double half_turn = 3.14159265358979;  // and no direction is off by more
+    const Scalar reach = (std::max)(reach_, size_);
+    constexpr auto half_turn =
+        static_cast<Scalar>(3.14159265358979);  // and no direction is off by more
     if (!J_inverse.allFinite()) {
-      return {std::numeric_limits<double>::infinity(), half_turn, reach, size_};
+      return {std::numeric_limits<Scalar>::infinity(), half_turn, reach, size_};
     }
-    double largest = 0;
-    double turn = 0;
+    Scalar largest = 0;
+    Scalar turn = 0;
     for (int row = 0; row < Model::unknown_count; ++row) {
       const bool is_angle = detail::is_angle<Model>(row);
-      const double sum = J_inverse.row(row).cwiseAbs().sum();
+      const Scalar sum = loosened_by(J_inverse, row);
       largest = (std::max)(largest, (is_angle ? size_ : 1) * sum);
       turn = (std::max)(turn, is_angle ? sum : 0);
     }
-    const double open =
-        2 * (moved_ + turned_ * (std::max)(size_, longest_length(q))) + epsilon * size_;
-    const double turned = turn > 0 ? turn * open : 0;  // open may be infinite
+    // What holds pins has carried its turn to them already.
+    const Scalar held_turn = is_exact && !has_slides ? Scalar(0) : turned_;
+    const Scalar open =
+        2 * (moved_ + held_turn * (std::max)(size_, longest_length(q))) + epsilon * size_;
+    const Scalar turned = turn > 0 ? turn * open : 0;  // open may be infinite
     return {moved_ + largest * open, (std::min)(turned_ + epsilon + turned, half_turn), reach,
             size_};
   }
 
   /// What one radian moves points by.
-  [[nodiscard]] double size() const { return size_; }
+  [[nodiscard]] Scalar size() const { return size_; }
   /// How far what holds the group may be from where exact arithmetic has it.
-  [[nodiscard]] double held() const { return (std::max)(held_, turned_ * size_); }
+  [[nodiscard]] Scalar held() const { return (std::max)(held_, turned_ * size_); }
 
  private:
-  static constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  double size_;
-  double held_;
-  double moved_;  ///< and by its own rounding once more, for what stands behind
-  double turned_;
-  double unsure_;
-  double reach_;
+  /// By how much an unknown follows loops that are open by one: in any direction, a loop has two
+  /// rows; or, where digits are to spare, in both at once.
+  [[nodiscard]] static Scalar loosened_by(const Inverse& J_inverse, int row) {
+    if constexpr (!is_exact || Model::equation_count % 2 != 0) {
+      return J_inverse.row(row).cwiseAbs().sum();
+    }
+    Scalar sum = 0;
+    for (int loop = 0; loop < Model::equation_count; loop += 2) {
+      sum += std::hypot(J_inverse(row, loop), J_inverse(row, loop + 1));
+    }
+    return sum;
+  }
+  /// In float, no digit is to be given away: a chain of groups would soon have none.
+  static constexpr bool is_exact = std::is_same_v<Scalar, float>;
+  /// Whether any neighbour holds a slide.
+  static constexpr bool has_slides = [] {
+    bool any = false;
+    for (const bool is_angle : detail::SortsOf<Inputs>::angles) {
+      any = any || is_angle;
+    }
+    return any;
+  }();
+  static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
+  Scalar size_;
+  Scalar held_;
+  Scalar moved_;  ///< and by its own rounding once more, for what stands behind
+  Scalar turned_;
+  Scalar unsure_;
+  Scalar reach_;
 };
 
 }  // namespace assur::support

@@ -3,26 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace assur::support {
 
 /// How far rounding may have moved a coordinate beyond limits that it keeps.
-[[nodiscard]] inline double limit_slack(double lowest, double highest) {
-  constexpr double rounding = 1e-12;
-  return rounding * (std::max)({1.0, std::abs(lowest), std::abs(highest)});
+template <typename Scalar>
+[[nodiscard]] Scalar limit_slack(Scalar lowest, Scalar highest) {
+  constexpr Scalar rounding =
+      (std::max)(static_cast<Scalar>(1e-12), 32 * std::numeric_limits<Scalar>::epsilon());
+  return rounding * (std::max)({Scalar(1), std::abs(lowest), std::abs(highest)});
 }
 
 /// Whether a displacement lies between two others, to rounding; the ends count as between.
-[[nodiscard]] inline bool is_between(double lowest, double displacement, double highest) {
-  const double slack = limit_slack(lowest, highest);
+template <typename Scalar>
+[[nodiscard]] bool is_between(Scalar lowest, Scalar displacement, Scalar highest) {
+  const Scalar slack = limit_slack(lowest, highest);
   return lowest - slack <= displacement && displacement <= highest + slack;
 }
 
 /// Whether an angle can be turned by whole turns to lie between two others. Radians.
-[[nodiscard]] inline bool is_turned_between(double lowest, double angle, double highest) {
-  constexpr double turn = 6.283185307179586;
-  const double slack = limit_slack(lowest, highest);
-  const double first = angle + turn * std::ceil((lowest - slack - angle) / turn);
+template <typename Scalar>
+[[nodiscard]] bool is_turned_between(Scalar lowest, Scalar angle, Scalar highest) {
+  constexpr auto turn = static_cast<Scalar>(6.283185307179586);
+  const Scalar slack = limit_slack(lowest, highest);
+  const Scalar first = angle + turn * std::ceil((lowest - slack - angle) / turn);
   return first <= highest + slack;
 }
 

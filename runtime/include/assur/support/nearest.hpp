@@ -15,10 +15,11 @@ struct Nearest {
 /// `angles_of(i)`: by how much the links of configuration i are turned from where they should be.
 template <typename AnglesOf>
 [[nodiscard]] Nearest nearest(int count, const AnglesOf& angles_of) {
+  using Scalar = typename decltype(angles_of(0))::value_type;
   Nearest found;
   for (int index = 0; index < count; ++index) {
-    double square = 0;
-    for (const double angle : angles_of(index)) {
+    Scalar square = 0;
+    for (const Scalar angle : angles_of(index)) {
       square += angle * angle;
     }
     const double distance = std::sqrt(square);

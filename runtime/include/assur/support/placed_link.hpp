@@ -1,6 +1,7 @@
 // Turns links of known motion into the motion of their points and of the links that they carry.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <assur/detail/index.hpp>
 #include <assur/directions.hpp>
@@ -9,6 +10,7 @@
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace assur::support {
 
@@ -19,7 +21,7 @@ struct Frame {
   Pose<Scalar> pose{};
   Matrix<Scalar, 3, Order> rates = numeric::zeros<Matrix<Scalar, 3, Order>>();
   Matrix<Scalar, 3, Parameters> gradient = numeric::zeros<Matrix<Scalar, 3, Parameters>>();
-  Displacement displaced{};  ///< by rounding
+  DisplacementOf<Scalar> displaced{};  ///< by rounding
 };
 
 /// A point in a frame, likewise.
@@ -29,30 +31,31 @@ struct Point {
   Scalar y{};
   Matrix<Scalar, 2, Order> rates = numeric::zeros<Matrix<Scalar, 2, Order>>();
   Matrix<Scalar, 2, Parameters> gradient = numeric::zeros<Matrix<Scalar, 2, Parameters>>();
-  Displacement displaced{};  ///< by rounding
+  DisplacementOf<Scalar> displaced{};  ///< by rounding
 };
 
 /// A point that stays where it is in a frame.
+template <typename Scalar>
 struct Place {
-  double x = 0;
-  double y = 0;
+  Scalar x = 0;
+  Scalar y = 0;
 };
 
 /// Such a point, in the frame in which that one moves: see `carried` and
 /// `carried_twice`, of an arm that turns with the frame.
-template <int Order, int Parameters>
-[[nodiscard]] Point<double, Order, Parameters> point_in(
-    const Frame<double, Order, Parameters>& frame, const Place& place) {
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Point<Scalar, Order, Parameters> point_in(
+    const Frame<Scalar, Order, Parameters>& frame, const Place<Scalar>& place) {
   const auto& [c, s] = frame.pose.direction;
-  const double arm_x = c * place.x - s * place.y;
-  const double arm_y = s * place.x + c * place.y;
-  Point<double, Order, Parameters> result;
+  const Scalar arm_x = c * place.x - s * place.y;
+  const Scalar arm_y = s * place.x + c * place.y;
+  Point<Scalar, Order, Parameters> result;
   result.x = frame.pose.x + arm_x;
   result.y = frame.pose.y + arm_y;
   result.displaced = frame.displaced.carries(place.x, place.y);
   // By coordinates, not as vectors: compilers keep them in registers then.
   for (int order = 0; order < Order; ++order) {
-    const double square = order == 0 ? 0 : frame.rates(2, 0) * frame.rates(2, 0);
+    const Scalar square = order == 0 ? 0 : frame.rates(2, 0) * frame.rates(2, 0);
     result.rates(0, order) = frame.rates(0, order) - frame.rates(2, order) * arm_y - square * arm_x;
     result.rates(1, order) = frame.rates(1, order) + frame.rates(2, order) * arm_x - square * arm_y;
   }
@@ -109,8 +112,7 @@ template <typename Scalar, int Order, int Parameters>
   const Vector<Scalar, 2> place = carry(frame, point.x, point.y, point, result);
   result.x = place(0);
   result.y = place(1);
-  result.displaced =
-      frame.displaced.carries(static_cast<double>(point.x), static_cast<double>(point.y));
+  result.displaced = frame.displaced.carries(point.x, point.y);
   return result;
 }
 
@@ -127,16 +129,15 @@ template <typename Scalar, int Order, int Parameters>
   for (int parameter = 0; parameter < Parameters; ++parameter) {
     result.gradient(2, parameter) = frame.gradient(2, parameter) + inner.gradient(2, parameter);
   }
-  result.displaced = frame.displaced.carries(static_cast<double>(inner.pose.x),
-                                             static_cast<double>(inner.pose.y), inner.displaced);
+  result.displaced = frame.displaced.carries(inner.pose.x, inner.pose.y, inner.displaced);
   return result;
 }
 
 /// The origin of a frame.
-template <int Order, int Parameters>
-[[nodiscard]] Point<double, Order, Parameters> origin_of(
-    const Frame<double, Order, Parameters>& frame) {
-  Point<double, Order, Parameters> origin;
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Point<Scalar, Order, Parameters> origin_of(
+    const Frame<Scalar, Order, Parameters>& frame) {
+  Point<Scalar, Order, Parameters> origin;
   origin.x = frame.pose.x;
   origin.y = frame.pose.y;
   for (int order = 0; order < Order; ++order) {
@@ -152,22 +153,23 @@ template <int Order, int Parameters>
 }
 
 /// The coordinate of a joint between two frames: an angle in (-pi, pi] or a displacement.
-template <int Order, int Parameters>
+template <typename Scalar, int Order, int Parameters>
 struct Coordinate {
-  double position = 0;
-  Matrix<double, 1, Order> rates = numeric::zeros<Matrix<double, 1, Order>>();
-  Matrix<double, 1, Parameters> gradient = numeric::zeros<Matrix<double, 1, Parameters>>();
+  Scalar position = 0;
+  Matrix<Scalar, 1, Order> rates = numeric::zeros<Matrix<Scalar, 1, Order>>();
+  Matrix<Scalar, 1, Parameters> gradient = numeric::zeros<Matrix<Scalar, 1, Parameters>>();
 };
 
 /// The angle from one frame to another, theta_other - theta_one. It is above -pi by more than what
 /// rounding leaves of half a turn, so that a law that reads it says the same for both.
-template <int Order, int Parameters>
-[[nodiscard]] Coordinate<Order, Parameters> angle_between(
-    const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
-  constexpr double pi = 3.14159265358979323846;
-  constexpr double negligible = 1e-9;
-  const double angle = angle_of(turned(other.pose.direction, reversed(one.pose.direction)));
-  Coordinate<Order, Parameters> result;
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Coordinate<Scalar, Order, Parameters> angle_between(
+    const Frame<Scalar, Order, Parameters>& one, const Frame<Scalar, Order, Parameters>& other) {
+  constexpr auto pi = static_cast<Scalar>(3.14159265358979323846);
+  constexpr Scalar negligible =
+      (std::max)(static_cast<Scalar>(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
+  const Scalar angle = angle_of(turned(other.pose.direction, reversed(one.pose.direction)));
+  Coordinate<Scalar, Order, Parameters> result;
   result.position = angle < negligible - pi ? angle + 2 * pi : angle;
   for (int order = 0; order < Order; ++order) {
     result.rates(order) = other.rates(2, order) - one.rates(2, order);
@@ -180,12 +182,12 @@ template <int Order, int Parameters>
 
 /// How far along the x-axis of one frame, on which it lies, the origin of another is: with r from
 /// one to the other and c along the axis, s = c.r, s' = c.r', s'' = c.r'' + omega^2 s.
-template <int Order, int Parameters>
-[[nodiscard]] Coordinate<Order, Parameters> displacement_along(
-    const Frame<double, Order, Parameters>& one, const Frame<double, Order, Parameters>& other) {
-  const double c = one.pose.direction.cos;
-  const double s = one.pose.direction.sin;
-  Coordinate<Order, Parameters> result;
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Coordinate<Scalar, Order, Parameters> displacement_along(
+    const Frame<Scalar, Order, Parameters>& one, const Frame<Scalar, Order, Parameters>& other) {
+  const Scalar c = one.pose.direction.cos;
+  const Scalar s = one.pose.direction.sin;
+  Coordinate<Scalar, Order, Parameters> result;
   result.position = c * (other.pose.x - one.pose.x) + s * (other.pose.y - one.pose.y);
   const auto along = [c, s](const auto& two, const auto& from, int index) {
     return c * (two(0, index) - from(0, index)) + s * (two(1, index) - from(1, index));
@@ -212,7 +214,7 @@ template <typename Scalar, int Order, int Parameters>
         numeric::zeros<Matrix<Scalar, 1, Parameters>>()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.direction = direction_of(angle);
-  frame.displaced = Displacement::of_turn(static_cast<double>(angle));
+  frame.displaced = DisplacementOf<Scalar>::of_turn(angle);
   numeric::set_row(frame.rates, 2, rates);
   numeric::set_row(frame.gradient, 2, gradient);
   return frame;
@@ -227,21 +229,21 @@ template <typename Scalar, int Order, int Parameters>
         numeric::zeros<Matrix<Scalar, 1, Parameters>>()) {
   Frame<Scalar, Order, Parameters> frame;
   frame.pose.x = displacement;
-  frame.displaced = Displacement::of_slide(static_cast<double>(displacement));
+  frame.displaced = DisplacementOf<Scalar>::of_slide(displacement);
   numeric::set_row(frame.rates, 0, rates);
   numeric::set_row(frame.gradient, 0, gradient);
   return frame;
 }
 
 /// The sum of |derivative| x tolerance over the parameters, of each coordinate.
-template <int Parameters>
-[[nodiscard]] Vector<double, 2> worst_case(
-    const Matrix<double, 2, Parameters>& gradient,
+template <typename Scalar, int Parameters>
+[[nodiscard]] Vector<Scalar, 2> worst_case(
+    const Matrix<Scalar, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  std::array<double, 2> sum{};
+  std::array<Scalar, 2> sum{};
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
-    const double tolerance = detail::entry(tolerances, parameter);
+    const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
     sum[0] += std::abs(gradient(0, parameter)) * tolerance;
     sum[1] += std::abs(gradient(1, parameter)) * tolerance;
   }
@@ -249,15 +251,15 @@ template <int Parameters>
 }
 
 /// The root of the sum of the squares of derivative x tolerance, likewise.
-template <int Parameters>
-[[nodiscard]] Vector<double, 2> root_sum_square(
-    const Matrix<double, 2, Parameters>& gradient,
+template <typename Scalar, int Parameters>
+[[nodiscard]] Vector<Scalar, 2> root_sum_square(
+    const Matrix<Scalar, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  std::array<double, 2> sum{};
+  std::array<Scalar, 2> sum{};
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
-    const double tolerance = detail::entry(tolerances, parameter);
-    const std::array<double, 2> part = {gradient(0, parameter) * tolerance,
+    const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
+    const std::array<Scalar, 2> part = {gradient(0, parameter) * tolerance,
                                         gradient(1, parameter) * tolerance};
     sum[0] += part[0] * part[0];
     sum[1] += part[1] * part[1];

@@ -14,28 +14,31 @@ namespace assur::support {
 template <typename Scalar, std::size_t Degree>
 struct PositionPolynomial {
   TrigonometricPolynomial<Scalar, Degree> value;
-  double error = 0;
+  typename numeric::PartOf<Scalar>::Type error = 0;
 };
 
-/// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, double or
-/// DoubleDouble. In double the error counts what rounding may have changed of the variables, among
-/// neighbours that it has `displaced`. It is NaN or infinite where a coefficient is.
-template <typename Model, typename Work>
+/// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, that is
+/// double or DoubleDouble, or float or DoubleFloat for variables in float. In all but DoubleDouble
+/// the error counts what rounding may have changed of the variables, among neighbours that it has
+/// `displaced`. It is NaN or infinite where a coefficient is.
+template <typename Model, typename Work, typename Scalar = double>
 [[nodiscard]] PositionPolynomial<Work, Model::polynomial_degree> position_polynomial(
-    const typename Model::template Dimensions<double>& d,
-    const typename Model::template Inputs<double>& u, double displaced = 0) {
+    const typename Model::template Dimensions<Scalar>& d,
+    const typename Model::template Inputs<Scalar>& u, Scalar displaced = 0) {
+  constexpr bool counts_rounding = !std::is_same_v<Work, numeric::DoubleDouble>;
   using Certified = numeric::Bounded<Work>;
   constexpr std::size_t degree = Model::polynomial_degree;
   TrigonometricPolynomial<Certified, degree> bounded;
   using Dimensions = typename Model::template Dimensions<Certified>;
   using Inputs = typename Model::template Inputs<Certified>;
-  if constexpr (std::is_same_v<Work, double>) {
-    const double of_inputs = rounding_of_inputs(u, displaced);
-    Model::position_polynomial(rounded<Dimensions>(d, rounding_of_one, rounding_of_one),
+  if constexpr (counts_rounding) {
+    const Scalar of_inputs = rounding_of_inputs(u, displaced);
+    constexpr Scalar of_dimensions = rounding_of_one<Scalar>;
+    Model::position_polynomial(rounded<Dimensions>(d, of_dimensions, of_dimensions),
                                rounded<Inputs>(u, of_inputs, of_inputs), bounded);
   } else {
     (void)displaced;
-    Model::position_polynomial(scaled_to<Dimensions>(d, 1.0), scaled_to<Inputs>(u, 1.0), bounded);
+    Model::position_polynomial(scaled_to<Dimensions>(d, 1), scaled_to<Inputs>(u, 1), bounded);
   }
   PositionPolynomial<Work, degree> result;
   for (std::size_t k = 0; k <= degree; ++k) {
@@ -44,8 +47,8 @@ template <typename Model, typename Work>
     result.error = (std::max)(
         {result.error, bounded.cosine[k].certain_bound(), bounded.sine[k].certain_bound()});
   }
-  if constexpr (std::is_same_v<Work, double>) {
-    result.error += rounding_of_numbers<Model>();
+  if constexpr (counts_rounding) {
+    result.error += rounding_of_numbers<Model, Scalar>() + numeric::lost_in_underflow<Scalar>;
   }
   return result;
 }

@@ -19,7 +19,8 @@ namespace assur::support {
 /// What an emitted solver says beside the configurations.
 struct Solution {
   /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
-  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic.
+  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic; in float, where double
+  /// was not to be asked, unresolved.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< of the configurations
   /// Choices of the groups that hold a group, directly or through others, for which it moves freely
@@ -41,22 +42,22 @@ inline constexpr bool
     has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
 
 /// What a solver is given: where its drivers stand.
-template <typename Solver, bool HasParameters = has_parameters<Solver>>
+template <typename Solver, typename Scalar, bool HasParameters = has_parameters<Solver>>
 struct GivenTo {
-  using Type = typename Solver::template Drivers<double>;
+  using Type = typename Solver::template Drivers<Scalar>;
 };
 /// And its parameters.
-template <typename Solver>
-struct GivenTo<Solver, true> {
+template <typename Solver, typename Scalar>
+struct GivenTo<Solver, Scalar, true> {
   struct Type {
-    typename Solver::template Drivers<double> drivers;
-    typename Solver::template Parameters<double> parameters;
+    typename Solver::template Drivers<Scalar> drivers;
+    typename Solver::template Parameters<Scalar> parameters;
 
     /// Of all that changes on a way; drivers that turn come first.
     [[nodiscard]] auto positions() {
       const auto of_drivers = drivers.positions();
       const auto values = parameters.values();
-      std::array<double*, of_drivers.size() + values.size()> all;
+      std::array<Scalar*, of_drivers.size() + values.size()> all;
       std::copy(values.begin(), values.end(),
                 std::copy(of_drivers.begin(), of_drivers.end(), all.begin()));
       return all;
@@ -65,15 +66,16 @@ struct GivenTo<Solver, true> {
 };
 
 /// The private parts of a solver that its search and its tracking use.
-template <typename Solver>
+template <typename Solver, typename Scalar>
 struct Access {
-  using Given = typename GivenTo<Solver>::Type;
+  using Given = typename GivenTo<Solver, Scalar>::Type;
   using Groups = typename Solver::Groups;
-  using Placed = typename Solver::Placed;
+  using Parts = typename Solver::template Parts<Scalar>;
+  using Placed = typename Parts::Placed;
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
-  using Key = std::array<double, lengths_from + Solver::keyed_slides>;
+  using Key = std::array<Scalar, lengths_from + Solver::keyed_slides>;
   /// Whether it is for the search to tell that something given is no number; groups tell it of
   /// positions.
   static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
@@ -98,19 +100,19 @@ struct Access {
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {
     if constexpr (has_parameters<Solver>) {
-      Solver::drive(given.drivers, given.parameters, placed);
+      Parts::drive(given.drivers, given.parameters, placed);
     } else {
-      Solver::drive(given, placed);
+      Parts::drive(given, placed);
     }
   }
   /// Whether no position, and no rate, is NaN or infinite.
   [[nodiscard]] static bool is_finite(Given given) {
     bool finite = true;
-    for (const double* position : given.positions()) {
+    for (const Scalar* position : given.positions()) {
       finite = finite && std::isfinite(*position);
     }
     if constexpr (Solver::order > 0) {
-      for (const double* rate : drivers_of(given).rates()) {
+      for (const Scalar* rate : drivers_of(given).rates()) {
         finite = finite && std::isfinite(*rate);
       }
     }
@@ -119,40 +121,40 @@ struct Access {
   /// Where a group's external joints are held.
   template <typename Held>
   static void hold(const Placed& placed, Held& held) {
-    Solver::hold(placed, held);
+    Parts::hold(placed, held);
   }
   /// Places a group's links.
   template <typename Group>
   static void place(const Group& group, Placed& placed) {
-    Solver::place(group, placed);
+    Parts::place(group, placed);
   }
   /// Fills a state from what is placed.
-  static void list(const Placed& placed, typename Solver::template State<double>& state) {
-    Solver::list(placed, state);
+  static void list(const Placed& placed, typename Solver::template State<Scalar>& state) {
+    Parts::list(placed, state);
   }
   /// Whether all joints keep their limits where everything is placed.
   [[nodiscard]] static bool keeps_limits(const Placed& placed) {
-    return Solver::keeps_limits(placed);
+    return Parts::keeps_limits(placed);
   }
   /// What tells one state from another, and puts them in order.
-  static void key(const Placed& placed, Key& key) { Solver::key(placed, key); }
+  static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
 };
 
 /// One configuration of every group of a solver.
-template <typename Groups>
+template <typename Groups, typename Scalar>
 struct GroupConfigurations;
-template <typename... Group>
-struct GroupConfigurations<std::tuple<Group...>> {
-  using Type = std::tuple<typename Group::template Configuration<double>...>;
+template <typename... Group, typename Scalar>
+struct GroupConfigurations<std::tuple<Group...>, Scalar> {
+  using Type = std::tuple<typename Group::template Configuration<Scalar>...>;
 };
 
 /// The search of an emitted solver, depth first: where the groups before one are placed, each of
 /// its configurations places its links, over those of the one before. `Keeps`: it remembers the
 /// configurations of the groups.
-template <typename Solver, bool Keeps = false>
+template <typename Solver, typename Scalar, bool Keeps = false>
 class Search {
-  using State = typename Solver::template State<double>;
-  using Own = Access<Solver>;
+  using State = typename Solver::template State<Scalar>;
+  using Own = Access<Solver, Scalar>;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
   using Solution = typename Solver::Solution;
@@ -164,7 +166,7 @@ class Search {
 
  public:
   using States = std::array<State, capacity>;
-  using Configurations = typename GroupConfigurations<Groups>::Type;
+  using Configurations = typename GroupConfigurations<Groups, Scalar>::Type;
 
   explicit Search(States& states) : states_(states) {}
 
@@ -257,9 +259,12 @@ class Search {
       proceed<Place + 1>(placed, loose);
       return;
     }
-    HeldJoints<Group, Solver::order, Solver::parameter_count> held;
+    HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count> held;
     Own::hold(placed, held);
-    const auto found = assemblies<Specialised<Group>>({}, held.u, held.displaced);
+    // Where float does not tell a group's configurations, whoever asked for those of the mechanism
+    // decides what is to be done: behind rounded groups double would not tell them either.
+    const auto found =
+        assemblies<Specialised<Group>, Scalar, Unresolved::refuse>({}, held.u, held.displaced);
     if (found.status != AssemblyStatus::ok && found.status != AssemblyStatus::degenerate) {
       solution_.status = found.status;
       return;

@@ -6,7 +6,7 @@
 #include <array>
 #include <assur/detail/branch_step.hpp>
 #include <assur/detail/products.hpp>
-#include <assur/support/scene_search.hpp>
+#include <assur/support/scene_solve.hpp>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -14,26 +14,26 @@
 namespace assur::support {
 
 /// A group on a branch: where it is held and stands, and J^-1 there.
-template <typename Group>
+template <typename Group, typename Scalar>
 struct GroupPoint {
-  typename Group::template Inputs<double> u;
-  typename Group::template Configuration<double> q;
-  Matrix<double, Group::unknown_count, Group::equation_count> inverse;
+  typename Group::template Inputs<Scalar> u;
+  typename Group::template Configuration<Scalar> q;
+  Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
   int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
 };
 
-template <typename Groups>
+template <typename Groups, typename Scalar>
 struct GroupPoints;
-template <typename... Group>
-struct GroupPoints<std::tuple<Group...>> {
-  using Type = std::tuple<GroupPoint<Group>...>;
+template <typename... Group, typename Scalar>
+struct GroupPoints<std::tuple<Group...>, Scalar> {
+  using Type = std::tuple<GroupPoint<Group, Scalar>...>;
 };
 
 /// Where a branch of an emitted solver has been followed to.
-template <typename Solver>
+template <typename Solver, typename Scalar = double>
 struct Branch {
-  typename Access<Solver>::Given given;
-  typename GroupPoints<typename Access<Solver>::Groups>::Type groups;
+  typename Access<Solver, Scalar>::Given given;
+  typename GroupPoints<typename Access<Solver, Scalar>::Groups, Scalar>::Type groups;
   /// ok or near_singular; with any other status nothing can be followed from here.
   Status status = Status::singular;
 };
@@ -55,11 +55,11 @@ struct LimitedTrack : Track {
 /// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
 /// where Newton's steps contract, det J keeps its sign, and the linear predictions from both ends
 /// agree with the way; otherwise it is halved.
-template <typename Solver>
+template <typename Solver, typename Scalar>
 class Tracker {
-  using Branch = support::Branch<Solver>;
-  using State = typename Solver::template State<double>;
-  using Own = Access<Solver>;
+  using Branch = support::Branch<Solver, Scalar>;
+  using State = typename Solver::template State<Scalar>;
+  using Own = Access<Solver, Scalar>;
   using Given = typename Own::Given;
   using Groups = typename Own::Groups;
   using Placed = typename Own::Placed;
@@ -67,13 +67,13 @@ class Tracker {
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
-  /// where there is none of that number.
+  /// where there is none of that number, or where float does not tell.
+  template <Unresolved unresolved>
   static Branch begin(const Given& given, int configuration) {
     Branch branch;
     branch.given = given;
-    typename Search<Solver>::States states;
-    Search<Solver, true> search(states);
-    const auto solution = search.run(given);
+    typename GroupConfigurations<Groups, Scalar>::Type chosen;
+    const auto solution = choose<unresolved, Solver, Scalar>(given, configuration, chosen);
     if (solution.status == AssemblyStatus::not_finite) {
       branch.status = Status::not_finite;
     } else if (solution.status == AssemblyStatus::unsound_arithmetic) {
@@ -84,7 +84,7 @@ class Tracker {
       Placed placed;
       Own::drive(given, placed);
       branch.status = Status::ok;
-      settle<0>(search.kept(configuration), branch, placed);
+      settle<0>(chosen, branch, placed);
     }
     return branch;
   }
@@ -101,26 +101,28 @@ class Tracker {
       way.status = Status::not_finite;
       return way;
     }
-    const double widest = widest_step(branch.given, to);
+    const Scalar widest = widest_step(branch.given, to);
     std::array<Branch, 2> ends;
     const Branch* start = &branch;
-    for (double width = widest; way.reached < 1;) {
-      if (!(width > detail::StepLimits().shortest)) {
+    Scalar reached = 0;
+    for (Scalar width = widest; reached < 1;) {
+      if (!(width > detail::StepLimits<Scalar>().shortest)) {
         way.status = Status::no_convergence;
         return way;
       }
-      const double next = (std::min)(way.reached + width, 1.0);
+      const Scalar next = (std::min)(reached + width, Scalar(1));
       Branch& end = start == &ends[0] ? ends[1] : ends[0];
       end.given = next < 1 ? between(branch.given, to, next) : to;
       Placed placed;
       Own::drive(end.given, placed);
       end.status = Status::ok;
       if (!step<0>(*start, end, placed)) {
-        width = (next - way.reached) / 2;
+        width = (next - reached) / 2;
         continue;
       }
       start = &end;
-      width = (std::min)(2 * (next - way.reached), widest);
+      width = (std::min)(2 * (next - reached), widest);
+      reached = next;
       way.reached = next;
       if (next == 1) {
         placed.regularity = end.status;
@@ -136,7 +138,7 @@ class Tracker {
   }
 
  private:
-  [[nodiscard]] static Given between(Given from, const Given& to, double part) {
+  [[nodiscard]] static Given between(Given from, const Given& to, Scalar part) {
     Given result = to;
     const auto starts = from.positions();
     const auto positions = result.positions();
@@ -147,10 +149,10 @@ class Tracker {
   }
   /// The part of the way in which no driver turns by more than a radian: the groups are held alike
   /// after a full turn.
-  [[nodiscard]] static double widest_step(Given from, Given to) {
+  [[nodiscard]] static Scalar widest_step(Given from, Given to) {
     const auto starts = from.positions();
     const auto ends = to.positions();
-    double turn = 1;
+    Scalar turn = 1;
     for (std::size_t index = 0; index < Own::turning_drivers; ++index) {
       turn = (std::max)(turn, std::abs(*ends[index] - *starts[index]));
     }
@@ -158,21 +160,21 @@ class Tracker {
   }
 
   template <typename Group>
-  using Held = HeldJoints<Group, Solver::order, Solver::parameter_count>;
+  using Held = HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count>;
 
   /// Sets the sign of det J where a group stands, and tells how regular the group is there.
   template <typename Group>
-  [[nodiscard]] static Status look(GroupPoint<Group>& point) {
+  [[nodiscard]] static Status look(GroupPoint<Group, Scalar>& point) {
     using Model = Specialised<Group>;
-    const typename Model::template Dimensions<double> d;
-    const auto pivots = detail::pivots_at<Model, double>(d, point.u, point.q);
+    const typename Model::template Dimensions<Scalar> d;
+    const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
     point.orientation = detail::orientation_of(pivots);
-    return detail::regularity_of(pivots, detail::derivative_rounding<double>()).status;
+    return detail::regularity_at<Model, Scalar>(pivots, d, point.u, point.q).status;
   }
 
   /// Places a group on the way, and counts its regularity.
   template <typename Group>
-  static void place(const Held<Group>& held, const GroupPoint<Group>& point, Status status,
+  static void place(const Held<Group>& held, const GroupPoint<Group, Scalar>& point, Status status,
                     Branch& branch, Placed& placed) {
     const auto group = place_group(held, point.q, status);
     if (group.regularity != Status::ok) {
@@ -186,7 +188,7 @@ class Tracker {
     if constexpr (Place < std::tuple_size_v<Groups>) {
       using Group = std::tuple_element_t<Place, Groups>;
       using Model = Specialised<Group>;
-      GroupPoint<Group>& point = std::get<Place>(branch.groups);
+      GroupPoint<Group, Scalar>& point = std::get<Place>(branch.groups);
       Held<Group> held;
       Own::hold(placed, held);
       point.u = held.u;
@@ -196,7 +198,7 @@ class Tracker {
         branch.status = status;
         return;
       }
-      Model::inverse_jacobian(typename Model::template Dimensions<double>(), point.u, point.q,
+      Model::inverse_jacobian(typename Model::template Dimensions<Scalar>(), point.u, point.q,
                               point.inverse);
       place(held, point, status, branch, placed);
       settle<Place + 1>(found, branch, placed);
@@ -210,7 +212,7 @@ class Tracker {
       return true;
     } else {
       using Group = std::tuple_element_t<Place, Groups>;
-      GroupPoint<Group>& point = std::get<Place>(end.groups);
+      GroupPoint<Group, Scalar>& point = std::get<Place>(end.groups);
       Held<Group> held;
       Own::hold(placed, held);
       point.u = held.u;
@@ -228,24 +230,26 @@ class Tracker {
 
   /// Newton's steps from the linear prediction of the start.
   template <typename Group>
-  [[nodiscard]] static bool advance(const GroupPoint<Group>& start, GroupPoint<Group>& end) {
+  [[nodiscard]] static bool advance(const GroupPoint<Group, Scalar>& start,
+                                    GroupPoint<Group, Scalar>& end) {
     using Model = Specialised<Group>;
-    using Unknowns = Vector<double, Group::unknown_count>;
-    constexpr double inverse_size = 1;  // the group's lengths are near one
-    const typename Model::template Dimensions<double> d;
-    Vector<double, Group::equation_count> f;
+    using Unknowns = Vector<Scalar, Group::unknown_count>;
+    constexpr Scalar inverse_size = 1;  // the group's lengths are near one
+    const typename Model::template Dimensions<Scalar> d;
+    Vector<Scalar, Group::equation_count> f;
     Group::residual(end.u, start.q, f);
     const Unknowns predicted = -detail::product(start.inverse, f);
     Unknowns way;
     end.q = start.q;
-    if (!detail::predict_and_correct<Model>(d, end.u, inverse_size, predicted, end.q, way,
-                                            end.inverse)) {
+    if (!detail::predict_and_correct<Model, Scalar>(d, end.u, inverse_size, predicted, end.q, way,
+                                                    end.inverse)) {
       return false;
     }
     Group::residual(start.u, end.q, f);
     const Unknowns back = -detail::product(end.inverse, f);
     const Unknowns defect = way - (predicted - back) / 2;
-    return detail::turn_of<Model>(defect, inverse_size) <= detail::StepLimits().defect;
+    return detail::turn_of<Model, Scalar>(defect, inverse_size) <=
+           detail::StepLimits<Scalar>().defect;
   }
 };
 

@@ -13,27 +13,27 @@ namespace assur::support {
 /// ... an error of q' counts as often as J^-1 is `loose`. Near a fold q'' is as large; at a
 /// crossing it is not. `rate` and `second_rate` are the largest of q' and q'', with turns as
 /// lengths: times the `size` of the group.
-[[nodiscard]] inline double second_rate_loss(double loose, double rate, double second_rate,
-                                             double size) {
-  const double speed = rate * rate / size;
-  const double largest = (std::max)(second_rate, speed);
-  return largest > 0 ? (std::max)(1.0, loose * speed / largest) : 1.0;
+template <typename Scalar>
+[[nodiscard]] Scalar second_rate_loss(Scalar loose, Scalar rate, Scalar second_rate, Scalar size) {
+  const Scalar speed = rate * rate / size;
+  const Scalar largest = (std::max)(second_rate, speed);
+  return largest > 0 ? (std::max)(Scalar(1), loose * speed / largest) : Scalar(1);
 }
 
 /// The relative error of second rates, as far as the pivots tell.
-template <typename Model>
-[[nodiscard]] double second_rate_error(const Regularity<double>& standing,
-                                       const Vector<double, Model::unknown_count>& rate,
-                                       const Vector<double, Model::unknown_count>& second_rate,
-                                       double size) {
-  const auto largest = [size](const Vector<double, Model::unknown_count>& of) {
-    double result = 0;
+template <typename Model, typename Scalar>
+[[nodiscard]] Scalar second_rate_error(const Regularity<Scalar>& standing,
+                                       const Vector<Scalar, Model::unknown_count>& rate,
+                                       const Vector<Scalar, Model::unknown_count>& second_rate,
+                                       Scalar size) {
+  const auto largest = [size](const Vector<Scalar, Model::unknown_count>& of) {
+    Scalar result = 0;
     for (int row = 0; row < Model::unknown_count; ++row) {
       result = (std::max)(result, std::abs(of(row)) * (detail::is_angle<Model>(row) ? size : 1));
     }
     return result;
   };
-  const double error = standing.error();
+  const Scalar error = standing.error();
   return std::isfinite(error) ? error * second_rate_loss(1 / standing.firmness, largest(rate),
                                                          largest(second_rate), size)
                               : error;

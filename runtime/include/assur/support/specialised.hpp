@@ -29,14 +29,14 @@ inline constexpr bool
     has_jacobian<Group, std::void_t<decltype(&Group::template jacobian<double>)>> = true;
 
 /// J = df/dq, a column at a time, by the residual of numbers with a slope.
-template <typename Group>
-void differentiate_residual(const typename Group::template Inputs<double>& u,
-                            const typename Group::template Configuration<double>& q,
-                            Matrix<double, Group::equation_count, Group::unknown_count>& J) {
-  using numeric::Slope;
-  const auto held = scaled_to<typename Group::template Inputs<Slope>>(u, 1.0);
+template <typename Group, typename Scalar>
+void differentiate_residual(const typename Group::template Inputs<Scalar>& u,
+                            const typename Group::template Configuration<Scalar>& q,
+                            Matrix<Scalar, Group::equation_count, Group::unknown_count>& J) {
+  using Slope = numeric::Slope<Scalar>;
+  const auto held = scaled_to<typename Group::template Inputs<Slope>>(u, 1);
   for (int column = 0; column < Group::unknown_count; ++column) {
-    auto moved = scaled_to<typename Group::template Configuration<Slope>>(q, 1.0);
+    auto moved = scaled_to<typename Group::template Configuration<Slope>>(q, 1);
     for_each_member(moved, [column](auto& member, std::size_t index) {
       if (index != static_cast<std::size_t>(column)) {
         return;
@@ -102,7 +102,7 @@ struct Specialised : Group {
     if constexpr (specialised::has_jacobian<Group>) {
       Group::jacobian(u, q, J);
     } else {
-      specialised::differentiate_residual<Group>(u, q, J);
+      specialised::differentiate_residual<Group, Scalar>(u, q, J);
     }
   }
   template <typename Scalar, typename... Arguments>

@@ -1,0 +1,63 @@
+// Turns a scalar into the units in which tolerances of its precision count.
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+namespace assur::numeric {
+
+/// The scalar of which a compound one is made, in which bounds and sizes are told.
+template <typename Scalar>
+struct PartOf {
+  using Type = Scalar;
+};
+
+/// 2^exponent, where the scalar has it.
+template <typename Scalar>
+[[nodiscard]] constexpr Scalar power_of_two(int exponent) {
+  Scalar power(1);
+  for (; exponent > 0; --exponent) {
+    power *= Scalar(2);
+  }
+  for (; exponent < 0; ++exponent) {
+    power /= Scalar(2);
+  }
+  return power;
+}
+
+/// Half of the digits: the square of this is about epsilon. A double root is known to so much.
+template <typename Scalar>
+inline constexpr Scalar half_of_digits =
+    power_of_two<Scalar>(-(std::numeric_limits<Scalar>::digits / 2));
+
+/// What is so many roundings in double, in roundings of another scalar.
+template <typename Scalar>
+inline constexpr Scalar roundings_of_double =
+    power_of_two<Scalar>(std::numeric_limits<double>::digits - std::numeric_limits<Scalar>::digits);
+
+/// What a sum of products of a few numbers near one may lose where products of small ones are
+/// flushed to zero. Of double it is less than anything that it could be added to.
+template <typename Scalar>
+inline constexpr Scalar lost_in_underflow = std::numeric_limits<Scalar>::max_exponent < 1024
+                                                ? power_of_two<Scalar>(12) *
+                                                      (std::numeric_limits<Scalar>::min)()
+                                                : Scalar(0);
+
+/// The digits that derivatives of a regular configuration keep: half of those that the scalar has,
+/// and six at most. Of double six, of float three.
+template <typename Scalar>
+inline constexpr int regular_digits = std::numeric_limits<Scalar>::is_specialized
+                                          ? (std::min)(6, std::numeric_limits<Scalar>::digits10 / 2)
+                                          : 6;
+
+/// One in the last of these digits: 1e-6 of double, 1e-3 of float.
+template <typename Scalar>
+inline constexpr double last_regular_digit = [] {
+  double power = 1;
+  for (int digit = 0; digit < regular_digits<Scalar>; ++digit) {
+    power *= 10;
+  }
+  return 1 / power;
+}();
+
+}  // namespace assur::numeric

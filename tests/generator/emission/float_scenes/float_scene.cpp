@@ -1,0 +1,190 @@
+// Turns an emitted solver, ASSUR_SOLVER, into how far its answers in float are from those in
+// double, over a turn of its first driver and close to where the scene has it.
+#include ASSUR_HEADER
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <vector>
+
+namespace {
+
+using Solver = assur::scenes::ASSUR_SOLVER;
+template <typename Scalar>
+using States = std::array<Solver::State<Scalar>, Solver::max_configurations>;
+
+/// A state is so many numbers and a status: Eigen is told not to align, so that nothing is between.
+constexpr std::size_t numbers = sizeof(Solver::State<float>) / sizeof(float) - 1;
+static_assert(numbers == sizeof(Solver::State<double>) / sizeof(double) - 1);
+
+template <typename Scalar>
+std::array<double, numbers> numbers_of(const Solver::State<Scalar>& state) {
+  std::array<Scalar, numbers> own;
+  std::memcpy(own.data(), &state, sizeof(own));
+  std::array<double, numbers> result;
+  std::copy(own.begin(), own.end(), result.begin());
+  return result;
+}
+
+/// The same drivers in both scalars, the first one off its law.
+struct Given {
+  Solver::Drivers<float> narrow;
+  Solver::Drivers<double> wide;
+
+  explicit Given(double by) {
+    const auto positions = narrow.positions();
+    if (!positions.empty()) {
+      *positions.front() += static_cast<float>(by);
+    }
+    const auto copy = [](const auto& from, const auto& to) {
+      for (std::size_t index = 0; index < from.size(); ++index) {
+        *to[index] = *from[index];
+      }
+    };
+    copy(narrow.positions(), wide.positions());
+    if constexpr (Solver::order > 0) {
+      copy(narrow.rates(), wide.rates());
+    }
+  }
+};
+
+/// What was compared, and what each number is at most.
+struct Seen {
+  int positions = 0, regular = 0, near_singular = 0, refused = 0, wrong = 0;
+  double worst = 0;
+  std::array<double, numbers> sizes{};
+
+  void measure(const Solver::State<double>& state) {
+    const auto exact = numbers_of(state);
+    for (std::size_t index = 0; index < numbers; ++index) {
+      sizes[index] = std::fmax(sizes[index], std::abs(exact[index]));
+    }
+  }
+  /// A number that is zero but for rounding is held against the largest of all.
+  void settle_sizes() {
+    const double largest = *std::max_element(sizes.begin(), sizes.end());
+    for (double& size : sizes) {
+      size = size < 1e-9 * largest ? 1e-2 * largest : size;
+    }
+  }
+  /// The largest difference of a number, in parts of what it is at most.
+  double difference(const Solver::State<float>& state, const Solver::State<double>& truth) const {
+    const auto found = numbers_of(state);
+    const auto exact = numbers_of(truth);
+    double largest = 0;
+    for (std::size_t index = 0; index < numbers; ++index) {
+      const double error = std::abs(found[index] - exact[index]);
+      largest =
+          sizes[index] > 0 && !(error / sizes[index] <= largest) ? error / sizes[index] : largest;
+    }
+    return largest;
+  }
+  void compare(const Solver::State<float>& state, const Solver::State<double>& truth) {
+    if (state.regularity != assur::Status::ok) {
+      ++near_singular;
+      return;
+    }
+    ++regular;
+    const double error = difference(state, truth);
+    worst = std::fmax(worst, error);
+    wrong += std::isnan(error) ? 1 : 0;
+  }
+  /// Of lists that need not have the same order, each with the nearest that is left.
+  void compare(const States<float>& states, States<double> truths, int count) {
+    for (int index = 0; index < count; ++index) {
+      const auto from = truths.begin() + index;
+      const Solver::State<float>& state = states[static_cast<std::size_t>(index)];
+      std::iter_swap(
+          from,
+          std::min_element(from, truths.begin() + count, [&](const auto& one, const auto& other) {
+            return difference(state, one) < difference(state, other);
+          }));
+      compare(state, *from);
+    }
+  }
+};
+
+bool is_alike(const Solver::Solution& one, const Solver::Solution& other) {
+  return one.status == other.status && one.count == other.count && one.families == other.families;
+}
+
+void solve_at(double by, bool measures, Seen& seen) {
+  const Given given(by);
+  static States<float> narrow;
+  static States<double> wide;
+  const auto truth = Solver::solve(given.wide, wide);
+  if (measures) {
+    for (int index = 0; index < truth.count; ++index) {
+      seen.measure(wide[static_cast<std::size_t>(index)]);
+    }
+    return;
+  }
+  ++seen.positions;
+  const auto alone = Solver::solve<assur::Unresolved::refuse>(given.narrow, narrow);
+  if (alone.status == assur::AssemblyStatus::unresolved) {
+    ++seen.refused;
+  } else if (!is_alike(alone, truth)) {
+    std::printf("  %.9g off: %d configurations, not %d\n", by, alone.count, truth.count);
+    ++seen.wrong;
+    return;
+  }
+  if (!is_alike(Solver::solve(given.narrow, narrow), truth)) {
+    std::printf("  %.9g off: double was asked, and answers otherwise\n", by);
+    ++seen.wrong;
+    return;
+  }
+  seen.compare(narrow, wide, truth.count);
+}
+
+/// Follows the first branch, which float must not leave.
+void follow(double step, Seen& seen) {
+  const Given start(0);
+  auto narrow = Solver::branch(start.narrow, 0);
+  auto wide = Solver::branch(start.wide, 0);
+  Solver::State<float> narrow_state{};
+  Solver::State<double> wide_state{};
+  for (int steps = 1; steps <= 72; ++steps) {
+    const Given given(steps * step);
+    const auto found = Solver::track(given.narrow, narrow, narrow_state);
+    const auto truth = Solver::track(given.wide, wide, wide_state);
+    if (!assur::is_solvable(found.status) || !assur::is_solvable(truth.status)) {
+      return;
+    }
+    seen.compare(narrow_state, wide_state);
+  }
+}
+
+}  // namespace
+
+int main() {
+  std::vector<double> places;
+  Given given(0);
+  const auto positions = given.wide.positions();
+  const double turn =
+      ASSUR_TURNS || positions.empty() ? 6.283185307179586 : 0.2 * *positions.front();
+  for (int step = 0; step < 72; ++step) {
+    places.push_back(step * turn / 72);
+  }
+  for (double by = 0.1; by > 1e-8; by /= 10) {
+    places.push_back(by);
+    places.push_back(-by);
+  }
+  Seen seen;
+  for (const bool measures : {true, false}) {
+    for (const double by : places) {
+      solve_at(by, measures, seen);
+    }
+    seen.settle_sizes();
+  }
+  Seen followed = seen;
+  followed.worst = 0;
+  followed.regular = 0;
+  follow(turn / 72, followed);
+  std::printf(
+      "positions %d, refused %d, regular %d, near-singular %d, worst %.2g, followed %d: %.2g\n",
+      seen.positions, seen.refused, seen.regular, seen.near_singular, seen.worst, followed.regular,
+      followed.worst);
+  return seen.wrong == 0 && followed.wrong == 0 && seen.worst < 5e-4 && followed.worst < 5e-4 ? 0
+                                                                                              : 1;
+}

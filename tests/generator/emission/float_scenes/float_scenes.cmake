@@ -1,0 +1,38 @@
+# Compares the solver of every scene of a folder in float with the same in double.
+#   cmake -DASSUR=... -DCOMPILER=... -DFLAGS=... -DSCENES=FOLDER -DWORK=... -P float_scenes.cmake
+file(GLOB scenes ${SCENES}/*.json ${CMAKE_CURRENT_LIST_DIR}/*.json)
+separate_arguments(flags UNIX_COMMAND "${FLAGS}")
+set(failed "")
+set(compared 0)
+foreach(scene IN LISTS scenes)
+  execute_process(COMMAND ${ASSUR} emit --scene ${scene} --output ${WORK} ERROR_QUIET
+    RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    continue()
+  endif()
+  get_filename_component(stem ${scene} NAME_WE)
+  set(header ${WORK}/assur/scenes/${stem}.hpp)
+  file(STRINGS ${header} structure REGEX "support::Branch<")
+  string(REGEX REPLACE ".*<(.*), Scalar>.*" "\\1" structure "${structure}")
+  file(STRINGS ${header} turning REGEX "turning_drivers = ")
+  set(turns 1)
+  if(turning MATCHES "turning_drivers = 0")
+    set(turns 0)
+  endif()
+  execute_process(COMMAND ${COMPILER} -std=c++17 -O1 -DEIGEN_DONT_ALIGN ${flags} -I${WORK}
+      -DASSUR_HEADER=<assur/scenes/${stem}.hpp> -DASSUR_SOLVER=${structure} -DASSUR_TURNS=${turns}
+      ${CMAKE_CURRENT_LIST_DIR}/float_scene.cpp -o ${WORK}/float_scene
+    RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${stem}: the solver does not compile in float")
+  endif()
+  execute_process(COMMAND ${WORK}/float_scene OUTPUT_VARIABLE output RESULT_VARIABLE status)
+  message(STATUS "${stem}: ${output}")
+  math(EXPR compared "${compared} + 1")
+  if(NOT status EQUAL 0)
+    list(APPEND failed ${stem})
+  endif()
+endforeach()
+if(failed OR compared LESS 10)
+  message(FATAL_ERROR "of ${compared} scenes float is wrong on: ${failed}")
+endif()
