@@ -53,7 +53,8 @@ GridSummary::GridSummary(Description description, const std::string& where)
   }
   const std::size_t before_outputs = 1 + axes_.size() + columns_of_a_cell;
   if (axes_.empty() || items != description_.items || items > mechanism::most_cells ||
-      description_.columns.size() < before_outputs) {
+      description_.columns.size() < before_outputs ||
+      description_.columns[before_outputs - 1].kind != mechanism::Column::Kind::outcome) {
     throw text::InputError(where + ": it is no table of a map: its axes do not fit its cells");
   }
   const auto [first, last] =

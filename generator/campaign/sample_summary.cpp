@@ -141,6 +141,10 @@ Json histogram_json(const mechanism::Histogram& histogram, double nominal) {
 
 SampleSummary::SampleSummary(Description description, const std::string& where)
     : description_(std::move(description)) {
+  if (description_.columns.size() < columns_before_outputs ||
+      description_.columns[1].kind != mechanism::Column::Kind::outcome) {
+    throw text::InputError(where + ": it is no table of a sample: its columns are others");
+  }
   const std::size_t numbers = description_.columns.size() - columns_before_outputs;
   const std::vector<double> nominal = description_.numbers_of("nominal");
   const std::vector<double> worst_case = description_.numbers_of("worst_case");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 
 #include "command/process.hpp"
@@ -167,6 +168,11 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
   EXPECT_NE(merging({"1.csv", "half.csv"}).find("it is shard 1/2, and"), std::string::npos);
   EXPECT_NE(merging({"1.csv", "cut.csv", "3.csv"}).find("ends within a line"), std::string::npos);
   EXPECT_NE(merging({"1.csv", "short.csv", "3.csv"}).find("it is not whole"), std::string::npos);
+  std::string forged = read("1.csv");
+  forged.replace(forged.find("whole outcome"), 13, "whole whole  ");
+  forged = std::regex_replace(forged, std::regex(",regular,"), ",99,");
+  (void)directory_.write("forged.csv", std::regex_replace(forged, std::regex("1/3"), "1/1"));
+  EXPECT_NE(merging({"forged.csv"}).find("its columns are others"), std::string::npos);
   EXPECT_NE(merging({"1.csv", "gone.csv"}).find("gone.csv: "), std::string::npos);
 }
 
