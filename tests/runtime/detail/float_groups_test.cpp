@@ -186,11 +186,7 @@ class Comparison {
 
 template <typename Model>
 class FloatGroups : public testing::Test {};
-#ifdef SOME
-TYPED_TEST_SUITE(FloatGroups, SOME, ModelNames);
-#else
 TYPED_TEST_SUITE(FloatGroups, AllModels, ModelNames);
-#endif
 
 template <typename Model>
 void compare_with_double(bool on_lattice) {

@@ -13,6 +13,7 @@
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/support/scale.hpp>
+#include <assur/variables.hpp>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -58,7 +59,8 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
       terms(row, column) = std::abs(J(row, column));
     }
   }
-  constexpr Scalar of_closures = 8 * epsilon;
+  // A displacement may be longer than the group, and is rounded as it is long.
+  const Scalar of_closures = 8 * epsilon * (std::max)(Scalar(1), longest_length(q) / longest);
   constexpr Scalar of_entries = 4 * epsilon;
   constexpr Scalar small_turn = Scalar(1) / 32;
   Square change = product(product(sizes, terms), sizes);
@@ -105,6 +107,9 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
     }
     error = largest > 0 && !(farthest / largest <= error) ? farthest / largest : error;
   }
+  // By measurement the pivots are no more than so many times too cautious where digits are lost.
+  constexpr Scalar most_caution = 32;
+  error = error < regularity.error() / most_caution ? regularity.error() / most_caution : error;
   if (std::isfinite(error)) {
     regularity.rounding = error * regularity.margin;
     regularity.firmness = (std::max)(regularity.firmness, 1 / loose);
