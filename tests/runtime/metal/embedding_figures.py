@@ -55,6 +55,9 @@ def figures_of_example(scene):
     words = ["places", "configurations", "followed", "solve", "solve_stack", "track", "track_stack"]
     figures.update(zip(words, map(int, answer), strict=True))
     figures["painted"] = max(figures["solve_stack"], figures["track_stack"])
+    if figures["painted"] > figures["bound"]:
+        raise SystemExit(f"{scene.stem}: {figures['painted']} bytes of stack were used, and the bound "
+                         f"is {figures['bound']}")
     return figures
 
 
