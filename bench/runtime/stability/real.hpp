@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <assur/numeric/precision.hpp>
 #include <cstddef>
 #include <limits>
 #include <string>
@@ -59,6 +60,12 @@ class Real {
 };
 
 }  // namespace assur::stability
+
+/// Bounds and sizes need no more digits than a double has.
+template <>
+struct assur::numeric::PartOf<assur::stability::Real> {
+  using Type = double;
+};
 
 template <>
 class std::numeric_limits<assur::stability::Real> {
