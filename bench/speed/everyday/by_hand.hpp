@@ -75,7 +75,7 @@ struct BarAndBlock {
     const double x = u.x_D - u.x_B;
     const double y = u.y_D - u.y_B;
     const auto& [cos, sin] = u.phi_B;
-    const double across = cos * y - sin * x - d.h_B_BC;
+    const double across = cos * y - sin * x + d.h_B_BC;
     const double square = d.CD * d.CD - across * across;
     if (!(square >= 0)) {
       return {};
