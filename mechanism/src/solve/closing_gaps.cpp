@@ -1,25 +1,13 @@
 #include "closing_gaps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/text/names.hpp>
-#include <cstdio>
 #include <numbers>
 
 #include "group_words.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
-
-namespace {
-
-std::string short_number(double number) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
-  return text.data();
-}
-
-}  // namespace
 
 ClosingGaps::ClosingGaps(const Placement& placement)
     : placement_(placement),

@@ -7,6 +7,7 @@
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
+#include "redundant_joints.hpp"
 #include "reference.hpp"
 #include "search_bounds.hpp"
 #include "solver.hpp"
@@ -140,23 +141,30 @@ std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const 
       mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}});
 }
 
-/// Whether the redundant joints of a plan hold in a configuration.
-bool holds(const std::shared_ptr<const PlanData>& plan) {
+/// Whether the redundant joints of a plan hold in a configuration, and if not, what is said of it.
+struct Trial {
+  bool holds;
+  std::optional<OverConstrained> refusal;
+};
+
+Trial tried(const std::shared_ptr<const PlanData>& plan) {
   try {
     const Values values(plan, {});
     Solution solution;
     MechanismSolver(values).solve({}, solution);
-    return !solution.configurations.empty();
-  } catch (const OverConstrained&) {
-    return false;
+    return {!solution.configurations.empty(), {}};
+  } catch (const OverConstrained& refusal) {
+    return {false, refusal};
   }
 }
 
 /// A mechanism without the constraints that it has too many, if these hold at its own numbers and
-/// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null.
+/// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null,
+/// and the refusal is the one that fails by least.
 std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                 const Request& request,
-                                                const OverConstrained& excess) {
+                                                const OverConstrained& excess,
+                                                OverConstrained& refusal) {
   std::vector<FeatureIndex> features;
   for (const plan::RedundantJoint& joint : part.redundant) {
     features.insert(features.end(), {joint.one, joint.other});
@@ -169,10 +177,20 @@ std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& p
   };
   constexpr double on = 0.01;
   const std::shared_ptr<const PlanData> plan = planned_with(part.mechanism);
-  const bool goes_on = part.mechanism.drivers().empty() ||
-                       holds(planned_with(part.mechanism.driven_on(on))) ||
-                       holds(planned_with(part.mechanism.driven_on(-on)));
-  return goes_on && holds(plan) ? plan : nullptr;
+  const auto holds_on = [&](double by) {
+    return tried(planned_with(part.mechanism.driven_on(by))).holds;
+  };
+  Trial trial = tried(plan);
+  if (trial.holds) {
+    if (part.mechanism.drivers().empty() || holds_on(on) || holds_on(-on)) {
+      return plan;
+    }
+    trial.refusal = refusal_of_redundant(*plan, 0);
+  }
+  if (trial.refusal && trial.refusal->gap < refusal.gap) {
+    refusal = *trial.refusal;
+  }
+  return nullptr;
 }
 
 /// Of a mechanism with constraints that hold where the others do. Without whole joints its groups
@@ -181,14 +199,15 @@ std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& p
 std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
                                                         const Request& request,
                                                         const OverConstrained& excess) {
+  OverConstrained refusal = excess;
   for (const plan::LeftOut most : {plan::LeftOut::joints, plan::LeftOut::constraints}) {
     for (const plan::BalancedMechanism& part : plan::balanced(mechanism, excess, most)) {
-      if (auto plan = planned_without(part, request, excess)) {
+      if (auto plan = planned_without(part, request, excess, refusal)) {
         return plan;
       }
     }
   }
-  throw OverConstrained(excess);
+  throw OverConstrained(refusal);
 }
 
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {

@@ -1,9 +1,11 @@
 #include "redundant_joints.hpp"
 
 #include <algorithm>
+#include <assur/text/names.hpp>
 #include <cmath>
+#include <limits>
 
-#include "plan/plan_data.hpp"
+#include "group_words.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -53,39 +55,82 @@ Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
   return fastest;
 }
 
-bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
-           const plan::RedundantJoint& joint, bool is_regular, bool rates_known) {
-  const Pair pair = placed(values, links, joint);
+/// How far rounding, or the tolerance that the request states, lets them be apart.
+double tolerance_of(const Values& values, double size, bool is_regular) {
+  const NumberIndex given = values.plan().request.redundancy_tolerance;
+  return std::max((is_regular ? rounding_where_regular : rounding_where_singular) * size,
+                  given.exists() ? values.number(given).value() : 0);
+}
+
+double gap_of(const Pair& pair) {
   const Pose<double>& one = pair.one.pose;
   const Pose<double>& other = pair.other.pose;
-  const double relative = is_regular ? rounding_where_regular : rounding_where_singular;
-  const NumberIndex given = values.plan().request.redundancy_tolerance;
-  const double tolerance =
-      std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);
   const Eigen::Vector2d arm(other.x - one.x, other.y - one.y);
+  if (!pair.are_lines) {
+    return arm.norm();
+  }
+  const Direction<double>& along = one.direction;
+  const double across = along.cos * arm.y() - along.sin * arm.x();
+  const double sine = turned(other.direction, reversed(along)).sin;
+  return std::max(std::abs(across), std::abs(sine) * pair.size);
+}
+
+bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const Pair& pair) {
   const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
+  if (!rate.allFinite() || values.plan().request.redundancy_tolerance.exists()) {
+    return true;
+  }
   constexpr double rounding_of_rates = 1e-8;
   const Fastest fastest = fastest_of(links, pair.size);
-  const bool has_rates = rates_known && rate.allFinite() && !given.exists();
-  if (pair.are_lines) {
-    const Direction<double>& along = one.direction;
-    const double across = along.cos * arm.y() - along.sin * arm.x();
-    const double sine = turned(other.direction, reversed(along)).sin;
-    const double turning = pair.other.velocity(2) - pair.one.velocity(2);
-    return std::abs(across) <= tolerance && std::abs(sine) * pair.size <= tolerance &&
-           (!has_rates || std::abs(turning) <= rounding_of_rates * fastest.turning);
-  }
-  return arm.norm() <= tolerance &&
-         (!has_rates || rate.norm() <= rounding_of_rates * fastest.speed);
+  const double turning = pair.other.velocity(2) - pair.one.velocity(2);
+  return pair.are_lines ? std::abs(turning) <= rounding_of_rates * fastest.turning
+                        : rate.norm() <= rounding_of_rates * fastest.speed;
 }
 
 }  // namespace
 
+double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
+                        Status regularity) {
+  double worst = 0;
+  for (const plan::RedundantJoint& joint : values.plan().redundant) {
+    const Pair pair = placed(values, links, joint);
+    const double gap = gap_of(pair);
+    if (!std::isfinite(gap)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    if (gap > tolerance_of(values, pair.size, regularity == Status::ok)) {
+      worst = std::max(worst, gap);
+    }
+  }
+  return worst;
+}
+
 bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                        Status regularity, bool rates_known) {
-  return std::ranges::all_of(values.plan().redundant, [&](const plan::RedundantJoint& joint) {
-    return holds(values, links, joint, regularity == Status::ok, rates_known);
-  });
+  return gap_of_redundant(values, links, regularity) == 0 &&
+         (!rates_known ||
+          std::ranges::all_of(values.plan().redundant, [&](const plan::RedundantJoint& joint) {
+            return goes_on(values, links, placed(values, links, joint));
+          }));
+}
+
+OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
+  std::vector<std::string> names;
+  for (const plan::RedundantJoint& joint : plan.redundant) {
+    if (std::ranges::find(names, joint.name) == names.end()) {
+      names.push_back(joint.name);
+    }
+  }
+  const std::string of_all = text::listed(names);
+  OverConstrained refusal(
+      "",
+      std::string(plan.excess->what()) + "; without constraints of " + of_all +
+          " it can be assembled, " +
+          (gap > 0 ? "and they fail to hold by " + short_number(gap) + " at least"
+                   : "and they hold there, but not where the drivers go on"),
+      plan.excess->surplus, plan.excess->joints);
+  refusal.gap = gap;
+  return refusal;
 }
 
 }  // namespace assur::mechanism::solve
