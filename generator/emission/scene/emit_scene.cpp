@@ -216,6 +216,12 @@ class SceneEmitter {
     view_.set("has_links", !links.empty());
     const std::vector<std::string> limits = limit_statements(solver_);
     view_.set("has_limits", !limits.empty());
+    std::vector<std::string> redundant;
+    for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
+      redundant.push_back(joint.name);
+    }
+    view_.set("has_redundant", !redundant.empty());
+    view_.set("redundant_list", cpp::comment_text(text::listed(redundant)));
     view_.set("limited", limits.empty() ? "" : "Limited");
     view_.set("limits", shown(limits));
     view_.set("slides", member_list(reported));

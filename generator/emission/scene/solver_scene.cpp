@@ -152,7 +152,7 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
     needs[link] = FrameNeed::direction;
   }
   for (const mechanism::LinkIndex link : described.links().keys()) {
-    if (solver.reports(link)) {
+    if (solver.reports(link) || !solver.plan.redundant().empty()) {
       needs[link] = FrameNeed::everything;
     }
   }
@@ -176,23 +176,12 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
-/// Throws MechanismError for what solvers do not model.
-mechanism::Plan expect_modelled(mechanism::Plan plan) {
-  if (!plan.redundant().empty()) {
-    throw mechanism::MechanismError(
-        "joints." + plan.redundant().front(),
-        "the joint has constraints that are too many, which a solver does not check; take them "
-        "away: where the others hold, this one does");
-  }
-  return plan;
-}
-
 int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
 
 }  // namespace
 
 SolverScene::SolverScene(const mechanism::Scene& described)
-    : plan(expect_modelled(mechanism::Plan(described))),
+    : plan(described),
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),

@@ -1,6 +1,8 @@
 #include "redundant_joints.hpp"
 
 #include <algorithm>
+#include <array>
+#include <assur/support/redundant.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
 #include <limits>
@@ -11,12 +13,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Of the mechanism's size: what rounding may leave of a configuration that is regular, or is not.
-constexpr double rounding_where_regular = 1e-11;
-constexpr double rounding_where_singular = 1e-6;
-
-/// Two features in the ground's frame, and the largest length of the mechanism, which goes into
-/// them where they are at the origin too.
+/// Two features in the ground's frame, and the largest coordinate of the mechanism.
 struct Pair {
   Frame one, other;
   bool are_lines;
@@ -24,16 +21,14 @@ struct Pair {
 };
 
 Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
-            const plan::RedundantJoint& joint) {
+            const RedundantJoint& joint) {
   const Mechanism& mechanism = values.plan().mechanism;
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
   Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
-  for (const FeatureIndex feature : {joint.one, joint.other}) {
-    const Pose<double>& local = values.frame(feature).pose;
-    pair.size = std::max({pair.size, std::abs(local.x), std::abs(local.y)});
-  }
+  const std::array features = {pair.one.pose, pair.other.pose};
+  pair.size = support::largest_coordinate(features);
   for (const Frame& link : links) {
     pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y)});
   }
@@ -56,23 +51,15 @@ Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
 }
 
 /// How far rounding, or the tolerance that the request states, lets them be apart.
-double tolerance_of(const Values& values, double size, bool is_regular) {
+double tolerance_of(const Values& values, double size, Status regularity) {
   const NumberIndex given = values.plan().request.redundancy_tolerance;
-  return std::max((is_regular ? rounding_where_regular : rounding_where_singular) * size,
+  return std::max(support::redundancy_slack(size, regularity),
                   given.exists() ? values.number(given).value() : 0);
 }
 
 double gap_of(const Pair& pair) {
-  const Pose<double>& one = pair.one.pose;
-  const Pose<double>& other = pair.other.pose;
-  const Eigen::Vector2d arm(other.x - one.x, other.y - one.y);
-  if (!pair.are_lines) {
-    return arm.norm();
-  }
-  const Direction<double>& along = one.direction;
-  const double across = along.cos * arm.y() - along.sin * arm.x();
-  const double sine = turned(other.direction, reversed(along)).sin;
-  return std::max(std::abs(across), std::abs(sine) * pair.size);
+  return pair.are_lines ? support::lines_apart(pair.one.pose, pair.other.pose, pair.size)
+                        : support::points_apart(pair.one.pose, pair.other.pose);
 }
 
 bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const Pair& pair) {
@@ -92,13 +79,13 @@ bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const P
 double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                         Status regularity) {
   double worst = 0;
-  for (const plan::RedundantJoint& joint : values.plan().redundant) {
+  for (const RedundantJoint& joint : values.plan().redundant) {
     const Pair pair = placed(values, links, joint);
     const double gap = gap_of(pair);
     if (!std::isfinite(gap)) {
       return std::numeric_limits<double>::infinity();
     }
-    if (gap > tolerance_of(values, pair.size, regularity == Status::ok)) {
+    if (gap > tolerance_of(values, pair.size, regularity)) {
       worst = std::max(worst, gap);
     }
   }
@@ -109,14 +96,14 @@ bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& link
                        Status regularity, bool rates_known) {
   return gap_of_redundant(values, links, regularity) == 0 &&
          (!rates_known ||
-          std::ranges::all_of(values.plan().redundant, [&](const plan::RedundantJoint& joint) {
+          std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
             return goes_on(values, links, placed(values, links, joint));
           }));
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
   std::vector<std::string> names;
-  for (const plan::RedundantJoint& joint : plan.redundant) {
+  for (const RedundantJoint& joint : plan.redundant) {
     if (std::ranges::find(names, joint.name) == names.end()) {
       names.push_back(joint.name);
     }

@@ -106,7 +106,7 @@ TEST(Drivers, TooManyAreNamed) {
   EXPECT_EQ(
       message_of(scene),
       "scene: joints: over-constrained by 1: the joints B, C hold the links coupler more "
-      "often than they can move; take a joint or a driver away; without constraints of C it can be "
+      "often than they can move; take a joint or a driver away; without constraints of B it can be "
       "assembled, and they fail to hold by 0.475 at least");
 }
 

@@ -34,6 +34,14 @@ std::string too_many_by(const std::string& gap) {
                      gap + " at least");
 }
 
+std::vector<std::string> names_of(const mechanism::Plan& plan) {
+  std::vector<std::string> names;
+  for (const mechanism::RedundantJoint& joint : plan.redundant()) {
+    names.push_back(joint.name);
+  }
+  return names;
+}
+
 TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
   for (const double phi : {0.7, 2.0, 3.5, -1.1}) {
     Bars bars = five_bars(2, 1.5);
@@ -152,7 +160,7 @@ TEST(RedundantJoints, TellItAtOtherValuesThanTheScenesOwn) {
     bars.json()["parameters"]["third"] = 1.5;
     bars.json()["links"]["third"]["G"] = {"third", 0};
     const Solved found = solved(bars.json());
-    ASSERT_EQ(found.plan.redundant(), std::vector<std::string>{"C"});
+    ASSERT_EQ(names_of(found.plan), std::vector<std::string>{"C"});
     for (const double more : {1e-6, -1e-3, 4e-3}) {
       SCOPED_TRACE(more);
       try {
@@ -187,8 +195,52 @@ TEST(RedundantJoints, AreNoneThatLawsReadOrThatHaveLimits) {
   const Solved found = solved(bars.json());
   ASSERT_EQ(found.configurations().size(), 1U);
   ASSERT_EQ(found.plan.redundant().size(), 1U);
-  EXPECT_NE(found.plan.redundant()[0], "B");
-  EXPECT_NE(found.plan.redundant()[0], "C");
+  EXPECT_NE(found.plan.redundant()[0].name, "B");
+  EXPECT_NE(found.plan.redundant()[0].name, "C");
+}
+
+/// A ram in two guides in one line: the guide that is not reported is left out, in any listing.
+TEST(RedundantJoints, AreThoseThatAreNotReported) {
+  for (const std::string reported : {"first guide", "second guide"}) {
+    Bars bars;
+    const Json along = {1, 0};
+    for (const auto& [name, x] : {std::pair("first guide", 0.0), std::pair("second guide", 2.0)}) {
+      bars.json()["links"]["ground"][name] = {{"through", {x, 0.3}}, {"along", along}};
+      bars.json()["links"]["ram"][name] = {{"through", {x / 2, 0}}, {"along", along}};
+      bars.json()["joints"][name] = {
+          {"type", "prismatic"},
+          {"between", {std::string("ground.") + name, std::string("ram.") + name}}};
+    }
+    bars.point("rod", "B", 0, 0).point("rod", "C", 3, 0).point("ram", "C", 0, 0);
+    bars.join("B", {"crank.B", "rod.B"}).join("C", {"rod.C", "ram.C"});
+    bars.json()["report"] = {{"joints", {reported}}, {"links", {"rod"}}};
+    const Solved found = solved(bars.json());
+    ASSERT_EQ(found.configurations().size(), 2U);
+    EXPECT_NE(names_of(found.plan), std::vector<std::string>{reported});
+    const mechanism::Configuration& one = found.configurations()[0];
+    ASSERT_EQ(one.slides.size(), 1U);
+    EXPECT_TRUE(found.plan.request().reported.has(one.slides[0].joint)) << reported;
+    const double shift = reported == "first guide" ? 0 : 1 - 2;
+    EXPECT_NEAR(one.slides[0].displacement, one.link("ram").pose.x + shift, 1e-14);
+  }
+}
+
+/// A slide that a user calls as a slot might be called that stands for a pin is reported.
+TEST(RedundantJoints, HideNoSlideOfTheScene) {
+  Bars bars = five_bars(2, 1.5);
+  const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+  bars.json()["links"]["ground"]["axis"] = axis;
+  bars.json()["links"]["box"]["axis"] = axis;
+  bars.json()["joints"]["C of box"] = {{"type", "prismatic"},
+                                       {"between", {"ground.axis", "box.axis"}}};
+  bars.json()["drivers"]["C of box"]["position"] = 0.5;
+  const Solved found = solved(bars.json());
+  ASSERT_EQ(names_of(found.plan), std::vector<std::string>{"C"});
+  int described = 0;
+  for (const mechanism::SlideState& slide : found.configurations()[0].slides) {
+    described += found.plan.is_stand_in(slide.joint) ? 0 : 1;
+  }
+  EXPECT_EQ(described, 1);
 }
 
 TEST(RedundantJoints, OfADoorOnThreeHingesHold) {
@@ -200,7 +252,7 @@ TEST(RedundantJoints, OfADoorOnThreeHingesHold) {
   bars.json()["outputs"]["B"] = "crank.B";
   const Solved found = solved(bars.json());
   EXPECT_EQ(found.configurations().size(), 1U);
-  EXPECT_EQ(found.plan.redundant(), (std::vector<std::string>{"H1", "H2"}));
+  EXPECT_EQ(names_of(found.plan), (std::vector<std::string>{"H1", "H2"}));
   bars.json()["links"]["crank"]["H2"] = {0, 1e-3};
   EXPECT_NE(message_of(bars.json()).find("over-constrained by 4"), std::string::npos);
 }

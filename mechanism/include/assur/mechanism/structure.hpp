@@ -67,6 +67,14 @@ struct DrivenLink {
                                   ///< ground that carries it
 };
 
+/// A pin or slide that must hold where the other joints do: two features, of one sort, that
+/// coincide. Its constraints are left out of the mechanism that is solved.
+struct RedundantJoint {
+  std::string name;
+  FeatureIndex one, other;
+  FeatureIndex slot = {};  ///< a line in which the pin slides instead; none where nothing is left
+};
+
 /// A driver whose law reads where links are.
 struct ReadingDriver {
   DriverIndex driver;
