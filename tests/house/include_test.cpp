@@ -193,8 +193,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"all configurations, and branches", std::regex("assembly|tracking")},
       {"whole mechanisms",
        std::regex("assur|support/"
-                  "(displacement|placed_group|scene_search|scene_solve|scene_track|shared_search|"
-                  "specialised)")},
+                  "(displacement|flat_branch|placed_group|scene_search|scene_solve|scene_track|"
+                  "shared_search|specialised)")},
   };
   return storeys;
 }
