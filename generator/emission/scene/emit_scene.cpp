@@ -74,7 +74,7 @@ class SceneEmitter {
     std::vector<std::string> names;
     std::vector<std::string> turning;
     std::vector<std::string> sliding;
-    for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
+    for (const mechanism::CarriedLink& link : solver_.plan.structure().carried) {
       if (!link.driver.exists()) {
         continue;
       }

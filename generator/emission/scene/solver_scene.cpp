@@ -86,7 +86,7 @@ mechanism::Table<Key, std::string> members_of(const std::vector<std::string>& na
 mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
     const mechanism::Structure& structure, const std::vector<std::string>& taken) {
   std::vector<std::string> names;
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     if (link.group.exists()) {
       names.push_back(structure.linkage.links[link.to] + "_on_" +
                       structure.linkage.links[link.from]);
@@ -95,7 +95,7 @@ mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
   const std::vector<std::string> spelled = text::member_names(names, taken);
   auto member = spelled.begin();
   mechanism::Table<mechanism::LinkIndex, std::string> members(structure.linkage.links.size());
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     if (link.group.exists()) {
       members[link.to] = *member++;
     }
@@ -159,7 +159,7 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   for (const mechanism::Output& output : described.outputs()) {
     needs[described.features()[output.point].link] = FrameNeed::everything;
   }
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     needs[link.to] = FrameNeed::everything;
     needs[link.from] = FrameNeed::everything;
   }

@@ -134,7 +134,7 @@ class ConfigurationWalk {
 
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
-    if (!placement_.move_driven_links(depth)) {
+    if (!placement_.move_carried_links(depth)) {
       ++solution_->dropped;
       solution_->drop_reason = placement_.flaw();
       return;
