@@ -47,6 +47,25 @@ TEST(Imbalance, NamesBothAtOnce) {
             "their joints, or add a joint");
 }
 
+TEST(Coordinates, AreOfAUnitThatDoublesHold) {
+  for (const auto& [factor, message] :
+       {std::pair(1e-130,
+                  "scene: links: all coordinates are smaller than 2^-400; give the lengths "
+                  "in another unit"),
+        std::pair(1e130,
+                  "scene: links.ground.D: a coordinate is larger than 2^400; give the "
+                  "lengths in another unit")}) {
+    Bars bars;
+    bars.four_bar();
+    for (Json& link : bars.json()["links"]) {
+      for (Json& point : link) {
+        point = {factor * point[0].get<double>(), factor * point[1].get<double>()};
+      }
+    }
+    EXPECT_EQ(message_of(bars.json()), message);
+  }
+}
+
 TEST(Imbalance, OfDriversNamesTheJointBetweenPlacedLinks) {
   Bars bars;
   bars.four_bar().point("other", "A", 0, 0).point("other", "B", 1, 0).point("ground", "F", 0, 1);
