@@ -74,6 +74,20 @@ bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const P
                         : rate.norm() <= rounding_of_rates * fastest.speed;
 }
 
+/// What is said of a mechanism with too many constraints, and what it does without them.
+OverConstrained refused(const PlanData& plan, const std::string& without) {
+  std::vector<std::string> names;
+  for (const RedundantJoint& joint : plan.redundant) {
+    if (std::ranges::find(names, joint.name) == names.end()) {
+      names.push_back(joint.name);
+    }
+  }
+  return {"",
+          std::string(plan.excess->what()) + "; without constraints of " + text::listed(names) +
+              " it " + without,
+          plan.excess->surplus, plan.excess->joints};
+}
+
 }  // namespace
 
 double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
@@ -102,22 +116,17 @@ bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& link
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
-  std::vector<std::string> names;
-  for (const RedundantJoint& joint : plan.redundant) {
-    if (std::ranges::find(names, joint.name) == names.end()) {
-      names.push_back(joint.name);
-    }
-  }
-  const std::string of_all = text::listed(names);
-  OverConstrained refusal(
-      "",
-      std::string(plan.excess->what()) + "; without constraints of " + of_all +
-          " it can be assembled, " +
-          (gap > 0 ? "and they fail to hold by " + short_number(gap) + " at least"
-                   : "and they hold there, but not where the drivers go on"),
-      plan.excess->surplus, plan.excess->joints);
+  OverConstrained refusal = refused(
+      plan, gap > 0
+                ? "can be assembled, and they fail to hold by " + short_number(gap) + " at least"
+                : "can be assembled, and they hold there, but not where the drivers "
+                  "go on");
   refusal.gap = gap;
   return refusal;
+}
+
+OverConstrained refusal_without_assembly(const PlanData& plan) {
+  return refused(plan, "cannot be assembled either");
 }
 
 }  // namespace assur::mechanism::solve

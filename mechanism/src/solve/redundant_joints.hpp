@@ -24,4 +24,7 @@ namespace assur::mechanism::solve {
 /// zero, they close at its own numbers alone.
 [[nodiscard]] OverConstrained refusal_of_redundant(const PlanData& plan, double gap);
 
+/// What is said where the mechanism has no configuration without them either.
+[[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan);
+
 }  // namespace assur::mechanism::solve

@@ -38,7 +38,7 @@ Request request_of_part(const Mechanism& mechanism, const Request& request, cons
 /// Whether the redundant joints of a plan hold in a configuration, and if not, what is said of it.
 struct Trial {
   bool holds;
-  std::optional<OverConstrained> refusal;
+  std::optional<OverConstrained> refusal = {};
 };
 
 Trial tried(const std::shared_ptr<const PlanData>& plan) {
@@ -46,7 +46,10 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
     const Values values(plan, {});
     Solution solution;
     MechanismSolver(values).solve({}, solution);
-    return {!solution.configurations.empty(), {}};
+    if (solution.status == SolutionStatus::no_assembly) {
+      return {false, refusal_without_assembly(*plan)};
+    }
+    return {!solution.configurations.empty()};
   } catch (const OverConstrained& refusal) {
     return {false, refusal};
   }
@@ -54,7 +57,7 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
 
 /// A mechanism without the constraints that it has too many, if these hold at its own numbers and
 /// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null,
-/// and the refusal is the one that fails by least.
+/// and the refusal is that of the way that fails by least, or of the first that says anything.
 std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                 const Request& request,
                                                 const OverConstrained& excess,
@@ -82,7 +85,8 @@ std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& p
     }
     trial.refusal = refusal_of_redundant(*plan, 0);
   }
-  if (trial.refusal && trial.refusal->gap < refusal.gap * (1 - rounding)) {
+  if (trial.refusal && (trial.refusal->gap < refusal.gap * (1 - rounding) ||
+                        std::string(refusal.what()) == excess.what())) {
     refusal = *trial.refusal;
   }
   return nullptr;

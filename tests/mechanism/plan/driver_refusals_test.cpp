@@ -120,10 +120,12 @@ TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
   scene = robot();
   scene["drivers"].erase("G");
   scene["joints"]["G"]["between"].push_back("coupler.F");
-  EXPECT_EQ(message_of(scene),
-            "scene: joints: over-constrained by 2: the joints G join links that drivers tie "
-            "together; take a joint or a driver away; elsewhere under-constrained by 1: the links "
-            "hand keep a freedom; drive one of their joints, or add a joint");
+  EXPECT_EQ(
+      message_of(scene),
+      "scene: joints: over-constrained by 2: the joints G join links that drivers tie "
+      "together; take a joint or a driver away; elsewhere under-constrained by 1: the links "
+      "hand keep a freedom; drive one of their joints, or add a joint; without constraints of G "
+      "it cannot be assembled either");
 }
 
 TEST(Joints, WithBothEndsOnOneLinkAreNamed) {

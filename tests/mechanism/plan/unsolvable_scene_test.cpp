@@ -50,10 +50,10 @@ TEST(Imbalance, NamesBothAtOnce) {
 TEST(Coordinates, AreOfAUnitThatDoublesHold) {
   for (const auto& [factor, message] :
        {std::pair(1e-130,
-                  "scene: links: all coordinates are smaller than 2^-400; give the lengths "
+                  "links: all coordinates are smaller than 2^-400; give the lengths "
                   "in another unit"),
         std::pair(1e130,
-                  "scene: links.ground.D: a coordinate is larger than 2^400; give the "
+                  "links.ground.D: a coordinate is larger than 2^400; give the "
                   "lengths in another unit")}) {
     Bars bars;
     bars.four_bar();

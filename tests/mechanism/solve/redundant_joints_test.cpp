@@ -186,6 +186,15 @@ TEST(RedundantJoints, ThatHoldAtOneInstantAreRefused) {
                 "there, but not where the drivers go on");
 }
 
+/// Where the coupler cannot reach the second crank, nothing is known of the third.
+TEST(RedundantJoints, SayWhereNothingCanBeAssembledWithoutThem) {
+  Bars bars = five_bars(2, 1.5);
+  bars.json()["links"]["ground"]["D"] = {40, 0};
+  bars.json()["links"]["ground"]["F"] = {20, 0};
+  EXPECT_EQ(message_of(bars.json()),
+            std::string(too_many) + "; without constraints of C it cannot be assembled either");
+}
+
 /// A law that reads one of the joints, or limits of one, leave the others to be left out.
 TEST(RedundantJoints, AreNoneThatLawsReadOrThatHaveLimits) {
   Bars bars = five_bars(2, 1.5);
