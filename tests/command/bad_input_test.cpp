@@ -77,7 +77,7 @@ constexpr std::array<Fault, 93> faults = {{
     {"CoordinateNoNumber", "/links/rod/B", "[true, 0]",
      "links.rod.B[0]: expected a number or an expression, found boolean"},
     {"LineWithoutSense", "/links/rod/slide/along", "[0, 0]",
-     "links.rod.slide.along: a direction [0, 0] has no sense"},
+     "links.rod.slide.along: [0, 0] is no direction; one of the numbers must not be zero"},
     {"LineWithoutPoint", "/links/rod/slide/through", "", "the key 'through' is missing"},
     {"UnknownLineKey", "/links/rod/slide/angle", "0", "links.rod.slide: unknown key 'angle'"},
     {"UnknownParameter", "/links/rod/E", "[\"BEE\", 0]",
