@@ -185,7 +185,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "special_search)|"
                   "support/(configuration_order|derivative_digits|discriminant|displaced_frame|"
                   "flat_variables|limits|nearest|placed_link|position_polynomial|"
-                  "rigid_motion|scale|second_rates|solved_by_lu)")},
+                  "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
       {"answers at a configuration", std::regex("branch_point|kinematics|normal_form|second_order|"
                                                 "singularity|special_points")},
       {"the searches", std::regex("detail/(assembly_order|branch_step|closed_search|general_search|"

@@ -228,8 +228,8 @@ std::string report_text(const Report& report) {
     text += group.base.exists() ? ", relative to " + structure.linkage.links[group.base] : "";
     text += "\n";
   }
-  for (const std::string& joint : report.plan.redundant()) {
-    text += "redundant: the joint " + joint + " holds wherever the other joints do\n";
+  for (const RedundantJoint& joint : report.plan.redundant()) {
+    text += "redundant: the joint " + joint.name + " holds wherever the other joints do\n";
   }
   for (const Family& family : solution.families) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +

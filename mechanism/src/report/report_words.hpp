@@ -73,15 +73,8 @@ namespace assur::mechanism::report {
 [[nodiscard]] inline std::vector<const SlideState*> reported_slides(
     const Plan& plan, const Configuration& configuration) {
   std::vector<const SlideState*> slides;
-  const std::vector<std::string> redundant = plan.redundant();
-  const auto is_redundant = [&](JointIndex joint) {  // its slot is one of the solver's alone
-    return std::ranges::any_of(redundant, [&](const std::string& name) {
-      const std::string& own = plan.mechanism().joints()[joint].name;
-      return own == name || own.starts_with(name + " of ");
-    });
-  };
   for (const SlideState& slide : configuration.slides) {
-    if (plan.request().reported.has(slide.joint) && !is_redundant(slide.joint)) {
+    if (plan.request().reported.has(slide.joint) && !plan.is_stand_in(slide.joint)) {
       slides.push_back(&slide);
     }
   }

@@ -73,7 +73,7 @@ void Values::evaluate() {
     evaluate_feature(feature);
   }
   expect_unit();
-  evaluate_driven_frames();
+  evaluate_carried_frames();
   for (const GroupIndex group : groups_.keys()) {
     evaluate_group(group);
   }
@@ -169,7 +169,7 @@ void Values::evaluate_again(const Dependents& dependents) {
     evaluate_feature(feature);
   }
   if (!dependents.features.empty()) {
-    evaluate_driven_frames();
+    evaluate_carried_frames();
   }
   for (const GroupIndex group : dependents.groups) {
     evaluate_group(group);
