@@ -151,7 +151,8 @@ constexpr std::array<Fault, 93> faults = {{
     {"CovarianceIndefinite", "/covariance",
      "{\"parameters\": [\"AB\", \"AG\", \"BE\"], \"matrix\": [[1, 0.9, 0], [0.9, 1, 0.9], [0, 0.9, "
      "1]]}",
-     "covariance.matrix: not positive semi-definite"},
+     "covariance.matrix: no parameters can vary like this: the matrix is not positive "
+     "semi-definite"},
     {"NoLinkIsGround", "", R"({"links": {"a": {}}, "joints": {}})",
      "links: no link is named 'ground', so nothing holds the mechanism"},
     {"UnitNoText", "/unit", "3", "unit: expected a text, found number"},
