@@ -1,6 +1,10 @@
 #include "given.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string_view>
 
 namespace assur::python {
 
@@ -14,11 +18,10 @@ std::string shape_of(const py::handle& array) {
   return py::cast<std::string>(py::str(array.attr("shape")));
 }
 
-std::string name_of(const py::handle& key) {
-  if (!PyUnicode_Check(key.ptr())) {
-    throw ShapeError("values: a parameter's name is a text, not a " + type_of(key));
-  }
-  return py::cast<std::string>(key);
+/// A whole number itself, of anything else its type.
+std::string shown(const py::handle& value) {
+  return PyLong_Check(value.ptr()) != 0 ? py::cast<std::string>(py::str(value))
+                                        : "a " + type_of(value);
 }
 
 double number_of(const std::string& name, const py::handle& value) {
@@ -50,10 +53,15 @@ mechanism::ParameterIndex parameter_named(const mechanism::Mechanism& mechanism,
 
 /// A number, or a list of numbers.
 py::array_t<double> array_of(const std::string& name, const py::handle& value) {
-  auto array = py::array_t<double>::ensure(value);
-  if (!array) {
+  const py::array given = py::array::ensure(value);
+  const bool holds_numbers =
+      given && std::string_view("biufO").find(given.dtype().kind()) != std::string_view::npos;
+  auto array = holds_numbers ? py::array_t<double>::ensure(given) : py::array_t<double>();
+  if (!holds_numbers || !array) {
     PyErr_Clear();
-    throw ShapeError(name + ": expected an array of numbers, not a " + type_of(value));
+    throw ShapeError(name + ": expected an array of numbers, not " +
+                     (given ? "one of dtype " + py::cast<std::string>(py::str(given.dtype()))
+                            : "a " + type_of(value)));
   }
   if (array.ndim() > 1) {
     throw ShapeError(name + ": expected one dimension, not an array of shape " + shape_of(array) +
@@ -64,10 +72,41 @@ py::array_t<double> array_of(const std::string& name, const py::handle& value) {
 
 }  // namespace
 
+std::string utf8_of(const py::handle& value, const std::string& what) {
+  if (PyUnicode_Check(value.ptr()) == 0) {
+    throw ShapeError(what + " is a text, not a " + type_of(value));
+  }
+  Py_ssize_t size = 0;
+  const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
+  if (text == nullptr) {
+    PyErr_Clear();
+    throw ShapeError(what + " holds a surrogate, which is no character");
+  }
+  return {text, static_cast<std::size_t>(size)};
+}
+
+std::uint64_t whole_number(const py::handle& value, const std::string& what) {
+  const auto number = py::reinterpret_steal<py::object>(PyNumber_Index(value.ptr()));
+  const unsigned long long whole = number ? PyLong_AsUnsignedLongLong(number.ptr()) : 0;
+  if (PyErr_Occurred() != nullptr) {
+    PyErr_Clear();
+    throw ShapeError(what + ": expected a whole number from 0, not " + shown(value));
+  }
+  return whole;
+}
+
+int place_number(const py::handle& value, const std::string& what) {
+  const std::uint64_t number = whole_number(value, what);
+  if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
+    throw ShapeError(what + ": there are not so many");
+  }
+  return static_cast<int>(number);
+}
+
 Given given(const py::object& mapping, const py::kwargs& keywords) {
   Given all;
   const auto add = [&all](const py::handle& key, const py::handle& value) {
-    const std::string name = name_of(key);
+    const std::string name = utf8_of(key, "values: a parameter's name");
     const auto at =
         std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.first == name; });
     if (at == all.end()) {
@@ -94,10 +133,15 @@ Given given(const py::object& mapping, const py::kwargs& keywords) {
 std::vector<std::string> settings_of(const Given& given) {
   std::vector<std::string> settings;
   for (const auto& [name, value] : given) {
-    const bool is_text = PyUnicode_Check(value.ptr()) != 0;
-    settings.push_back(
-        name + "=" +
-        py::cast<std::string>(is_text ? value : py::repr(py::float_(number_of(name, value)))));
+    if (PyUnicode_Check(value.ptr()) != 0) {
+      settings.push_back(name + "=" + utf8_of(value, name));
+      continue;
+    }
+    const double number = number_of(name, value);
+    if (!std::isfinite(number)) {
+      throw ShapeError(name + ": expected a finite number");
+    }
+    settings.push_back(name + "=" + py::cast<std::string>(py::repr(py::float_(number))));
   }
   return settings;
 }
@@ -141,10 +185,11 @@ std::vector<std::pair<mechanism::ParameterIndex, double>> Columns::row(py::ssize
   row.reserve(parameters.size());
   for (std::size_t column = 0; column < parameters.size(); ++column) {
     const py::array_t<double>& array = values[column];
-    const auto* bytes = static_cast<const char*>(static_cast<const void*>(array.data()));
+    const auto* const first = static_cast<const char*>(array.request().ptr);
     const py::ssize_t stride = array.ndim() == 0 ? 0 : array.strides(0);
-    row.emplace_back(parameters[column],
-                     *static_cast<const double*>(static_cast<const void*>(bytes + at * stride)));
+    double value = 0;
+    std::memcpy(&value, first + at * stride, sizeof value);  // it may not be aligned
+    row.emplace_back(parameters[column], value);
   }
   return row;
 }

@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 
 #include <assur/mechanism/mechanism.hpp>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +12,17 @@
 #include "errors.hpp"
 
 namespace assur::python {
+
+/// A text of Python. Throws ShapeError for what is none, or cannot be told in UTF-8.
+[[nodiscard]] std::string utf8_of(const py::handle& value, const std::string& what);
+/// A whole number from zero. Throws ShapeError for what is none.
+[[nodiscard]] std::uint64_t whole_number(const py::handle& value, const std::string& what);
+/// Likewise where the library counts by int.
+[[nodiscard]] int place_number(const py::handle& value, const std::string& what);
+
+/// An argument that is given by its place; its name ends in a space, which the name of no parameter
+/// does, so that no keyword meets it.
+using ByPlace = py::arg;
 
 /// Values by names; a keyword goes before the same name in the mapping.
 using Given = std::vector<std::pair<std::string, py::object>>;

@@ -116,7 +116,7 @@ void bind_plan(py::module_& module) {
           [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
             return solved(planned, values, keywords, Asked::all);
           },
-          py::arg("values") = py::none(), py::pos_only(),
+          ByPlace("values ") = py::none(), py::pos_only(),
           "solve(self, values=None, /, **parameters)\n--\n\n"
           "Every configuration, as a Solution.\n\n"
           "values, and keywords: numbers by the names of parameters, in place of their formulas; "
@@ -126,11 +126,12 @@ void bind_plan(py::module_& module) {
           "cannot be used. Links that cannot reach are no error: see Solution.status.")
       .def(
           "solve_one",
-          [](const SharedPlan& planned, std::size_t number, const py::object& values,
+          [](const SharedPlan& planned, const py::object& number, const py::object& values,
              const py::kwargs& keywords) {
-            return solved(planned, values, keywords, Asked::numbered, number);
+            return solved(planned, values, keywords, Asked::numbered,
+                          static_cast<std::size_t>(place_number(number, "number")));
           },
-          py::arg("number"), py::arg("values") = py::none(), py::pos_only(),
+          ByPlace("number "), ByPlace("values ") = py::none(), py::pos_only(),
           "solve_one(self, number, values=None, /, **parameters)\n--\n\n"
           "The configuration of a number, from 1, alone in a Solution.\n\n"
           "Raises SceneError where there is none of that number, and as solve does.")
@@ -139,7 +140,7 @@ void bind_plan(py::module_& module) {
           [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
             return solved(planned, values, keywords, Asked::nearest);
           },
-          py::arg("values") = py::none(), py::pos_only(),
+          ByPlace("values ") = py::none(), py::pos_only(),
           "solve_nearest(self, values=None, /, **parameters)\n--\n\n"
           "The configuration nearest to the scene's reference, alone in a Solution.\n\n"
           "Raises SceneError where the scene has no reference, and as solve does.");

@@ -9,6 +9,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "given.hpp"
 #include "long_call.hpp"
 #include "plan.hpp"
 
@@ -37,8 +38,13 @@ void expect_count(std::uint64_t count, std::size_t width) {
   }
 }
 
-std::shared_ptr<Sampled> sampled(const SharedScene& scene, std::uint64_t count, std::uint64_t seed,
-                                 std::size_t branch, int threads) {
+std::shared_ptr<Sampled> sampled(const SharedScene& scene, const py::object& count_of,
+                                 const py::object& seed_of, const py::object& branch_of,
+                                 const py::object& threads_of) {
+  const std::uint64_t count = whole_number(count_of, "count");
+  const std::uint64_t seed = whole_number(seed_of, "seed");
+  const auto branch = static_cast<std::size_t>(place_number(branch_of, "branch"));
+  const int threads = place_number(threads_of, "threads");
   LongCall call;
   return in_scene(scene->file, [&] {
     auto result = std::make_shared<Sampled>(
@@ -103,7 +109,8 @@ py::array parameters_of_samples(const Sampled& samples) {
   return array;
 }
 
-std::string reason_of_sample(const Sampled& samples, std::uint64_t sample) {
+std::string reason_of_sample(const Sampled& samples, const py::object& of) {
+  const std::uint64_t sample = whole_number(of, "sample");
   if (sample >= samples.count) {
     throw py::index_error("sample " + std::to_string(sample) + ": there are " +
                           std::to_string(samples.count));

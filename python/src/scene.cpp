@@ -26,7 +26,7 @@ SharedScene read(const std::filesystem::path& file, const py::object& values,
 /// The JSON text of a dictionary, in which NumPy's numbers and arrays may stand.
 std::string json_text_of(const py::object& scene) {
   if (PyUnicode_Check(scene.ptr()) != 0) {
-    return py::cast<std::string>(scene);
+    return utf8_of(scene, "scene: what is parsed");
   }
   const py::cpp_function plain([](const py::object& value) -> py::object {
     if (!py::hasattr(value, "tolist")) {
@@ -35,8 +35,16 @@ std::string json_text_of(const py::object& scene) {
     }
     return value.attr("tolist")();
   });
-  return py::cast<std::string>(
-      py::module_::import("json").attr("dumps")(scene, py::arg("default") = plain));
+  try {
+    return py::cast<std::string>(
+        py::module_::import("json").attr("dumps")(scene, py::arg("default") = plain));
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError) &&
+        !error.matches(PyExc_RecursionError)) {
+      throw;
+    }
+    throw ShapeError("scene: " + py::cast<std::string>(py::str(error.value())));
+  }
 }
 
 SharedScene parse(const py::object& scene, const py::object& values, const py::kwargs& keywords) {
@@ -46,24 +54,27 @@ SharedScene parse(const py::object& scene, const py::object& values, const py::k
   return std::make_shared<Scene>(mechanism::parse_scene(text, "scene", settings));
 }
 
-std::string svg_of_scene(const Scene& scene, int configuration, bool nearest) {
+std::string svg_of_scene(const Scene& scene, const py::object& configuration, bool nearest) {
+  const int number = place_number(configuration, "configuration");
   const py::gil_scoped_release others_run;
-  return svg_of(scene, {}, {configuration, nearest});
+  return svg_of(scene, {}, {number, nearest});
 }
 
-std::string moving_svg(const Scene& scene, int branch) {
+std::string moving_svg(const Scene& scene, const py::object& branch) {
+  const int number = place_number(branch, "branch");
   const py::gil_scoped_release others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_svg(
-        mechanism::moving_drawing_of(scene.mechanism, scene.request, branch));
+        mechanism::moving_drawing_of(scene.mechanism, scene.request, number));
   });
 }
 
-std::string dxf(const Scene& scene, int configuration, bool nearest) {
+std::string dxf(const Scene& scene, const py::object& configuration, bool nearest) {
+  const int number = place_number(configuration, "configuration");
   const py::gil_scoped_release others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_dxf(
-        mechanism::drawing_of(scene.mechanism, scene.request, {configuration, nearest}));
+        mechanism::drawing_of(scene.mechanism, scene.request, {number, nearest}));
   });
 }
 
@@ -76,7 +87,7 @@ std::string page(const Scene& scene) {
 /// Nothing where there is no picture: a notebook shows the text then.
 py::object picture_of_scene(const Scene& scene) {
   try {
-    return py::str(svg_of_scene(scene, 0, false));
+    return py::str(svg_of_scene(scene, py::int_(0), false));
   } catch (const text::InputError&) {
     return py::none();
   }
@@ -144,13 +155,14 @@ void bind_scene(py::module_& module) {
                (scene.mechanism.name().empty() ? "" : ": " + scene.mechanism.name()) + ">";
       });
   module.def(
-      "read_scene", read, py::arg("file"), py::arg("values") = py::none(), py::pos_only(),
+      "read_scene", read, ByPlace("file "), ByPlace("values ") = py::none(), py::pos_only(),
       "read_scene(file, values=None, /, **parameters)\n--\n\n"
       "The scene of a JSON file.\n\n"
       "values, and keywords: by the names of parameters, numbers or texts of expressions, which\n"
       "take the place of the file's; a keyword goes before.\n\n"
       "Raises SceneError with the file, the place in it, what is wrong, and the mend.");
-  module.def("parse_scene", parse, py::arg("scene"), py::arg("values") = py::none(), py::pos_only(),
+  module.def("parse_scene", parse, ByPlace("scene "), ByPlace("values ") = py::none(),
+             py::pos_only(),
              "parse_scene(scene, values=None, /, **parameters)\n--\n\n"
              "The scene of a JSON text, or of a dictionary of the same form, in which NumPy's\n"
              "numbers and arrays may stand. values and keywords: see read_scene.");

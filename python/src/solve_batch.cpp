@@ -89,7 +89,7 @@ void add_solve_batch(py::module_& module, PlanClass& plan) {
           "Array of shape (rows,): the number of each configuration in its item, from 1.")
       .def("__len__", [](const SolvedBatch& batch) { return batch.status.size(); });
   plan.def(
-      "solve_batch", solve_batch, py::arg("values") = py::none(), py::pos_only(),
+      "solve_batch", solve_batch, ByPlace("values ") = py::none(), py::pos_only(),
       "solve_batch(self, values=None, /, **parameters)\n--\n\n"
       "Every configuration of many sets of values, as a Batch.\n\n"
       "values, and keywords: by the names of parameters, arrays of one length, shape (items,),\n"

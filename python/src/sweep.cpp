@@ -111,19 +111,21 @@ SweptScene swept(const PlannedScene& planned, const py::object& values,
   return std::move(collector).result();
 }
 
-std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, std::size_t number) {
+std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, const py::object& of) {
+  const int number = place_number(of, "number");
   Collector collector(planned);
   std::optional<double> end;
   {
     LongCall call;
     end = in_scene(planned.scene->file, [&] {
-      return mechanism::sweep_branch(planned.plan, number, collector.observer(call));
+      return mechanism::sweep_branch(planned.plan, static_cast<std::size_t>(number),
+                                     collector.observer(call));
     });
   }
   SweptScene result = std::move(collector).result();
   std::shared_ptr<Branch> branch =
       result.branches.empty() ? result.unassigned : result.branches.begin()->second;
-  branch->number = static_cast<int>(number);
+  branch->number = number;
   branch->ends_at = end;
   return branch;
 }
@@ -175,12 +177,12 @@ void add_sweep(py::module_& module, PlanClass& plan) {
                     "Branch: configurations that belong to no branch.")
       .def_readonly("events", &SweptScene::events, "Events: folds, crossings and others.");
   plan.def(
-          "sweep", swept, py::arg("values") = py::none(), py::pos_only(),
+          "sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
           "sweep(self, values=None, /, **parameters)\n--\n\n"
           "Every branch of the scene's sweep, as a Sweep, other parameters at the given values.\n\n"
           "Raises SceneError where the scene has no sweep, and as solve does. Ctrl-C ends it.")
       .def(
-          "sweep_branch", swept_branch, py::arg("number"), py::pos_only(),
+          "sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
           "sweep_branch(self, number, /)\n--\n\n"
           "One branch alone, as a Branch, in the memory of its rows, however many others there\n"
           "are: by its number at the first step, or for 0 the nearest to the scene's reference.\n\n"

@@ -46,7 +46,8 @@ def test_shared_numbers_and_every_form_of_array(plan):
     backwards = np.ascontiguousarray(numbers[::-1])[::-1]
     expected = plan.solve_batch({"phi": numbers}, crank=38.0).outputs["P"].position
     for phi in (every_second, backwards, list(numbers), numbers.astype("f8").astype(">f8"),
-                np.broadcast_to(numbers[:, None], (8, 3))[:, 1]):
+                np.broadcast_to(numbers[:, None], (8, 3))[:, 1],
+                np.frombuffer(b"?" + numbers.tobytes(), dtype="u1")[1:].view("f8")):
         assert_array_equal(plan.solve_batch(phi=phi, crank=np.array(38)).outputs["P"].position,
                            expected)
     assert_array_equal(plan.solve_batch(phi=np.array([1, 2])).outputs["P"].position,

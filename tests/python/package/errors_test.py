@@ -80,6 +80,17 @@ def test_dictionaries_that_are_no_scenes(parallelogram):
     for wrong in (None, 3, [1, 2], ""):
         with pytest.raises(assur.SceneError):
             assur.parse_scene(wrong)
+    ring = {}
+    ring["name"] = ring
+    for wrong in (ring, {(1, 2): 3}, "\ud800"):
+        with pytest.raises(assur.ShapeError, match="^scene: "):
+            assur.parse_scene(wrong)
+    parallelogram["parameters"]["a"] = 2
+    for values, text in (({"a": np.nan}, "a: expected a finite number"),
+                         ({"a": [1]}, "a: expected a number, not a list"),
+                         ({"\ud800": 1}, "a parameter's name holds a surrogate")):
+        with pytest.raises(assur.ShapeError, match=text):
+            assur.parse_scene(parallelogram, values)
 
 
 @pytest.fixture
@@ -109,9 +120,7 @@ def plan(example):
      "give each parameter an array of its own"),
     (lambda plan: plan.solve_batch(phi=[1, 2], crank=[1, 2, 3]), "ShapeError",
      "crank: expected 2 values, as phi has, not 3"),
-    (lambda plan: plan.solve_batch(phi=["a"]), "ShapeError",
-     "phi: expected an array of numbers, not a list"),
-    (lambda plan: plan.solve_batch(phi=[1j]), "ShapeError",
+    (lambda plan: plan.solve_batch(phi=[[1], [2, 3]]), "ShapeError",
      "phi: expected an array of numbers, not a list"),
     (lambda plan: plan.solve_batch(phi=1), "ShapeError",
      "values: no parameter has an array of values; Plan.solve takes numbers"),
@@ -122,6 +131,18 @@ def plan(example):
     (lambda plan: plan.solve_one(3), "SceneError", "scene: no configuration 3; there are 2"),
     (lambda plan: plan.solve_one(0), "SceneError",
      "scene: there is no configuration 0; they are numbered from 1"),
+    (lambda plan: plan.solve_one(-1), "ShapeError",
+     "number: expected a whole number from 0, not -1"),
+    (lambda plan: plan.scene.svg(1.5), "ShapeError",
+     "configuration: expected a whole number from 0, not a float"),
+    (lambda plan: plan.scene.svg(2**40), "ShapeError",
+     "configuration: there are not so many"),
+    (lambda plan: assur.sample(plan.scene, 3, seed=-1), "ShapeError",
+     "seed: expected a whole number from 0, not -1"),
+    (lambda plan: plan.solve_batch(phi=np.array([1j])), "ShapeError",
+     "phi: expected an array of numbers, not one of dtype complex128"),
+    (lambda plan: plan.solve_batch(phi=np.array(["1"])), "ShapeError",
+     "phi: expected an array of numbers, not one of dtype <U1"),
     (lambda plan: plan.solve().outputs["p"], "UnknownName",
      "no output named 'p'"),
     (lambda plan: plan.solve()[0].links["crnk"], "UnknownName",

@@ -48,7 +48,8 @@ def expect_parts(states, printed, parameters):
         sensitivity = ABSENT
         if "sensitivity" in point:
             assert tuple(point["sensitivity"]) == parameters
-            sensitivity = np.array(list(point["sensitivity"].values()), dtype=float).T
+            sensitivity = np.array(list(point["sensitivity"].values()), dtype=float)
+            sensitivity = sensitivity.reshape(-1, 2).T
         expect_equal(told(states.outputs[name], "sensitivity"), sensitivity, name)
 
 
@@ -184,6 +185,26 @@ def test_what_was_solved_before_changes_nothing(example):
         for number in ("pose", "velocity", "acceleration", "sensitivity"):
             assert_array_equal(getattr(again.links[name], number),
                                getattr(fresh.links[name], number))
+
+
+def test_names_that_are_words_of_python(example):
+    scene = example("slider_crank")
+    scene["parameters"].update({"values": 1, "number": 2, "self": 3, "lambda": 4})
+    plan = assur.Plan(assur.parse_scene(scene, values=10, number=20))
+    assert plan.solve(values=5, number=6).parameters["values"] == 5
+    given = {"self": 7, "lambda": 8}  # as keywords these two are words of Python
+    solved = plan.solve_one(1, given, values=9).parameters
+    assert (solved["self"], solved["lambda"], solved["values"], solved["number"]) == (7, 8, 9, 20)
+
+
+def test_a_scene_without_parameters(command, example):
+    scene = {"links": {"ground": {"A": [0, 0]}, "arm": {"A": [0, 0], "B": [2, 0]}},
+             "joints": {"A": {"type": "revolute", "between": ["ground.A", "arm.A"]}},
+             "drivers": {"A": {"position": 0.5, "velocity": 1}}, "outputs": {"B": "arm.B"}}
+    solution = expect_as_command(command, scene)
+    assert solution.outputs["B"].sensitivity.shape == (1, 2, 0)
+    scene["outputs"] = {}
+    assert len(expect_as_command(command, scene).outputs) == 0
 
 
 def test_one_and_nearest(command, example):
