@@ -1,4 +1,5 @@
-"""Law: the cells of the notebooks run, with what they assert; the campaign runs them in a kernel."""
+"""Law: the cells of the notebooks run, with what they assert, and so do the lines of the page on
+the package; the campaign runs the notebooks in a kernel."""
 
 import json
 import os
@@ -6,7 +7,8 @@ import pathlib
 
 import pytest
 
-NOTEBOOKS = sorted((pathlib.Path(os.environ["ASSUR_SOURCE"]) / "examples/python").glob("*.ipynb"))
+SOURCE = pathlib.Path(os.environ["ASSUR_SOURCE"])
+NOTEBOOKS = sorted((SOURCE / "examples/python").glob("*.ipynb"))
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
@@ -19,6 +21,18 @@ def test_cells(notebook, monkeypatch):
     names = {}
     for cell in code:
         exec(compile(cell, notebook.name, "exec"), names)
+
+
+def test_the_page(monkeypatch):
+    monkeypatch.chdir(SOURCE)
+    page = (SOURCE / "docs/python.md").read_text()
+    code = page.split("```python\n")[1].split("```")[0]
+    names = {}
+    exec(compile(code.replace("100_000", "1_000"), "python.md", "exec"), names)
+    assert names["batch"].outputs["P"].sensitivity.shape[1:] == (2, len(names["plan"].parameters))
+    for name in names["assur"].__all__:
+        if name[0].islower() or name in ("Scene", "Plan", "Solution", "Batch", "Sweep", "Samples"):
+            assert "`" + name in page, name
 
 
 def test_there_are_two():
