@@ -72,6 +72,8 @@ House house() {
               part("draw", {"description", "models", "plan", "values", "solve", "follow"},
                    {"Eigen", "nlohmann"}),
 
+              {"python/src", "assur::python", {mechanism, runtime, words}, {"Eigen", "pybind11"}},
+
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),
               stage("equations", {"structure"}),
@@ -121,7 +123,7 @@ House house() {
 Files files_of_the_project() {
   const std::filesystem::path root = ASSUR_SOURCE;
   Files files;
-  for (const std::string top : {"runtime", "mechanism", "generator", "generated"}) {
+  for (const std::string top : {"runtime", "mechanism", "python", "generator", "generated"}) {
     if (!std::filesystem::exists(root / top)) {
       continue;
     }
@@ -237,8 +239,9 @@ TEST(House, NobodyOutsideNamesTheDetailsOfTheRuntime) {
   const std::regex details(R"(assur/detail/|(^|[^:\w])(assur::)?detail::)");
   int read = 0;
   for (const std::string top :
-       {"mechanism", "generator", "generated", "templates", "examples", "bench", "tests/mechanism",
-        "tests/generator", "tests/generated", "tests/runtime", "tests/command", "tests/support"}) {
+       {"mechanism", "python", "generator", "generated", "templates", "examples", "bench",
+        "tests/mechanism", "tests/python", "tests/generator", "tests/generated", "tests/runtime",
+        "tests/command", "tests/support"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       if (!entry.is_regular_file() || entry.path().parent_path() == own_tests) {
         continue;
