@@ -192,9 +192,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                                   "polish|special_group|wider)")},
       {"all configurations, and branches", std::regex("assembly|tracking")},
       {"whole mechanisms",
-       std::regex("assur|support/"
-                  "(displacement|placed_group|scene_search|scene_solve|scene_track|shared_search|"
-                  "specialised)")},
+       std::regex("assur|support/(displacement|flat_branch|placed_group|scene_search|"
+                  "scene_solve|scene_track|shared_search|specialised)")},
   };
   return storeys;
 }

@@ -15,7 +15,7 @@ namespace assur::support {
 /// stand, then of each group u, q, J^-1 and the sign of det J.
 template <typename Solver>
 class FlatBranch {
-  using Branch = support::Branch<Solver>;
+  using Branch = support::Branch<Solver, double>;
 
   template <typename Group>
   static constexpr std::size_t inverse_size =
@@ -26,7 +26,7 @@ class FlatBranch {
   template <typename Points>
   struct NumbersOf;
   template <typename... Group>
-  struct NumbersOf<std::tuple<GroupPoint<Group>...>> {
+  struct NumbersOf<std::tuple<GroupPoint<Group, double>...>> {
     static constexpr std::size_t value =
         (std::size_t{0} + ... +
          (count_of<typename Group::template Inputs<double>> +
@@ -36,7 +36,8 @@ class FlatBranch {
  public:
   /// How many numbers a branch is, beside its status.
   static constexpr std::size_t size =
-      std::tuple_size_v<decltype(std::declval<typename Access<Solver>::Given>().positions())> +
+      std::tuple_size_v<
+          decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
 
   /// `numbers` has `size` places.
@@ -65,7 +66,7 @@ class FlatBranch {
     std::apply([&visitor](auto&... point) { (visit_point(point, visitor), ...); }, branch.groups);
   }
   template <typename Group, typename Visitor>
-  static void visit_point(GroupPoint<Group>& point, const Visitor& visitor) {
+  static void visit_point(GroupPoint<Group, double>& point, const Visitor& visitor) {
     visitor(static_cast<void*>(&point.u), count_of<decltype(point.u)>);
     visitor(static_cast<void*>(&point.q), count_of<decltype(point.q)>);
     visitor(point.inverse.data(), inverse_size<Group>);
