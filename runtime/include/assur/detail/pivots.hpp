@@ -32,38 +32,52 @@ template <typename Model, typename Scalar>
 using support::derivative_rounding;
 using support::regular_error;
 
-/// `rounding`: the relative error of what the pivots are computed from, with all constants.
+/// What the pivots tell, in parts of what they could be at most.
+template <typename Scalar>
+struct Firmness {
+  Scalar kept;      ///< the core's determinant, in parts of the size of its terms
+  Scalar core;      ///< the product of the core's pivots
+  Scalar other;     ///< the smallest of the others
+  int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
+};
+
 template <typename Model, typename Scalar>
-[[nodiscard]] Regularity<Scalar> regularity_of(const Pivots<Model, Scalar>& pivots,
-                                               const Scalar& rounding) {
+[[nodiscard, gnu::always_inline]] inline Firmness<Scalar> firmness_of(
+    const Pivots<Model, Scalar>& pivots) {
   using std::abs;
-  Regularity<Scalar> result;
-  // Of the core's pivots the product counts, of the others the smallest.
-  Scalar core(1);
-  Scalar core_firmness(1);
-  Scalar other_firmness(1);
+  Firmness<Scalar> result{Scalar(1), Scalar(1), Scalar(1)};
   Scalar smallest = std::numeric_limits<Scalar>::infinity();
   for (int index = 0; index < Model::pivot_count; ++index) {
     const Scalar value = abs(pivots.values(index));
     const Scalar firmness = value / pivots.sizes(index);
     if (index < Model::core_pivot_count) {
-      core = core * value;
-      core_firmness = core_firmness * firmness;
-    } else if (!(firmness >= other_firmness)) {
-      other_firmness = firmness;
+      result.kept = result.kept * value;
+      result.core = result.core * firmness;
+    } else if (!(firmness >= result.other)) {
+      result.other = firmness;
     }
     if (!(firmness >= smallest)) {
       smallest = firmness;
       result.weakest = index;
     }
   }
-  const Scalar kept = core / pivots.terms;
-  const Scalar firmness = core_firmness * other_firmness * other_firmness;
+  result.kept = result.kept / pivots.terms;
+  return result;
+}
+
+/// `rounding`: the relative error of what the pivots are computed from, with all constants. Of the
+/// core's pivots the product counts, of the others the smallest.
+template <typename Scalar>
+[[nodiscard]] Regularity<Scalar> regularity_of(const Firmness<Scalar>& pivots,
+                                               const Scalar& rounding) {
+  Regularity<Scalar> result;
+  result.weakest = pivots.weakest;
+  const Scalar firmness = pivots.core * pivots.other * pivots.other;
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  if (!(kept > epsilon && firmness > Scalar(0))) {
+  if (!(pivots.kept > epsilon && firmness > Scalar(0))) {
     return result;
   }
-  result.margin = kept * firmness;
+  result.margin = pivots.kept * firmness;
   result.firmness = firmness;
   result.rounding = rounding;
   const bool keeps = rounding < Scalar(regular_error<Scalar>) * result.margin;

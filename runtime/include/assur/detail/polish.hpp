@@ -49,12 +49,6 @@ template <typename Model, typename Scalar>
                            derivative_rounding<typename numeric::PartOf<Scalar>::Type>() + unsure);
 }
 
-/// What polishing leaves of the closures where the longest number among them is so long.
-template <typename Scalar>
-[[nodiscard]] Scalar polished_rounding(Scalar longest) {
-  return 18 * std::numeric_limits<Scalar>::epsilon() * longest;
-}
-
 /// A root that is certainly simple may yet leave another unknown loose, which then may move freely,
 /// as a link between parallel slides does. Its pivot is of rounding, and the margin of rounding's
 /// square.
