@@ -105,7 +105,13 @@ void bind_plan(py::module_& module) {
                              "list of Group: in the order in which they are solved.")
       .def_property_readonly(
           "redundant",
-          [](const PlannedScene& planned) { return tuple_of(planned.plan.redundant()); },
+          [](const PlannedScene& planned) {
+            std::vector<std::string> names;
+            for (const mechanism::RedundantJoint& joint : planned.plan.redundant()) {
+              names.push_back(joint.name);
+            }
+            return tuple_of(names);
+          },
           "tuple of str: the names of the joints that hold where the others do.")
       .def_property_readonly(
           "most_configurations",

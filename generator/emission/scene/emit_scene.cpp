@@ -53,7 +53,7 @@ class SceneEmitter {
     show_aliases();
     const std::string stem = std::filesystem::path(solver_.file).stem().string();
     const std::filesystem::path header =
-        std::filesystem::path("assur") / "scenes" / (text::c_identifier(stem) + ".hpp");
+        std::filesystem::path("assur") / "scenes" / (text::header_name(stem) + ".hpp");
     std::vector<cpp::EmittedFile> files = {{header, cpp::page("scene.hpp", view_)}};
     if (interface == Interface::c) {
       const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_);
@@ -74,7 +74,7 @@ class SceneEmitter {
     std::vector<std::string> names;
     std::vector<std::string> turning;
     std::vector<std::string> sliding;
-    for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
+    for (const mechanism::CarriedLink& link : solver_.plan.structure().carried) {
       if (!link.driver.exists()) {
         continue;
       }
@@ -216,6 +216,12 @@ class SceneEmitter {
     view_.set("has_links", !links.empty());
     const std::vector<std::string> limits = limit_statements(solver_);
     view_.set("has_limits", !limits.empty());
+    std::vector<std::string> redundant;
+    for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
+      redundant.push_back(joint.name);
+    }
+    view_.set("has_redundant", !redundant.empty());
+    view_.set("redundant_list", cpp::comment_text(text::listed(redundant)));
     view_.set("limited", limits.empty() ? "" : "Limited");
     view_.set("limits", shown(limits));
     view_.set("slides", member_list(reported));

@@ -173,7 +173,9 @@ std::string report_json(const Report& report) {
     root["reason"] = reason;
   }
   if (!report.plan.redundant().empty()) {
-    root["redundant"] = report.plan.redundant();
+    for (const RedundantJoint& joint : report.plan.redundant()) {
+      root["redundant"].push_back(joint.name);
+    }
   }
   root["groups"] = report::groups_json(report.plan.structure());
   if (std::ranges::any_of(report.plan.mechanism().joints(),

@@ -35,14 +35,9 @@ std::vector<LinkIndex> reported_links(const Plan& plan, bool with_ground) {
 
 std::vector<JointIndex> reported_slides(const Plan& plan) {
   std::vector<JointIndex> slides;
-  const std::vector<std::string> redundant = plan.redundant();
   for (const JointIndex index : plan.mechanism().joints().keys()) {
-    const Joint& joint = plan.mechanism().joints()[index];
-    const auto is_of_solver = [&joint](const std::string& name) {
-      return joint.name == name || joint.name.starts_with(name + " of ");
-    };
-    if (joint.type != JointType::revolute && plan.request().reported.has(index) &&
-        std::ranges::none_of(redundant, is_of_solver)) {
+    if (plan.mechanism().joints()[index].type != JointType::revolute &&
+        plan.request().reported.has(index) && !plan.is_stand_in(index)) {
       slides.push_back(index);
     }
   }

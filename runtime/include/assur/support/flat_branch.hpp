@@ -36,7 +36,8 @@ class FlatBranch {
  public:
   /// How many numbers a branch is, beside its status.
   static constexpr std::size_t size =
-      std::tuple_size_v<decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
+      std::tuple_size_v<
+          decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
 
   /// `numbers` has `size` places.
