@@ -125,9 +125,8 @@ void bind_plan(py::module_& module) {
           ByPlace("values ") = py::none(), py::pos_only(),
           "solve(self, values=None, /, **parameters)\n--\n\n"
           "Every configuration, as a Solution.\n\n"
-          "values, and keywords: numbers by the names of parameters, in place of their formulas; "
-          "a\n"
-          "keyword goes before. Angles are radians.\n\n"
+          "values, and keywords: numbers by the names of parameters, in place of their formulas.\n"
+          "A keyword goes before the mapping. Angles are radians.\n\n"
           "Raises UnknownName, ShapeError for what is no number, and SceneError for values that\n"
           "cannot be used. Links that cannot reach are no error: see Solution.status.")
       .def(

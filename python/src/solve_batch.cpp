@@ -74,9 +74,8 @@ auto all_of(std::vector<Number> SolvedBatch::*member) {
 void add_solve_batch(py::module_& module, PlanClass& plan) {
   py::class_<SolvedBatch, RowsView, std::shared_ptr<SolvedBatch>>(
       module, "Batch",
-      "The configurations of many sets of values, the items, item by item: the first axis of "
-      "every\n"
-      "array of links, joints and outputs has a row for each configuration of each item.")
+      "The configurations of many sets of values, the items, item by item. The first axis of the\n"
+      "arrays of links, joints and outputs has a row for each configuration of each item.")
       .def_property_readonly("status", all_of(&SolvedBatch::status),
                              "Array of shape (items,): what became of each item, a Status.")
       .def_property_readonly(

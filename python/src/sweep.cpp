@@ -100,12 +100,24 @@ class Collector {
   std::map<const SweptRows*, Rows*> rows_of_;
 };
 
+/// The sweep gives its own parameter its values.
+void expect_others(const PlannedScene& planned, const Replaced& replaced) {
+  const auto& sweep = planned.plan.request().sweep;
+  for (const auto& [name, value] : replaced) {
+    if (sweep && planned.plan.mechanism().parameters()[sweep->parameter].name == name) {
+      throw mechanism::MechanismError(
+          name, "the sweep gives '" + name + "' its values; leave this out, or change the sweep");
+    }
+  }
+}
+
 SweptScene swept(const PlannedScene& planned, const py::object& values,
                  const py::kwargs& keywords) {
   const auto replaced = numbers_of(planned.plan.mechanism(), given(values, keywords));
   Collector collector(planned);
   LongCall call;
   in_scene(planned.scene->file, [&] {
+    expect_others(planned, replaced);
     mechanism::sweep(planned.plan, planned.plan.values(replaced), collector.observer(call));
   });
   return std::move(collector).result();

@@ -23,7 +23,8 @@ def test_scenes(command, example):
 
 
 def test_the_nearest(command, example):
-    scene = example("gripper", steps=5)
+    scene = example("gripper")
+    scene.pop("sweep", None)
     here = assur.read_scene(command.file(scene))
     expected = drawn(command, scene, ".svg", "--nearest")
     assert here.svg(nearest=True) == expected == assur.Plan(here).solve_nearest().svg()

@@ -102,6 +102,8 @@ def plan(example):
     (lambda plan: plan.solve(phy=1), "UnknownName",
      "no parameter named 'phy' (did you mean 'phi'?)"),
     (lambda plan: plan.solve_batch(x=[1]), "UnknownName", "no parameter named 'x'"),
+    (lambda plan: plan.sweep(phi=1), "SceneError",
+     "scene: phi: the sweep gives 'phi' its values; leave this out, or change the sweep"),
     (lambda plan: plan.sweep(x=1), "UnknownName", "no parameter named 'x'"),
     (lambda plan: plan.solve(phi=np.zeros(3)), "ShapeError",
      "phi: expected a number, not an array of shape (3,); Plan.solve_batch takes arrays"),

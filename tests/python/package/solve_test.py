@@ -207,6 +207,18 @@ def test_a_scene_without_parameters(command, example):
     assert len(expect_as_command(command, scene).outputs) == 0
 
 
+def test_what_depends_on_a_parameter_follows_it(command, example):
+    scene = example("four_bar_coupler_curve",
+                    covariance={"parameters": ["crank"], "matrix": [["phi^2 * 1e-4"]]})
+    scene["parameters"].update(crank={"value": 40, "tolerance": "0.01*phi + 0.001*coupler"},
+                               half="coupler/2")
+    scene["joints"]["D"]["limits"] = ["-2*phi", "2*phi"]
+    plan = assur.Plan(assur.parse_scene(scene))
+    for values in ({"phi": 0.2}, {"phi": 2.2}, {"phi": 1.4}, {"phi": 1.4, "coupler": 90}):
+        settings = [f"--set={name}={value}" for name, value in values.items()]
+        expect_solution(plan.solve(values), command.json(scene, *settings), plan.parameters)
+
+
 def test_one_and_nearest(command, example):
     scene = example("gripper")
     plan = assur.Plan(assur.parse_scene(scene))
