@@ -1,7 +1,5 @@
-#include <algorithm>
 #include <assur/text/names.hpp>
 #include <cctype>
-#include <iterator>
 #include <optional>
 
 #include "derivatives/mobility.hpp"
