@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <string>
 
@@ -50,6 +51,7 @@ int run(const std::filesystem::path& directory, double scale,
       append(tasks, part.tasks(sizes));
     }
   }
+  std::filesystem::create_directories(directory);
   measure(tasks, TimerSettings());
   write_report(tasks, directory);
   return 0;

@@ -74,7 +74,9 @@ do for [figure = 1:2] {
       set rmargin at screen 0.497 + 0.5 * (place % 2)
       set tmargin at screen top
       set bmargin at screen top - (each - 66) / height
-      set label 40 titles[task] at graph 0, 1.07 font ",14"
+      set label 40 titles[task] at graph 0, 1.14 font ",14"
+      set label 41 "largest relative error" at graph 0, 1.04 font ",11" textcolor rgb "#707070"
+      set label 42 "ns" at graph 1, -0.04 right font ",11" textcolor rgb "#707070"
       plot columns index task - 1 using (named(strcol(4), $1)):2:(names - $1):($8 - $2): \
           (paler(colours[int($5)])) with vectors nohead lw 0.8 lc rgb variable, \
         "" index task - 1 using 1:2:(marks[int($6)]):(colours[int($5)]) \

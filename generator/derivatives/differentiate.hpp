@@ -31,8 +31,8 @@ struct Derivatives : ResidualDerivatives {
   ExpressionMatrix pose_unknown_jacobian;    ///< dp/dq, three rows a link
   ExpressionMatrix pose_dimension_jacobian;  ///< dp/dd
   ExpressionMatrix pose_input_jacobian;      ///< dp/du
-  ExpressionMatrix pose_velocity;            ///< dp/dt, one row a link
-  ExpressionMatrix pose_acceleration;        ///< d2p/dt2, one row a link
+  ExpressionMatrix pose_velocity;            ///< dp/dt, one row per link
+  ExpressionMatrix pose_acceleration;        ///< d2p/dt2, one row per link
   ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d' and u', likewise
 };
 

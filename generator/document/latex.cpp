@@ -109,7 +109,7 @@ class LatexRenderer {
     numbered(latex_formula(closure.name + " = " + closure.value + " = 0"), closure.number);
   }
 
-  /// A matrix as an array where it fits, or else a column a line.
+  /// A matrix as an array where it fits, or else a column per line.
   void show(const MatrixDisplay& display) {
     const DerivedMatrix& matrix = display.matrix;
     double width = display.derivatives ? 7 : 11;

@@ -7,6 +7,7 @@
 
 #include "command/command.hpp"
 #include "mechanism/many_dyads.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::resources_test {
 namespace {
@@ -31,6 +32,11 @@ std::string refusal_of(const std::string& scene, const std::string& call) {
   EXPECT_EQ(result.messages.find(head), 0U) << result.messages;
   EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
   return result.messages.substr(std::min(head.size(), result.messages.size()));
+}
+
+int status_of(const std::string& scene) {
+  const TemporaryDirectory directory;
+  return run_assur("solve " + directory.write("scene.json", scene).string()).status;
 }
 
 double upright(int /*number*/) { return 1.4; }
@@ -74,6 +80,75 @@ TEST(Resources, OfASweep) {
   scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 11}};
   EXPECT_EQ(refusal_of(scene.dump(), "solve --format csv"),
             "sweep: more than 1000 configurations at one value cannot be followed\n");
+  scene = many_dyads(20, upright);
+  scene["links"]["rocker1"]["C"] = {99, 0};
+  scene["parameters"]["phi"] = 0.3;
+  scene["drivers"]["A"]["position"] = "phi";
+  scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 3}};
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("scene.json", scene.dump()).string();
+  const CommandResult alone = run_assur("solve --branch 1 --format csv " + file);
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_EQ(alone.messages,
+            "error: " + file + ": sweep: no step has a configuration to begin with\n");
+}
+
+/// Each is a link between two slides that cross.
+TEST(Resources, OfManyGroups) {
+  Json scene;
+  scene["want"] = {"position"};
+  for (int number = 0; number < 65; ++number) {
+    const std::string own = std::to_string(number);
+    const auto line = [](int x, int y, int along) {
+      return Json{{"through", {x, y}}, {"along", {1, along}}};
+    };
+    scene["links"]["ground"]["a" + own] = line(0, number, 0);
+    scene["links"]["ground"]["b" + own] = line(0, number, 1);
+    scene["links"]["link" + own] = {{"a", line(0, 0, 0)}, {"P", {1, 1}}};
+    scene["joints"]["a" + own] = {{"type", "prismatic"},
+                                  {"between", {"ground.a" + own, "link" + own + ".a"}}};
+    scene["joints"]["b" + own] = {{"type", "pin-in-slot"},
+                                  {"between", {"ground.b" + own, "link" + own + ".P"}}};
+  }
+  EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
+            "there are 65 groups, and an emitted solver has 64 at most\n");
+  EXPECT_EQ(status_of(scene.dump()), 0);
+}
+
+/// Two bars of a length behind eleven dyads, both with their ends at one point: wherever that is,
+/// they turn freely. And derivatives of second order to 100 parameters, of 16384 configurations.
+TEST(Resources, OfManyFamiliesAndNumbers) {
+  if (!is_whole_campaign()) {
+    GTEST_SKIP() << "takes a second and 0.9 GB: `ctest -L long`";
+  }
+  const std::string mend =
+      "; give joints limits, or ask for one alone: for the nearest to a reference of more links, "
+      "or by a low number\n";
+  Json scene = many_dyads(11, upright);
+  scene["links"]["bar11"]["Q"] = scene["links"]["bar11"]["P"];
+  const auto join = [&scene](const std::string& name, const std::string& one,
+                             const std::string& other) {
+    scene["joints"][name] = {{"type", "revolute"}, {"between", {one, other}}};
+  };
+  scene["links"]["one"] = scene["links"]["other"] = {{"E", {0, 0}}, {"F", {1, 0}}};
+  join("E1", "bar11.P", "one.E");
+  join("E2", "bar11.Q", "other.E");
+  join("F", "one.F", "other.F");
+  EXPECT_EQ(refusal_of(scene.dump(), "solve"),
+            "there may be 4096 configurations, and more than 1000 families" + mend);
+  scene = many_dyads(14, upright);
+  std::string sum = "0";
+  for (int number = 0; number < 100; ++number) {
+    const std::string name = "p" + std::to_string(number);
+    scene["parameters"][name] = 1;
+    sum += "+0*" + name;
+  }
+  scene["links"]["ground"]["A"] = {sum, 0};
+  scene["outputs"]["P"] = "bar14.P";
+  scene["want"] = {"sensitivity"};
+  scene["covariance"] = {{"parameters", {"p0"}}, {"matrix", Json::parse("[[1]]")}};
+  EXPECT_EQ(refusal_of(scene.dump(), "solve"),
+            "there may be 16384 configurations, and no more than 109 can be listed" + mend);
 }
 
 /// The four-bar with more parameters, each a formula in the one before.
@@ -90,11 +165,6 @@ std::string chain_of_parameters(int count, bool with_sensitivities) {
     scene["want"] = {"position"};
   }
   return scene.dump();
-}
-
-int status_of(const std::string& scene) {
-  const TemporaryDirectory directory;
-  return run_assur("solve " + directory.write("scene.json", scene).string()).status;
 }
 
 TEST(Resources, OfManyParameters) {

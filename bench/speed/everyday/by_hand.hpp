@@ -4,6 +4,8 @@
 
 #include <array>
 #include <assur/dyad/model_01.hpp>
+#include <assur/dyad/model_02.hpp>
+#include <assur/dyad/model_03.hpp>
 #include <cmath>
 
 namespace assur::speed {
@@ -42,26 +44,77 @@ template <typename Scalar>
   return {true, along, sqrt(across_square)};
 }
 
-using Dyad = dyad::Model01;
-
-[[nodiscard]] inline Pair<Dyad::Configuration<double>> dyad(const Dyad::Dimensions<double>& d,
-                                                            const Dyad::Inputs<double>& u) {
-  const double x = u.x_D - u.x_B;
-  const double y = u.y_D - u.y_B;
-  const auto [reached, along, across] = corners(x, y, d.BC, d.CD);
-  if (!reached) {
-    return {};
+/// RRR: two bars between two pivots.
+struct TwoBars {
+  using Model = dyad::Model01;
+  [[nodiscard]] Pair<Model::Configuration<double>> operator()(
+      const Model::Dimensions<double>& d, const Model::Inputs<double>& u) const {
+    const double x = u.x_D - u.x_B;
+    const double y = u.y_D - u.y_B;
+    const auto [reached, along, across] = corners(x, y, d.BC, d.CD);
+    if (!reached) {
+      return {};
+    }
+    const double one_by_BC = 1 / d.BC;
+    const double one_by_CD = 1 / d.CD;
+    const auto configuration = [&, along = along](double left) {
+      const double BC_x = along * x - left * y;
+      const double BC_y = along * y + left * x;
+      return Model::Configuration<double>{{BC_x * one_by_BC, BC_y * one_by_BC},
+                                          {(x - BC_x) * one_by_CD, (y - BC_y) * one_by_CD}};
+    };
+    return {2, {configuration(across), configuration(-across)}};
   }
-  const double one_by_BC = 1 / d.BC;
-  const double one_by_CD = 1 / d.CD;
-  const auto configuration = [&, along = along](double left) {
-    const double BC_x = along * x - left * y;
-    const double BC_y = along * y + left * x;
-    return Dyad::Configuration<double>{{BC_x * one_by_BC, BC_y * one_by_BC},
-                                       {(x - BC_x) * one_by_CD, (y - BC_y) * one_by_CD}};
-  };
-  return {2, {configuration(across), configuration(-across)}};
-}
+};
+
+/// PRR: a bar from a pivot to a block on a guide.
+struct BarAndBlock {
+  using Model = dyad::Model02;
+  [[nodiscard]] Pair<Model::Configuration<double>> operator()(
+      const Model::Dimensions<double>& d, const Model::Inputs<double>& u) const {
+    const double x = u.x_D - u.x_B;
+    const double y = u.y_D - u.y_B;
+    const auto& [cos, sin] = u.phi_B;
+    const double across = cos * y - sin * x + d.h_B_BC;
+    const double square = d.CD * d.CD - across * across;
+    if (!(square >= 0)) {
+      return {};
+    }
+    const double foot = cos * x + sin * y;
+    const double one_by_CD = 1 / d.CD;
+    const auto configuration = [&](double along) {
+      return Model::Configuration<double>{
+          {(cos * along - sin * across) * one_by_CD, (sin * along + cos * across) * one_by_CD},
+          foot - along};
+    };
+    const double root = std::sqrt(square);
+    return {2, {configuration(root), configuration(-root)}};
+  }
+};
+
+/// RPR: a cylinder between two pivots, whose eyes may stand beside its axis.
+struct Cylinder {
+  using Model = dyad::Model03;
+  [[nodiscard]] Pair<Model::Configuration<double>> operator()(
+      const Model::Dimensions<double>& d, const Model::Inputs<double>& u) const {
+    const double x = u.x_D - u.x_B;
+    const double y = u.y_D - u.y_B;
+    const double across = d.h_C_BC - d.h_C_CD;
+    const double square = x * x + y * y;
+    const double stroke_square = square - across * across;
+    if (!(stroke_square >= 0)) {
+      return {};
+    }
+    const double one_by_square = 1 / square;
+    const auto configuration = [&](double stroke) {
+      return Model::Configuration<double>{
+          {(stroke * x + across * y) * one_by_square, (stroke * y - across * x) * one_by_square},
+          stroke};
+    };
+    const double root = std::sqrt(stroke_square);
+    return {2, {configuration(root), configuration(-root)}};
+  }
+};
 
 template <typename Scalar>
 struct SliderCrank {

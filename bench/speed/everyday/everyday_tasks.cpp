@@ -16,25 +16,25 @@ namespace assur::speed {
 
 namespace {
 
-using by_hand::Dyad;
-
-Found<Dyad> listed(const Assemblies<Dyad>& answer) {
-  Found<Dyad> found;
+template <typename Model>
+Found<Model> listed(const Assemblies<Model>& answer) {
+  Found<Model> found;
   for (int index = 0; index < answer.count; ++index) {
     found.add(answer.configurations[static_cast<std::size_t>(index)]);
   }
   return found;
 }
 
-Found<Dyad> listed(const Pair<Dyad::Configuration<double>>& answer) {
-  Found<Dyad> found;
+template <typename Model>
+Found<Model> listed(const Pair<typename Model::template Configuration<double>>& answer) {
+  Found<Model> found;
   for (int index = 0; index < answer.count; ++index) {
     found.add(answer.list[static_cast<std::size_t>(index)]);
   }
   return found;
 }
 
-template <typename Find>
+template <typename Dyad, typename Find>
 void add_dyads(Task& task, const std::shared_ptr<const PositionSamples<Dyad>>& samples,
                const std::string& method, Find find) {
   Entry entry;
@@ -42,7 +42,8 @@ void add_dyads(Task& task, const std::shared_ptr<const PositionSamples<Dyad>>& s
   entry.row.method = method;
   ErrorTally tally;
   for (std::size_t index = 0; index < samples->list.size(); ++index) {
-    tally.add(position_error<Dyad>(listed(find(samples->list[index])), samples->truth[index]));
+    tally.add(
+        position_error<Dyad>(listed<Dyad>(find(samples->list[index])), samples->truth[index]));
   }
   tally.write_to(entry.row);
   entry.run = [samples, find](std::size_t first, std::size_t last) {
@@ -54,15 +55,17 @@ void add_dyads(Task& task, const std::shared_ptr<const PositionSamples<Dyad>>& s
   task.entries.push_back(std::move(entry));
 }
 
-Task dyad_task(std::size_t inputs) {
+template <typename ByHand>
+Task dyad_task(const std::string& kind, std::size_t inputs) {
+  using Dyad = typename ByHand::Model;
   const auto samples =
       std::make_shared<const PositionSamples<Dyad>>(random_positions<Dyad>(inputs));
-  Task task{"dyad RRR, all configurations", inputs, {}};
+  Task task{"dyad " + kind + ", all configurations", inputs, {}};
   add_dyads(task, samples, "generated", [](const PositionSample<Dyad>& sample) {
     return assemblies<Dyad>(sample.d, sample.u);
   });
   add_dyads(task, samples, "by hand",
-            [](const PositionSample<Dyad>& sample) { return by_hand::dyad(sample.d, sample.u); });
+            [](const PositionSample<Dyad>& sample) { return ByHand()(sample.d, sample.u); });
   return task;
 }
 
@@ -217,7 +220,9 @@ Task motion_task(std::size_t inputs) {
 
 std::vector<Task> everyday_tasks(const TaskSizes& sizes) {
   std::vector<Task> tasks;
-  tasks.push_back(dyad_task(sizes.inputs));
+  tasks.push_back(dyad_task<by_hand::TwoBars>("RRR", sizes.inputs));
+  tasks.push_back(dyad_task<by_hand::BarAndBlock>("RRP", sizes.inputs));
+  tasks.push_back(dyad_task<by_hand::Cylinder>("RPR", sizes.inputs));
   tasks.push_back(slider_task(2 * sizes.inputs));
   tasks.push_back(point_task(2 * sizes.inputs));
   tasks.push_back(motion_task(2 * sizes.inputs));

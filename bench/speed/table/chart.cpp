@@ -67,20 +67,51 @@ std::string label_of(const Row& row) {
   return label;
 }
 
-/// Moves heights apart to at least `gap`, in their order, within 0 to 1, each as little as that
-/// takes when they are pushed up from below and then down from above.
-void spread(std::vector<double*> heights, double gap) {
-  std::sort(heights.begin(), heights.end(),
-            [](const double* a, const double* b) { return *a < *b; });
+/// A method in a panel: where its marker stands, and at which height its label stands at the right.
+struct Mark {
+  const Row* row;
+  std::string label;
+  double error;       ///< its power of ten
+  double place = 0;   ///< from the panel's bottom, 0, to its top, 1
+  double height = 0;  ///< likewise, of the label
+  [[nodiscard]] double time() const { return std::log10(row->ns); }
+};
+
+/// Whether the lines from two markers to their labels, which stand at the time `right`, cross.
+bool cross(const Mark& one, const Mark& other, double right) {
+  const Mark& first = one.time() < other.time() ? one : other;
+  const Mark& later = one.time() < other.time() ? other : one;
+  const double way = (later.time() - first.time()) / (right - first.time());
+  const double above = first.place + (first.height - first.place) * way - later.place;
+  return above * (first.height - later.height) < 0;
+}
+
+/// Moves labels apart to at least `gap`, within 0 to 1, each as little as that takes when they are
+/// pushed up from below and then down from above; then neighbours whose lines cross change places.
+void spread(std::vector<Mark*> marks, double gap) {
+  std::sort(marks.begin(), marks.end(),
+            [](const Mark* a, const Mark* b) { return a->height < b->height; });
   double least = gap / 2;
-  for (double* height : heights) {
-    *height = std::max(*height, least);
-    least = *height + gap;
+  for (Mark* mark : marks) {
+    mark->height = std::max(mark->height, least);
+    least = mark->height + gap;
   }
   double most = 1 - gap / 2;
-  for (std::size_t place = heights.size(); place-- > 0;) {
-    *heights[place] = std::min(*heights[place], most);
-    most = *heights[place] - gap;
+  double right = 0;
+  for (std::size_t place = marks.size(); place-- > 0;) {
+    marks[place]->height = std::min(marks[place]->height, most);
+    most = marks[place]->height - gap;
+    right = std::max(right, marks[place]->time() + 0.5);
+  }
+  for (std::size_t pass = 0; pass < marks.size(); ++pass) {
+    for (std::size_t place = 1; place < marks.size(); ++place) {
+      Mark*& below = marks[place - 1];
+      Mark*& above = marks[place];
+      if (cross(*below, *above, right)) {
+        std::swap(below->height, above->height);
+        std::swap(below, above);
+      }
+    }
   }
 }
 
@@ -91,18 +122,13 @@ int number_of(const std::string& scalar) {
 void write_panel(const Task& task, std::ostream& out) {
   constexpr std::size_t lines = 13;  // of labels that a panel has room for
   constexpr std::size_t few = 3;     // methods, beside whose names there is room for their times
-  struct Mark {
-    const Row* row;
-    std::string label;
-    double error, height;
-  };
   std::vector<Mark> marks;
   double low = 0;
   double high = -20;
   for (const Entry& entry : task.entries) {
     // What errs in every input is drawn at the top, what is exact at the bottom.
     const double error = std::isfinite(entry.row.error) ? entry.row.error : 1;
-    marks.push_back({&entry.row, label_of(entry.row), std::log10(std::max(error, 1e-20)), 0});
+    marks.push_back({&entry.row, label_of(entry.row), std::log10(std::max(error, 1e-20))});
     if (task.entries.size() <= few && entry.row.failures == 0) {
       marks.back().label += ", " + std::to_string(std::lround(entry.row.ns)) + " ns";
     }
@@ -111,15 +137,16 @@ void write_panel(const Task& task, std::ostream& out) {
   }
   low = std::floor(low - 0.3);
   high = std::ceil(high + 0.3);
-  std::vector<double*> heights;
+  std::vector<Mark*> named;
   for (Mark& mark : marks) {
-    mark.height = (mark.error - low) / (high - low);
+    mark.place = (mark.error - low) / (high - low);
+    mark.height = mark.place;
     if (!mark.label.empty()) {
-      heights.push_back(&mark.height);
+      named.push_back(&mark);
     }
   }
-  const std::size_t labels = heights.size();
-  spread(std::move(heights), 1.0 / static_cast<double>(std::max(lines, labels)));
+  const std::size_t labels = named.size();
+  spread(std::move(named), 1.0 / static_cast<double>(std::max(lines, labels)));
   for (const Mark& mark : marks) {
     const Row& row = *mark.row;
     out << row.ns << '\t' << std::pow(10, mark.error) << '\t' << row.failures << '\t' << mark.label

@@ -26,7 +26,8 @@ const std::vector<Target>& targets() {
         {positions, "generated", "PHCpack, the whole process", Measure::time, 0.0001},
     };
     for (const char* everyday :
-         {"dyad RRR, all configurations", "slider-crank, position of the slider",
+         {"dyad RRR, all configurations", "dyad RRP, all configurations",
+          "dyad RPR, all configurations", "slider-crank, position of the slider",
           "four-bar, position of a coupler point", "four-bar, position, velocity, acceleration"}) {
       made.push_back({everyday, "generated", "by hand", Measure::time, 2.5});
     }

@@ -160,19 +160,19 @@ std::vector<ModelFunction> model_functions(const equations::ClosureEquations& eq
   append(pose_jacobians.results, "P_u", derivatives.pose_input_jacobian);
   functions.push_back(std::move(pose_jacobians));
   functions.push_back({"link_velocities",
-                       {"Velocity (vx, vy, omega) of each link's frame, one row a link."},
+                       {"Velocity (vx, vy, omega) of each link's frame, one row per link."},
                        in.place_with({in.rates, in.input_rates}),
                        {{"Matrix<Scalar, link_count, 3>&", "v"}},
                        results_of("v", derivatives.pose_velocity)});
   functions.push_back(
       {"link_accelerations",
-       {"Acceleration (ax, ay, alpha) of each link's frame, one row a link."},
+       {"Acceleration (ax, ay, alpha) of each link's frame, one row per link."},
        in.place_with({in.rates, in.second_rates, in.input_rates, in.input_second_rates}),
        {{"Matrix<Scalar, link_count, 3>&", "a"}},
        results_of("a", derivatives.pose_acceleration)});
   functions.push_back(
       {"pose_curvatures",
-       {"d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;",
+       {"d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;",
         "what second rates add goes by the pose Jacobians."},
        in.place_with({in.rates, in.dimension_rates, in.input_rates}),
        {{"Matrix<Scalar, link_count, 3>&", "p"}},

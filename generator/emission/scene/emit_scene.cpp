@@ -74,7 +74,7 @@ class SceneEmitter {
     std::vector<std::string> names;
     std::vector<std::string> turning;
     std::vector<std::string> sliding;
-    for (const mechanism::DrivenLink& link : solver_.plan.structure().driven) {
+    for (const mechanism::CarriedLink& link : solver_.plan.structure().carried) {
       if (!link.driver.exists()) {
         continue;
       }
@@ -216,6 +216,12 @@ class SceneEmitter {
     view_.set("has_links", !links.empty());
     const std::vector<std::string> limits = limit_statements(solver_);
     view_.set("has_limits", !limits.empty());
+    std::vector<std::string> redundant;
+    for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
+      redundant.push_back(joint.name);
+    }
+    view_.set("has_redundant", !redundant.empty());
+    view_.set("redundant_list", cpp::comment_text(text::listed(redundant)));
     view_.set("limited", limits.empty() ? "" : "Limited");
     view_.set("limits", shown(limits));
     view_.set("slides", member_list(reported));

@@ -2,6 +2,8 @@
 
 #include <assur/text/names.hpp>
 
+#include "emission/scene/redundancy_tests.hpp"
+
 namespace assur::generator::emission::scene {
 
 namespace {
@@ -26,7 +28,7 @@ std::string turned_angle(const SolverScene& solver, const mechanism::Joint& join
 
 std::vector<std::string> limit_statements(const SolverScene& solver) {
   SceneLines lines(solver.parameters, solver.numbers, solver.derivative_order);
-  std::vector<std::string> tests;
+  std::vector<std::string> tests = redundancy_tests(solver, lines);
   const auto& joints = solver.mechanism().joints();
   for (const mechanism::JointIndex index : joints.keys()) {
     const mechanism::Joint& joint = joints[index];
@@ -41,9 +43,7 @@ std::vector<std::string> limit_statements(const SolverScene& solver) {
                     ", " + lines.number(solver.numbers.number(joint.highest)) + ")");
   }
   if (!tests.empty()) {
-    lines.add("return " +
-              text::joined(tests, " &&\n        ", [](const std::string& test) { return test; }) +
-              ";");
+    lines.add("return " + text::joined(tests, " &&\n        ") + ";");
   }
   return lines.lines();
 }

@@ -1,4 +1,5 @@
-// Turns the limits of a scene's joints into the statement of its solver that tests them.
+// Turns the limits of a scene's joints, and those that are redundant, into the statements of its
+// solver that test them.
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// Returns whether every joint keeps its limits, where everything is placed; nothing where no joint
-/// has any.
+/// Returns whether every joint keeps its limits and holds, where everything is placed; nothing
+/// where no joint has any and none is redundant.
 [[nodiscard]] std::vector<std::string> limit_statements(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

@@ -191,11 +191,11 @@ LinkFeature<SceneNumber> SceneNumbers::feature(const mechanism::ElementaryJoint&
   };
   return mechanism::carried_feature<SceneNumber>(
       plan_.structure(), at, link, feature_of,
-      [&](const LinkFeature<SceneNumber>& carried, const mechanism::DrivenLink& driven) {
-        return driven.group.exists()
-                   ? mechanism::placed_feature(carried, relative_[driven.to])
-                   : mechanism::moved_feature(carried, plan_.structure(), driven, feature_of,
-                                              positions_[driven.driver]);
+      [&](const LinkFeature<SceneNumber>& feature, const mechanism::CarriedLink& carried) {
+        return carried.group.exists()
+                   ? mechanism::placed_feature(feature, relative_[carried.to])
+                   : mechanism::moved_feature(feature, plan_.structure(), carried, feature_of,
+                                              positions_[carried.driver]);
       });
 }
 
@@ -256,7 +256,7 @@ void SceneNumbers::add_relative_frames(
     return;
   }
   const mechanism::Table<mechanism::LinkIndex, Pose<double>> poses = poses_of_links(plan_, values_);
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     if (!link.group.exists()) {
       continue;
     }

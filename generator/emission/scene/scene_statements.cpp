@@ -170,9 +170,9 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
 }
 
 /// Places the links that others carry once so many groups are placed.
-void add_driven_links(const SolverScene& solver, std::size_t groups_before, SceneLines& lines,
-                      std::vector<std::string>& slides) {
-  for (const mechanism::DrivenLink& link : solver.plan.structure().driven) {
+void add_carried_links(const SolverScene& solver, std::size_t groups_before, SceneLines& lines,
+                       std::vector<std::string>& slides) {
+  for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
     if (link.groups_before != groups_before) {
       continue;
     }
@@ -222,7 +222,7 @@ SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group
   add(alone);
   const mechanism::Structure& structure = solver.plan.structure();
   const auto shapes_it = [&](mechanism::DriverIndex driver) {
-    return std::ranges::any_of(structure.driven, [&](const mechanism::DrivenLink& link) {
+    return std::ranges::any_of(structure.carried, [&](const mechanism::CarriedLink& link) {
       const std::vector<mechanism::LinkIndex>& links = structure.groups[group].links;
       return link.driver == driver && std::ranges::find(links, link.to) != links.end();
     });
@@ -317,7 +317,7 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     }
     slides.push_back(solver.slide_member(at));
   }
-  add_driven_links(solver, group.place() + 1, lines, slides);
+  add_carried_links(solver, group.place() + 1, lines, slides);
 }
 
 }  // namespace
@@ -325,7 +325,7 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
 PlacingStatements driving_statements(const SolverScene& solver) {
   SceneLines lines = lines_of(solver);
   std::vector<std::string> slides;
-  add_driven_links(solver, 0, lines, slides);
+  add_carried_links(solver, 0, lines, slides);
   return {lines.lines(true), slides};
 }
 

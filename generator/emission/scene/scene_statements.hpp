@@ -14,7 +14,7 @@ struct PlacingStatements {
   std::vector<std::string> slides;
 };
 
-/// Places the driven links.
+/// Places the links that the ground carries.
 [[nodiscard]] PlacingStatements driving_statements(const SolverScene& solver);
 /// Holds a group's external joints where moving links have them.
 [[nodiscard]] std::vector<std::string> holding_statements(const SolverScene& solver,

@@ -9,6 +9,11 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   constexpr std::size_t most_groups = 10;
   const mechanism::Plan plan(scene);
   std::vector<std::string> warnings;
+  for (const mechanism::RedundantJoint& joint : plan.redundant()) {
+    warnings.push_back("joints." + joint.name +
+                       ": constraints of the joint are too many; the solver does without them, and "
+                       "leaves out the configurations in which they do not hold");
+  }
   if (plan.structure().groups.size() > most_groups) {
     return warnings;
   }

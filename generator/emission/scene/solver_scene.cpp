@@ -86,7 +86,7 @@ mechanism::Table<Key, std::string> members_of(const std::vector<std::string>& na
 mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
     const mechanism::Structure& structure, const std::vector<std::string>& taken) {
   std::vector<std::string> names;
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     if (link.group.exists()) {
       names.push_back(structure.linkage.links[link.to] + "_on_" +
                       structure.linkage.links[link.from]);
@@ -95,7 +95,7 @@ mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
   const std::vector<std::string> spelled = text::member_names(names, taken);
   auto member = spelled.begin();
   mechanism::Table<mechanism::LinkIndex, std::string> members(structure.linkage.links.size());
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     if (link.group.exists()) {
       members[link.to] = *member++;
     }
@@ -152,14 +152,14 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
     needs[link] = FrameNeed::direction;
   }
   for (const mechanism::LinkIndex link : described.links().keys()) {
-    if (solver.reports(link)) {
+    if (solver.reports(link) || !solver.plan.redundant().empty()) {
       needs[link] = FrameNeed::everything;
     }
   }
   for (const mechanism::Output& output : described.outputs()) {
     needs[described.features()[output.point].link] = FrameNeed::everything;
   }
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     needs[link.to] = FrameNeed::everything;
     needs[link.from] = FrameNeed::everything;
   }
@@ -176,23 +176,12 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
-/// Throws MechanismError for what solvers do not model.
-mechanism::Plan expect_modelled(mechanism::Plan plan) {
-  if (!plan.redundant().empty()) {
-    throw mechanism::MechanismError(
-        "joints." + plan.redundant().front(),
-        "the joint has constraints that are too many, which a solver does not check; take them "
-        "away: where the others hold, this one does");
-  }
-  return plan;
-}
-
 int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
 
 }  // namespace
 
 SolverScene::SolverScene(const mechanism::Scene& described)
-    : plan(expect_modelled(mechanism::Plan(described))),
+    : plan(described),
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),

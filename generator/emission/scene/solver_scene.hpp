@@ -86,7 +86,7 @@ struct SolverScene {
     return wants_motion() && !is_ground(link) && plan.request().reported.has(link);
   }
   [[nodiscard]] bool reports(mechanism::JointIndex slide) const {
-    return wants_motion() && plan.request().reported.has(slide);
+    return wants_motion() && plan.request().reported.has(slide) && !plan.is_stand_in(slide);
   }
   /// Whether anything is wanted of links and slides, which have no sensitivities.
   [[nodiscard]] bool wants_motion() const {

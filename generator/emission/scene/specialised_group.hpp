@@ -31,7 +31,7 @@ struct SpecialisedNumbers {
   std::vector<bool> dimension_moves;
   /// A dimension that variable parameters change is no number: it is an input behind all others.
   std::vector<std::optional<DimensionValue<double>>> dimensions;
-  Eigen::MatrixXd dimension_gradient;  ///< one column a parameter; none: no sensitivity is wanted
+  Eigen::MatrixXd dimension_gradient;  ///< one column per parameter; none: no sensitivity is wanted
   /// Those that the ground holds where no variable parameter moves them.
   std::vector<std::optional<DimensionValue<double>>> inputs;
   Eigen::MatrixXd input_gradient;  ///< of these; zero for the others

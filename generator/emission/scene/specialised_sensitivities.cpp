@@ -62,7 +62,7 @@ std::vector<model::ModelFunction> sensitivity_functions(
   const std::string columns = "parameter_count";
   std::vector<model::ModelFunction> functions = {
       {"parameter_jacobian",
-       {"F_a = df/da: what the scene's parameters a change at the dimensions and at the ground."},
+       {"F_a = df/da by the scene's parameters a, through the dimensions and the ground."},
        place,
        {{"Matrix<Scalar, equation_count, " + columns + ">&", "F_a"}},
        parameter_columns(numbers, "F_a", derivatives.dimension_jacobian,

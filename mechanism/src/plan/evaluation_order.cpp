@@ -181,12 +181,12 @@ bool spread_depends(const Table<NumberIndex, bool>& changes, const PlanData& pla
   return false;
 }
 
-/// Whether one of the driven links that carry a joint's features in its group has a property.
+/// Whether one of the carried links that carry a joint's features in its group has a property.
 template <typename Has>
 bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has& has) {
   const auto any_between = [&](LinkIndex carrier, LinkIndex holder) {
     while (holder != carrier) {
-      const DrivenLink& link = *structure.driven_link(holder);
+      const CarriedLink& link = *structure.carried_link(holder);
       if (has(link)) {
         return true;
       }
@@ -197,7 +197,7 @@ bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has
   return any_between(at.first, at.holder_first) || any_between(at.second, at.holder_second);
 }
 
-/// The groups in which a driven link that has a property carries features of joints.
+/// The groups in which a carried link that has a property carries features of joints.
 template <typename Has>
 std::vector<GroupIndex> groups_with_links(const Structure& structure, const Has& has) {
   std::vector<GroupIndex> result;
@@ -216,12 +216,12 @@ std::vector<GroupIndex> groups_with_links(const Structure& structure, const Has&
 
 std::vector<GroupIndex> groups_carried_by(DriverIndex driver, const PlanData& plan) {
   return groups_with_links(plan.structure,
-                           [driver](const DrivenLink& link) { return link.driver == driver; });
+                           [driver](const CarriedLink& link) { return link.driver == driver; });
 }
 
 std::vector<GroupIndex> groups_carried_by(GroupIndex group, const PlanData& plan) {
   return groups_with_links(plan.structure,
-                           [group](const DrivenLink& link) { return link.group == group; });
+                           [group](const CarriedLink& link) { return link.group == group; });
 }
 
 Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanData& plan) {
@@ -292,7 +292,7 @@ Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanD
     const auto& joints = plan.structure.groups[group].assignments.front().joints;
     const bool any = std::any_of(joints.begin(), joints.end(), [&](ElementaryJointIndex joint) {
       const ElementaryJoint& at = plan.structure.linkage.joints[joint];
-      const auto is_moved_by = [&](const DrivenLink& link) {
+      const auto is_moved_by = [&](const CarriedLink& link) {
         if (link.group.exists()) {
           return false;  // where that group is settled, this one is evaluated
         }

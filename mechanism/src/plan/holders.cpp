@@ -19,7 +19,7 @@ Table<LinkIndex, bool> placed_with(const Structure& structure,
       placed[link] = true;
     }
   }
-  for (const DrivenLink& link : structure.driven) {
+  for (const CarriedLink& link : structure.carried) {
     const auto waits = [&](const ReadingDriver& one) {
       return one.driver == link.driver &&
              !std::ranges::all_of(one.reads, [&](LinkIndex read) { return placed[read]; });
@@ -51,10 +51,10 @@ std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   };
   const auto add = [&](LinkIndex link) {
     add_group_of(link);
-    for (const DrivenLink* carried = driven_link(link); carried != nullptr;
-         carried = driven_link(carried->from)) {
+    for (const CarriedLink* step = carried_link(link); step != nullptr;
+         step = carried_link(step->from)) {
       for (const ReadingDriver& one : reading) {
-        if (one.driver == carried->driver) {
+        if (one.driver == step->driver) {
           std::ranges::for_each(one.reads, add_group_of);
         }
       }

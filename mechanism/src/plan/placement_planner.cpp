@@ -88,10 +88,10 @@ class PlacementPlanner {
       const ElementaryJointIndex index = joint_of(driver);
       const ElementaryJoint& at = joint(index);
       const bool is_listed = std::ranges::any_of(
-          structure_.driven, [&](const DrivenLink& link) { return link.driver == driver; });
+          structure_.carried, [&](const CarriedLink& link) { return link.driver == driver; });
       if (at.touches(from) && !is_listed) {
         const LinkIndex to = at.other(from);
-        structure_.driven.push_back({driver, index, from, to, {}});
+        structure_.carried.push_back({driver, index, from, to, {}});
         carry_from(to);
       }
     }
@@ -140,7 +140,7 @@ class PlacementPlanner {
       }
       add(std::move(*found));
     }
-    order_driven_links();
+    order_carried_links();
   }
 
   /// Adds a group with what its links carry; the base of a relative one carries these links.
@@ -148,12 +148,12 @@ class PlacementPlanner {
     const GroupIndex index(structure_.groups.size());
     for (const LinkIndex link : group.links) {
       if (group.base.exists()) {
-        structure_.driven.push_back({{}, {}, group.base, link, index});
+        structure_.carried.push_back({{}, {}, group.base, link, index});
       }
       carry_from(link);
     }
     for (std::size_t place = 0; place < group.links.size(); ++place) {
-      for (const DrivenLink& carried : structure_.driven) {
+      for (const CarriedLink& carried : structure_.carried) {
         if (carried.from == group.links[place]) {
           group.links.push_back(carried.to);
         }
@@ -163,13 +163,13 @@ class PlacementPlanner {
     structure_.groups.add(std::move(group));
   }
 
-  /// The links that the law behind a driven link reads.
-  [[nodiscard]] std::vector<LinkIndex> read_for(const DrivenLink& link) const {
+  /// The links that the law behind a carried link reads.
+  [[nodiscard]] std::vector<LinkIndex> read_for(const CarriedLink& link) const {
     return link.joint.exists() ? bodies_.read[link.joint] : std::vector<LinkIndex>();
   }
 
-  /// A driven link is placed when the link that carries it is, and those that its law reads.
-  void order_driven_links() {
+  /// A carried link is placed when the link that carries it is, and those that its law reads.
+  void order_carried_links() {
     Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
     for (const GroupIndex group : structure_.groups.keys()) {
       for (const LinkIndex link : structure_.groups[group].links) {
@@ -183,15 +183,15 @@ class PlacementPlanner {
       }
       return groups;
     };
-    put_driven_links_behind_what_they_read();
-    for (DrivenLink& link : structure_.driven) {
+    put_carried_links_behind_what_they_read();
+    for (CarriedLink& link : structure_.carried) {
       link.groups_before = std::max(groups_before[link.from], latest(read_for(link)));
       groups_before[link.to] = link.groups_before;
     }
-    std::ranges::stable_sort(structure_.driven, {}, &DrivenLink::groups_before);
+    std::ranges::stable_sort(structure_.carried, {}, &CarriedLink::groups_before);
     Table<LinkIndex, std::size_t> links_before(structure_.linkage.links.size(), 0);
-    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-      links_before[structure_.driven[place].to] = place + 1;
+    for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      links_before[structure_.carried[place].to] = place + 1;
     }
     structure_.laws = laws_in_order(mechanism_);
     for (const DriverIndex driver : structure_.laws) {
@@ -209,23 +209,23 @@ class PlacementPlanner {
   }
 
   /// Links on which others stand, or which the laws of others read, come first.
-  void put_driven_links_behind_what_they_read() {
-    std::vector<DrivenLink> waiting = std::move(structure_.driven);
-    structure_.driven.clear();
+  void put_carried_links_behind_what_they_read() {
+    std::vector<CarriedLink> waiting = std::move(structure_.carried);
+    structure_.carried.clear();
     Table<LinkIndex, bool> waits(structure_.linkage.links.size(), false);
-    for (const DrivenLink& link : waiting) {
+    for (const CarriedLink& link : waiting) {
       waits[link.to] = true;
     }
-    const auto is_ready = [&](const DrivenLink& link) {
+    const auto is_ready = [&](const CarriedLink& link) {
       return !waits[link.from] &&
              std::ranges::none_of(read_for(link), [&](LinkIndex read) { return waits[read]; });
     };
     while (!waiting.empty()) {
-      std::vector<DrivenLink> left;
-      for (const DrivenLink& link : waiting) {
+      std::vector<CarriedLink> left;
+      for (const CarriedLink& link : waiting) {
         if (is_ready(link)) {
           waits[link.to] = false;
-          structure_.driven.push_back(link);
+          structure_.carried.push_back(link);
         } else {
           left.push_back(link);
         }

@@ -18,7 +18,7 @@ struct PlanData {
   plan::EvaluationOrder evaluation;
   NamedParts named_parts;
   /// What holds beside the structure, and what to say where it does not.
-  std::vector<plan::RedundantJoint> redundant;
+  std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
 };
 

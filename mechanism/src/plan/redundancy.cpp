@@ -19,7 +19,8 @@ struct Step {
   RedundantJoint redundant;
   std::optional<Structure> structure;
   std::optional<OverConstrained> fault;
-  std::string link = {};  ///< that has the feature at which something is left out
+  std::string link = {};    ///< that has the feature at which something is left out
+  bool loses_kept = false;  ///< the joint should not be left out
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
   [[nodiscard]] std::size_t largest_group() const {
@@ -30,14 +31,15 @@ struct Step {
     }
     return largest;
   }
-  [[nodiscard]] std::tuple<int, std::size_t, std::string, std::string> rank() const {
-    return {surplus(), largest_group(), redundant.name, link};
+  [[nodiscard]] std::tuple<int, bool, std::size_t, std::string, std::string> rank() const {
+    return {surplus(), loses_kept, largest_group(), redundant.name, link};
   }
 };
 
 class Balancer {
  public:
-  Balancer(const Mechanism& mechanism, LeftOut most) : mechanism_(mechanism), most_(most) {}
+  Balancer(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
+      : mechanism_(mechanism), most_(most), kept_(kept) {}
 
   /// The first is the best.
   [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
@@ -78,7 +80,9 @@ class Balancer {
     }
     if (at.type == JointType::revolute) {
       for (const FeatureIndex from : points_of(feature)) {
-        consider({mechanism_.with_slot(joint, feature, from), redundant, {}, {}}, feature);
+        Step step{mechanism_.with_slot(joint, feature, from), redundant, {}, {}};
+        step.redundant.slot = FeatureIndex(mechanism_.features().size());  // the one that it adds
+        consider(std::move(step), feature);
       }
     }
   }
@@ -109,11 +113,13 @@ class Balancer {
       return;
     }
     step.link = link_name(feature);
+    step.loses_kept = std::ranges::find(kept_, step.redundant.name) != kept_.end();
     steps_.push_back(std::move(step));
   }
 
   const Mechanism& mechanism_;
   LeftOut most_;
+  const std::vector<std::string>& kept_;
   int surplus_ = 0;
   std::vector<Step> steps_;
 };
@@ -121,18 +127,18 @@ class Balancer {
 }  // namespace
 
 std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
-                                        LeftOut most) {
+                                        LeftOut most, const std::vector<std::string>& kept) {
   std::vector<BalancedMechanism> result;
   if (fault.surplus > most_surplus) {
     return result;
   }
-  std::vector<Step> steps = Balancer(mechanism, most).steps(fault);
+  std::vector<Step> steps = Balancer(mechanism, most, kept).steps(fault);
   if (steps.empty()) {
     return result;
   }
   if (!steps.front().structure) {
     const Step& step = steps.front();
-    result = balanced(step.mechanism, *step.fault, most);
+    result = balanced(step.mechanism, *step.fault, most, kept);
     for (BalancedMechanism& rest : result) {
       rest.redundant.insert(rest.redundant.begin(), step.redundant);
     }

@@ -8,12 +8,6 @@
 
 namespace assur::mechanism::plan {
 
-/// A joint that must hold where the others do: two features, of one sort, that coincide.
-struct RedundantJoint {
-  std::string name;
-  FeatureIndex one, other;
-};
-
 struct BalancedMechanism {
   Mechanism mechanism;
   Structure structure;
@@ -27,10 +21,11 @@ enum class LeftOut : unsigned char {
 };
 
 /// The mechanism with as many constraints less as it has too many. The ways to leave the last one
-/// out come in order, those with the smallest groups first, and then by the names of joints and
-/// links: a group may move freely where it is small. Nothing where no way leaves a mechanism whose
-/// groups are known.
+/// out come in order: those that keep the joints of the names in `kept` first, then those with the
+/// smallest groups, and then by the names of joints and links; a group may move freely where it is
+/// small. Nothing where no way leaves a mechanism whose groups are known.
 [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
-                                                      const OverConstrained& fault, LeftOut most);
+                                                      const OverConstrained& fault, LeftOut most,
+                                                      const std::vector<std::string>& kept);
 
 }  // namespace assur::mechanism::plan

@@ -57,7 +57,7 @@ class PartFinder {
  private:
   /// What moves the links that are needed: what carries them, and what the laws of drivers read.
   void need_carriers() {
-    for (auto link = structure_.driven.rbegin(); link != structure_.driven.rend(); ++link) {
+    for (auto link = structure_.carried.rbegin(); link != structure_.carried.rend(); ++link) {
       if (!needed_[link->to]) {
         continue;
       }

@@ -43,24 +43,24 @@ std::vector<std::string> Structure::names_of(const std::vector<LinkIndex>& links
 }
 
 Table<LinkIndex, bool> Structure::carried_by_ground() const {
-  Table<LinkIndex, bool> carried(linkage.links.size(), false);
-  carried[linkage.ground] = true;
-  for (const DrivenLink& link : driven) {
-    carried[link.to] = carried[link.from];
+  Table<LinkIndex, bool> stands(linkage.links.size(), false);
+  stands[linkage.ground] = true;
+  for (const CarriedLink& link : carried) {
+    stands[link.to] = stands[link.from];
   }
-  return carried;
+  return stands;
 }
 
 std::vector<std::size_t> Structure::carried_by_base(GroupIndex group) const {
-  Table<LinkIndex, bool> carried(linkage.links.size(), false);
+  Table<LinkIndex, bool> stands(linkage.links.size(), false);
   std::vector<std::size_t> result;
   if (const LinkIndex base = groups[group].base; base.exists()) {
-    carried[base] = true;
-    for (std::size_t place = 0; place < driven.size(); ++place) {
-      const DrivenLink& link = driven[place];
+    stands[base] = true;
+    for (std::size_t place = 0; place < carried.size(); ++place) {
+      const CarriedLink& link = carried[place];
       const bool is_known = !link.group.exists() || link.group < group;
-      carried[link.to] = carried[link.to] || (carried[link.from] && is_known);
-      if (carried[link.from] && is_known) {
+      stands[link.to] = stands[link.to] || (stands[link.from] && is_known);
+      if (stands[link.from] && is_known) {
         result.push_back(place);
       }
     }
@@ -73,16 +73,16 @@ bool Structure::has_relative_groups() const {
 }
 
 bool Structure::moves_by_laws(const Mechanism& mechanism) const {
-  return std::ranges::any_of(driven, [&](const DrivenLink& link) {
+  return std::ranges::any_of(carried, [&](const CarriedLink& link) {
     return link.groups_before > 0 ||
            !mechanism.numbers()[mechanism.drivers()[link.driver].position].formula.joints().empty();
   });
 }
 
-const DrivenLink* Structure::driven_link(LinkIndex link) const {
+const CarriedLink* Structure::carried_link(LinkIndex link) const {
   const auto found =
-      std::ranges::find_if(driven, [link](const DrivenLink& one) { return one.to == link; });
-  return found == driven.end() ? nullptr : &*found;
+      std::ranges::find_if(carried, [link](const CarriedLink& one) { return one.to == link; });
+  return found == carried.end() ? nullptr : &*found;
 }
 
 NamedParts Structure::named_parts(const Mechanism& mechanism) const {
@@ -90,9 +90,9 @@ NamedParts Structure::named_parts(const Mechanism& mechanism) const {
     return mechanism.links()[mechanism.features()[feature].link].name;
   };
   NamedParts parts;
-  const Table<LinkIndex, bool> carried = carried_by_ground();
+  const Table<LinkIndex, bool> stands = carried_by_ground();
   for (const LinkIndex link : mechanism.links().keys()) {
-    if (!carried[link]) {
+    if (!stands[link]) {
       parts.links.push_back(link);
     }
   }

@@ -121,7 +121,7 @@ Json parts_json(const Configuration& configuration, const Report& report, const 
 
 Json configuration_json(const Configuration& configuration, const Report& report) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    return configuration_json(without_derivatives(report.plan, configuration), report);
+    return configuration_json(without_unknown(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;
   Json entry = parts_json(configuration, report, want);
@@ -173,7 +173,9 @@ std::string report_json(const Report& report) {
     root["reason"] = reason;
   }
   if (!report.plan.redundant().empty()) {
-    root["redundant"] = report.plan.redundant();
+    for (const RedundantJoint& joint : report.plan.redundant()) {
+      root["redundant"].push_back(joint.name);
+    }
   }
   root["groups"] = report::groups_json(report.plan.structure());
   if (std::ranges::any_of(report.plan.mechanism().joints(),

@@ -1,4 +1,5 @@
 // Turns a solution into tables for people.
+#include <algorithm>
 #include <array>
 #include <assur/mechanism/point_values.hpp>
 #include <cmath>
@@ -26,12 +27,77 @@ std::string table_row(const std::string& name, const std::vector<double>& number
   }
   return row + "\n";
 }
-std::string table_row(const std::string& name, const Eigen::Vector2d& pair) {
-  return table_row(name, std::vector<double>{pair.x(), pair.y()});
+
+/// The largest length and angle of a table, of positions or of rates: what is within their rounding
+/// is a zero for people.
+struct Size {
+  double length = 0;
+  double angle = 0;
+
+  void cover(const Eigen::Vector3d& triple) {
+    cover(Eigen::Vector2d(triple.head<2>()));
+    angle = larger(angle, triple.z());
+  }
+  void cover(const Eigen::Vector2d& pair) { length = larger(larger(length, pair.x()), pair.y()); }
+  [[nodiscard]] std::string row(const std::string& name, const Eigen::Vector2d& pair) const {
+    return table_row(name, {shown(pair.x(), length), shown(pair.y(), length)});
+  }
+  [[nodiscard]] std::string row(const std::string& name, const Eigen::Vector3d& triple) const {
+    return table_row(
+        name, {shown(triple.x(), length), shown(triple.y(), length), shown(triple.z(), angle)});
+  }
+
+ private:
+  static double larger(double most, double number) {
+    return std::isfinite(number) ? std::max(most, std::abs(number)) : most;
+  }
+  static double shown(double number, double largest) {
+    constexpr double rounding = 1e-14;
+    return std::abs(number) <= rounding * largest ? 0 : number;
+  }
+};
+
+Eigen::Vector3d in_degrees(const Pose<double>& pose) {
+  return {pose.x, pose.y, angle_of(pose.direction) * 180 / std::numbers::pi};
 }
-std::string table_row(const std::string& name, const Eigen::Vector3d& triple) {
-  return table_row(name, std::vector<double>{triple.x(), triple.y(), triple.z()});
-}
+
+/// Of all that a configuration places, whether it is reported or not.
+struct Sizes {
+  Sizes(const Configuration& configuration, const Spread& spread)
+      : derivatives(static_cast<std::size_t>(spread.tolerances.size())) {
+    for (const LinkIndex link : configuration.links.keys()) {
+      const Frame& frame = configuration.links[link];
+      positions.cover(in_degrees(frame.pose));
+      velocities.cover(frame.velocity);
+      accelerations.cover(frame.acceleration);
+    }
+    for (const OutputIndex output : configuration.outputs.keys()) {
+      positions.cover(configuration.outputs[output].position);
+      velocities.cover(configuration.outputs[output].velocity);
+      accelerations.cover(configuration.outputs[output].acceleration);
+    }
+    for (std::size_t parameter = 0; parameter < derivatives.size(); ++parameter) {
+      const auto column = static_cast<Eigen::Index>(parameter);
+      const auto cover = [&](const auto& first) {
+        if (column < first.cols()) {
+          derivatives[parameter].cover(Eigen::Vector2d(first.col(column).template head<2>()));
+        }
+      };
+      for (const LinkIndex link : configuration.links.keys()) {
+        cover(configuration.links[link].follows.first);
+      }
+      for (const OutputIndex output : configuration.outputs.keys()) {
+        cover(configuration.outputs[output].follows.first);
+      }
+      tolerances.length += derivatives[parameter].length * spread.tolerances(column);
+    }
+  }
+  Size positions{0, 180};
+  Size velocities;
+  Size accelerations;
+  std::vector<Size> derivatives;  ///< by each parameter
+  Size tolerances;                ///< of what tolerances make of them
+};
 
 std::string table_head(const std::vector<std::string>& titles) {
   std::string row(20, ' ');
@@ -41,35 +107,39 @@ std::string table_head(const std::vector<std::string>& titles) {
   return row + "\n";
 }
 
-std::string point_text(const Point& point, const Report& report, const Want& want) {
+std::string point_text(const Point& point, const Sizes& sizes, const Report& report,
+                       const Want& want) {
   std::string text = table_head({"x", "y"});
   if (want.position) {
-    text += table_row("position", point.position);
+    text += sizes.positions.row("position", point.position);
   }
   if (want.velocity) {
-    text += table_row("velocity", point.velocity);
+    text += sizes.velocities.row("velocity", point.velocity);
   }
   if (want.acceleration) {
-    text += table_row("acceleration", point.acceleration);
+    text += sizes.accelerations.row("acceleration", point.acceleration);
   }
   if (want.velocity && want.acceleration) {
     const PathAcceleration parts = path_acceleration(point);
-    text += table_row("a_t, a_n", std::vector<double>{parts.tangential, parts.normal});
+    text += sizes.accelerations.row("a_t, a_n", Eigen::Vector2d(parts.tangential, parts.normal));
   }
   if (want.sensitivity) {
     const auto& parameters = report.plan.mechanism().parameters();
     for (const ParameterIndex parameter : parameters.keys()) {
-      text += table_row("d/d" + parameters[parameter].name,
-                        Eigen::Vector2d(point.follows.first.col(parameter.row())));
+      text += sizes.derivatives[parameter.place()].row(
+          "d/d" + parameters[parameter].name,
+          Eigen::Vector2d(point.follows.first.col(parameter.row())));
     }
-    text += table_row("worst case", worst_case(point, report.values.spread()));
-    text += table_row("rss", root_sum_square(point, report.values.spread()));
+    if (!report.values.spread().tolerances.isZero(0)) {
+      text += sizes.tolerances.row("worst case", worst_case(point, report.values.spread()));
+      text += sizes.tolerances.row("rss", root_sum_square(point, report.values.spread()));
+    }
   }
   if (want.sensitivity && report.values.second_order()) {
     const PointSpread spread = spread_of(point, report.values.spread());
-    text += table_row("covariance x", Eigen::Vector2d(spread.covariance.row(0)));
-    text += table_row("covariance y", Eigen::Vector2d(spread.covariance.row(1)));
-    text += table_row("mean shift", spread.mean_shift);
+    text += table_row("covariance x", {spread.covariance(0, 0), spread.covariance(0, 1)});
+    text += table_row("covariance y", {spread.covariance(1, 0), spread.covariance(1, 1)});
+    text += table_row("mean shift", {spread.mean_shift.x(), spread.mean_shift.y()});
   }
   return text;
 }
@@ -78,30 +148,29 @@ std::string point_text(const Point& point, const Report& report, const Want& wan
 std::string tables_text(const Configuration& configuration, const Report& report,
                         const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
-  constexpr double degree = std::numbers::pi / 180;
+  const Sizes sizes(configuration, report.values.spread());
   std::string text;
   const std::vector<LinkIndex> links = reported_links(report.plan, false);
   const auto link_table = [&](const std::string& title, const std::vector<std::string>& head,
-                              const auto& numbers) {
+                              const Size& size, const auto& numbers) {
     if (links.empty()) {
       return;
     }
     text += "  " + title + "\n" + table_head(head);
     for (const LinkIndex link : links) {
-      text += table_row(mechanism.links()[link].name, numbers(configuration.links[link]));
+      text += size.row(mechanism.links()[link].name, numbers(configuration.links[link]));
     }
   };
   if (want.position) {
-    link_table("links", {"x", "y", "theta [deg]"}, [](const Frame& link) {
-      return Eigen::Vector3d(link.pose.x, link.pose.y, angle_of(link.pose.direction) / degree);
-    });
+    link_table("links", {"x", "y", "theta [deg]"}, sizes.positions,
+               [](const Frame& link) { return in_degrees(link.pose); });
   }
   if (want.velocity) {
-    link_table("velocities", {"vx", "vy", "omega"},
+    link_table("velocities", {"vx", "vy", "omega [rad]"}, sizes.velocities,
                [](const Frame& link) { return link.velocity; });
   }
   if (want.acceleration) {
-    link_table("accelerations", {"ax", "ay", "alpha"},
+    link_table("accelerations", {"ax", "ay", "alpha [rad]"}, sizes.accelerations,
                [](const Frame& link) { return link.acceleration; });
   }
   const std::vector<const SlideState*> slides = reported_slides(report.plan, configuration);
@@ -109,19 +178,19 @@ std::string tables_text(const Configuration& configuration, const Report& report
     text += "  slides\n" + table_head({"displacement", "velocity", "acceleration"});
     for (const SlideState* slide : slides) {
       text += table_row(mechanism.joints()[slide->joint].name,
-                        Eigen::Vector3d(slide->displacement, slide->velocity, slide->acceleration));
+                        {slide->displacement, slide->velocity, slide->acceleration});
     }
   }
   for (const OutputIndex output : mechanism.outputs().keys()) {
     text += "  point " + mechanism.outputs()[output].name + "\n" +
-            point_text(configuration.outputs[output], report, want);
+            point_text(configuration.outputs[output], sizes, report, want);
   }
   return text;
 }
 
 std::string configuration_text(const Configuration& configuration, const Report& report) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    return configuration_text(without_derivatives(report.plan, configuration), report);
+    return configuration_text(without_unknown(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;
   std::string text = tables_text(configuration, report, want);
@@ -159,8 +228,8 @@ std::string report_text(const Report& report) {
     text += group.base.exists() ? ", relative to " + structure.linkage.links[group.base] : "";
     text += "\n";
   }
-  for (const std::string& joint : report.plan.redundant()) {
-    text += "redundant: the joint " + joint + " holds wherever the other joints do\n";
+  for (const RedundantJoint& joint : report.plan.redundant()) {
+    text += "redundant: the joint " + joint.name + " holds wherever the other joints do\n";
   }
   for (const Family& family : solution.families) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +

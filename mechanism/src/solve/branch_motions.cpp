@@ -41,7 +41,7 @@ class BranchWalk {
         placed_(placed),
         configuration_(configuration),
         links_(structure_.linkage.links.size()),
-        carried_(structure_.driven.size()),
+        carried_(structure_.carried.size()),
         has_relative_groups_(structure_.has_relative_groups()) {}
 
   std::vector<Configuration> run() {
@@ -51,16 +51,16 @@ class BranchWalk {
   }
 
  private:
-  void move_driven_links(std::size_t groups_before) {
-    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-      if (structure_.driven[place].groups_before == groups_before) {
-        move_driven_link(place);
+  void move_carried_links(std::size_t groups_before) {
+    for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      if (structure_.carried[place].groups_before == groups_before) {
+        move_carried_link(place);
       }
     }
   }
 
-  void move_driven_link(std::size_t place) {
-    const DrivenLink& link = structure_.driven[place];
+  void move_carried_link(std::size_t place) {
+    const CarriedLink& link = structure_.carried[place];
     if (link.group.exists()) {
       links_[link.to] = composed(links_[link.from], carried_[place]);
       return;
@@ -77,9 +77,9 @@ class BranchWalk {
     // Where the moved link's own feature moves on it, or what carries it stands elsewhere while a
     // group is solved relative to that, it is not enough to turn the link.
     links_[link.to] =
-        has_relative_groups_ || (motions_.in_time && is_moving(values_.driven_frame(place)))
+        has_relative_groups_ || (motions_.in_time && is_moving(values_.carried_frame(place)))
             ? composed(composed(composed(base, standing(link, joint)), step),
-                       placed_in(values_.driven_frame(place)))
+                       placed_in(values_.carried_frame(place)))
             : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
   }
 
@@ -88,14 +88,14 @@ class BranchWalk {
     if (structure_.groups[group].base.exists()) {
       links_[structure_.groups[group].base] = models::at_rest({0, 0, {1, 0}});
       for (const std::size_t place : structure_.carried_by_base(group)) {
-        move_driven_link(place);
+        move_carried_link(place);
       }
     }
   }
   void keep_carried(GroupIndex group) {
-    for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
-      if (structure_.driven[place].group == group) {
-        carried_[place] = links_[structure_.driven[place].to];
+    for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      if (structure_.carried[place].group == group) {
+        carried_[place] = links_[structure_.carried[place].to];
       }
     }
   }
@@ -107,7 +107,7 @@ class BranchWalk {
     return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
   }
   /// The driven joint where the driver has it, at t = 0.
-  [[nodiscard]] Pose<models::Series> standing(const DrivenLink& link,
+  [[nodiscard]] Pose<models::Series> standing(const CarriedLink& link,
                                               const ElementaryJoint& joint) const {
     const double position = values_.motion(link.driver).position.value();
     const double by = joint.first == link.from ? position : -position;
@@ -126,7 +126,7 @@ class BranchWalk {
   }
 
   void descend(std::size_t depth) {
-    move_driven_links(depth);
+    move_carried_links(depth);
     if (depth == structure_.groups.size()) {
       list();
       return;

@@ -1,25 +1,13 @@
 #include "closing_gaps.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/text/names.hpp>
-#include <cstdio>
 #include <numbers>
 
 #include "group_words.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
-
-namespace {
-
-std::string short_number(double number) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
-  return text.data();
-}
-
-}  // namespace
 
 ClosingGaps::ClosingGaps(const Placement& placement)
     : placement_(placement),
@@ -71,14 +59,14 @@ std::vector<std::string> ClosingGaps::stance_of_holders(GroupIndex group) const 
     if (!holds || stands[link]) {
       continue;
     }
-    const DrivenLink* driven = structure_.driven_link(link);
-    const bool slides = driven != nullptr && driven->joint.exists() &&
-                        structure_.linkage.joints[driven->joint].prismatic;
+    const CarriedLink* carried = structure_.carried_link(link);
+    const bool slides = carried != nullptr && carried->joint.exists() &&
+                        structure_.linkage.joints[carried->joint].prismatic;
     const double degrees =
         angle_of(placement_.placed().links[link].pose.direction) * 180 / std::numbers::pi;
     holders.push_back(
         slides ? structure_.linkage.links[link] + " moved by " +
-                     short_number(placement_.values().motion(driven->driver).position.value())
+                     short_number(placement_.values().motion(carried->driver).position.value())
                : structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
   }
   return holders;

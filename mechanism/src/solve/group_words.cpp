@@ -1,11 +1,19 @@
 #include "group_words.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/text/names.hpp>
+#include <cstdio>
 
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
+
+std::string short_number(double number) {
+  std::array<char, 32> text{};
+  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
+  return text.data();
+}
 
 std::vector<std::string> joint_names(const Values& values, GroupIndex group, bool slides_only) {
   const RoleAssignment& roles = *values.group(group).roles;

@@ -7,6 +7,9 @@
 
 namespace assur::mechanism::solve {
 
+/// With three digits.
+[[nodiscard]] std::string short_number(double number);
+
 /// The names of a group's joints, or of its prismatic ones alone, in the order of their roles.
 [[nodiscard]] std::vector<std::string> joint_names(const Values& values, GroupIndex group,
                                                    bool slides_only);

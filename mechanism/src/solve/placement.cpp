@@ -13,7 +13,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-bool slides_on(const Structure& structure, const DrivenLink& link) {
+bool slides_on(const Structure& structure, const CarriedLink& link) {
   return link.joint.exists() && structure.linkage.joints[link.joint].prismatic;
 }
 
@@ -30,7 +30,7 @@ Table<LinkIndex, std::size_t> groups_before(const Structure& structure) {
       groups[link] = group.place() + 1;
     }
   }
-  for (const DrivenLink& link : structure.driven) {
+  for (const CarriedLink& link : structure.carried) {
     groups[link.to] = link.groups_before;
   }
   return groups;
@@ -54,7 +54,7 @@ Placement::Placement(const Values& values)
     placed_.determinants.resize(structure_.groups.size());
   }
   std::size_t slides = 0;
-  for (const DrivenLink& link : structure_.driven) {
+  for (const CarriedLink& link : structure_.carried) {
     driven_slide_.push_back(slides);
     slides += slides_on(structure_, link) ? 1 : 0;
   }
@@ -81,7 +81,7 @@ void Placement::begin() {
   steps_ = 0;
 }
 
-bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
+bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
   const auto is_missing = [unplaced](LinkIndex link) {
     return unplaced != nullptr && (*unplaced)[link];
   };
@@ -100,11 +100,11 @@ bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
     }
     return true;
   };
-  for (std::size_t place = 0; place < structure_.driven.size(); ++place) {
+  for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
     if (!settle_what_reads(place)) {
       return false;
     }
-    const DrivenLink& link = structure_.driven[place];
+    const CarriedLink& link = structure_.carried[place];
     if (link.groups_before == groups) {
       const bool reads_nothing = std::ranges::any_of(
           structure_.reading,
@@ -112,11 +112,11 @@ bool Placement::move_driven_links(std::size_t groups, Table<LinkIndex, bool>* un
       if (is_missing(link.from) || reads_nothing) {
         (*unplaced)[link.to] = true;
       } else {
-        place_driven_link(place);
+        place_carried_link(place);
       }
     }
   }
-  return settle_what_reads(structure_.driven.size());
+  return settle_what_reads(structure_.carried.size());
 }
 
 JointMotion Placement::counted_coordinate(JointIndex joint) {
@@ -176,13 +176,13 @@ bool Placement::settle(const ReadingDriver& reading) {
   return true;
 }
 
-void Placement::place_driven_link(std::size_t place) {
-  const DrivenLink& link = structure_.driven[place];
+void Placement::place_carried_link(std::size_t place) {
+  const CarriedLink& link = structure_.carried[place];
   if (link.group.exists()) {
-    const Frame& there = values_.driven_frame(place);
+    const Frame& there = values_.carried_frame(place);
     compose(placed_.links[link.from], there, placed_.links[link.to]);
     placed_.displaced[link.to] = placed_.displaced[link.from].carries(
-        there.pose.x, there.pose.y, values_.driven_rounding(place));
+        there.pose.x, there.pose.y, values_.carried_rounding(place));
     return;
   }
   const JointMotion& motion = values_.motion(link.driver);
@@ -190,9 +190,9 @@ void Placement::place_driven_link(std::size_t place) {
   set_motion(motion, at.prismatic, at.first == link.from ? 1.0 : -1.0);
   compose(placed_.links[link.from], values_.frame(at.on(link.from)), joint_);
   compose(joint_, motion_, moved_);
-  compose(moved_, values_.driven_frame(place), placed_.links[link.to]);
+  compose(moved_, values_.carried_frame(place), placed_.links[link.to]);
   const Pose<double>& near = values_.frame(at.on(link.from)).pose;
-  const Pose<double>& back = values_.driven_frame(place).pose;
+  const Pose<double>& back = values_.carried_frame(place).pose;
   const double position = motion.position.value();
   placed_.displaced[link.to] = placed_.displaced[link.from]
                                    .carries(near.x, near.y, values_.rounding(at.on(link.from)))
@@ -210,7 +210,7 @@ void Placement::hold(GroupIndex group) {
     placed_.links[base] = placed_.links[structure_.linkage.ground];
     placed_.displaced[base] = {};
     for (const std::size_t place : carried_by_base_[group]) {
-      place_driven_link(place);
+      place_carried_link(place);
     }
   }
   solvers_[group].hold(placed_);
@@ -249,20 +249,20 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
     return std::ranges::any_of(links, [&](LinkIndex link) { return unplaced[link]; });
   };
   // It has a place only where its law reads what has one, or the group does that places it.
-  const auto is_loose = [&](const DrivenLink& link) {
+  const auto is_loose = [&](const CarriedLink& link) {
     return link.group.exists()
                ? is_any_unplaced(structure_.groups[link.group].links)
                : std::ranges::any_of(structure_.reading, [&](const ReadingDriver& reading) {
                    return link.driver == reading.driver && is_any_unplaced(reading.reads);
                  });
   };
-  const auto shapes_it = [&](const DrivenLink& link) {
+  const auto shapes_it = [&](const CarriedLink& link) {
     return link.group != group && is_of(structure_.groups[group], link.to) && is_loose(link);
   };
-  return std::ranges::none_of(structure_.driven, shapes_it) &&
+  return std::ranges::none_of(structure_.carried, shapes_it) &&
          std::ranges::none_of(
              carried_by_base_[group],
-             [&](std::size_t place) { return is_loose(structure_.driven[place]); }) &&
+             [&](std::size_t place) { return is_loose(structure_.carried[place]); }) &&
          !is_any_unplaced(structure_.groups[group].links) && solvers_[group].has_normal_form() &&
          structure_.groups[group].model->rigid && !values_.numbers_of(group).is_held_by(unplaced);
 }

@@ -26,8 +26,8 @@ class Placement {
   /// Moves what drivers say and move once the groups before one are placed, unless it is against
   /// links that are left unplaced, or by what those say; these are marked as unplaced then.
   /// False where a law has no value there, as `flaw` says.
-  [[nodiscard]] bool move_driven_links(std::size_t groups,
-                                       Table<LinkIndex, bool>* unplaced = nullptr);
+  [[nodiscard]] bool move_carried_links(std::size_t groups,
+                                        Table<LinkIndex, bool>* unplaced = nullptr);
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
   /// Angles that laws read are counted on by whole turns from those of configurations nearby, until
   /// another call; null: they are in (-pi, pi].
@@ -56,7 +56,7 @@ class Placement {
   [[nodiscard]] PlacedLinks& placed() { return placed_; }
 
  private:
-  void place_driven_link(std::size_t place);
+  void place_carried_link(std::size_t place);
   void set_motion(const JointMotion& motion, bool prismatic, double sense);
   void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const;
   [[nodiscard]] bool settle(const ReadingDriver& reading);
@@ -71,7 +71,7 @@ class Placement {
   Table<GroupIndex, GroupSolver> solvers_;
   Table<GroupIndex, std::size_t> first_slide_;
   std::vector<std::size_t> driven_slide_;  ///< of each driven link that slides
-  /// Of a group that is solved relative to a link, the driven links that this one carries.
+  /// Of a group that is solved relative to a link, the carried links that this one carries.
   Table<GroupIndex, std::vector<std::size_t>> carried_by_base_;
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;

@@ -7,6 +7,7 @@
 
 #include "plan/plan_data.hpp"
 #include "plan/reported_part.hpp"
+#include "redundant_plan.hpp"
 #include "reference.hpp"
 #include "search_bounds.hpp"
 #include "solver.hpp"
@@ -130,67 +131,6 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
   }
 }
 
-/// Of a mechanism all of which is modelled.
-std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const Request& request,
-                                              Structure structure,
-                                              const std::vector<FeatureIndex>& more = {}) {
-  plan::EvaluationOrder order = plan::evaluation_order(mechanism, request, more);
-  NamedParts parts = structure.named_parts(mechanism);
-  return std::make_shared<const PlanData>(PlanData{
-      mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}});
-}
-
-/// Whether the redundant joints of a plan hold in a configuration.
-bool holds(const std::shared_ptr<const PlanData>& plan) {
-  try {
-    const Values values(plan, {});
-    Solution solution;
-    MechanismSolver(values).solve({}, solution);
-    return !solution.configurations.empty();
-  } catch (const OverConstrained&) {
-    return false;
-  }
-}
-
-/// A mechanism without the constraints that it has too many, if these hold at its own numbers and
-/// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null.
-std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
-                                                const Request& request,
-                                                const OverConstrained& excess) {
-  std::vector<FeatureIndex> features;
-  for (const plan::RedundantJoint& joint : part.redundant) {
-    features.insert(features.end(), {joint.one, joint.other});
-  }
-  const auto planned_with = [&](const Mechanism& whole) {
-    PlanData data = *planned_whole(whole, request, part.structure, features);
-    data.redundant = part.redundant;
-    data.excess = excess;
-    return std::make_shared<const PlanData>(std::move(data));
-  };
-  constexpr double on = 0.01;
-  const std::shared_ptr<const PlanData> plan = planned_with(part.mechanism);
-  const bool goes_on = part.mechanism.drivers().empty() ||
-                       holds(planned_with(part.mechanism.driven_on(on))) ||
-                       holds(planned_with(part.mechanism.driven_on(-on)));
-  return goes_on && holds(plan) ? plan : nullptr;
-}
-
-/// Of a mechanism with constraints that hold where the others do. Without whole joints its groups
-/// are the smallest, but they may move freely where the mechanism does not, as a coupler does on
-/// parallel cranks.
-std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
-                                                        const Request& request,
-                                                        const OverConstrained& excess) {
-  for (const plan::LeftOut most : {plan::LeftOut::joints, plan::LeftOut::constraints}) {
-    for (const plan::BalancedMechanism& part : plan::balanced(mechanism, excess, most)) {
-      if (auto plan = planned_without(part, request, excess)) {
-        return plan;
-      }
-    }
-  }
-  throw OverConstrained(excess);
-}
-
 std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Request& request) {
   expect_usable(mechanism, request);
   expect_few_parameters(mechanism, request);
@@ -299,12 +239,13 @@ std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& 
   return passed;
 }
 
-std::vector<std::string> Plan::redundant() const {
-  std::vector<std::string> names;
-  for (const plan::RedundantJoint& joint : data_->redundant) {
-    names.push_back(joint.name);
-  }
-  return names;
+const std::vector<RedundantJoint>& Plan::redundant() const { return data_->redundant; }
+
+bool Plan::is_stand_in(JointIndex joint) const {
+  return std::ranges::any_of(data_->redundant, [&](const RedundantJoint& redundant) {
+    const std::vector<FeatureIndex>& between = mechanism().joints()[joint].between;
+    return std::ranges::find(between, redundant.slot) != between.end();
+  });
 }
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {

@@ -1,20 +1,19 @@
 #include "redundant_joints.hpp"
 
 #include <algorithm>
+#include <array>
+#include <assur/support/redundant.hpp>
+#include <assur/text/names.hpp>
 #include <cmath>
+#include <limits>
 
-#include "plan/plan_data.hpp"
+#include "group_words.hpp"
 
 namespace assur::mechanism::solve {
 
 namespace {
 
-/// Of the mechanism's size: what rounding may leave of a configuration that is regular, or is not.
-constexpr double rounding_where_regular = 1e-11;
-constexpr double rounding_where_singular = 1e-6;
-
-/// Two features in the ground's frame, and the largest length of the mechanism, which goes into
-/// them where they are at the origin too.
+/// Two features in the ground's frame, and the largest coordinate of the mechanism.
 struct Pair {
   Frame one, other;
   bool are_lines;
@@ -22,16 +21,14 @@ struct Pair {
 };
 
 Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
-            const plan::RedundantJoint& joint) {
+            const RedundantJoint& joint) {
   const Mechanism& mechanism = values.plan().mechanism;
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
   Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
-  for (const FeatureIndex feature : {joint.one, joint.other}) {
-    const Pose<double>& local = values.frame(feature).pose;
-    pair.size = std::max({pair.size, std::abs(local.x), std::abs(local.y)});
-  }
+  const std::array features = {pair.one.pose, pair.other.pose};
+  pair.size = support::largest_coordinate(features);
   for (const Frame& link : links) {
     pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y)});
   }
@@ -53,39 +50,83 @@ Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
   return fastest;
 }
 
-bool holds(const Values& values, const Table<LinkIndex, Frame>& links,
-           const plan::RedundantJoint& joint, bool is_regular, bool rates_known) {
-  const Pair pair = placed(values, links, joint);
-  const Pose<double>& one = pair.one.pose;
-  const Pose<double>& other = pair.other.pose;
-  const double relative = is_regular ? rounding_where_regular : rounding_where_singular;
+/// How far rounding, or the tolerance that the request states, lets them be apart.
+double tolerance_of(const Values& values, double size, Status regularity) {
   const NumberIndex given = values.plan().request.redundancy_tolerance;
-  const double tolerance =
-      std::max(relative * pair.size, given.exists() ? values.number(given).value() : 0);
-  const Eigen::Vector2d arm(other.x - one.x, other.y - one.y);
+  return std::max(support::redundancy_slack(size, regularity),
+                  given.exists() ? values.number(given).value() : 0);
+}
+
+double gap_of(const Pair& pair) {
+  return pair.are_lines ? support::lines_apart(pair.one.pose, pair.other.pose, pair.size)
+                        : support::points_apart(pair.one.pose, pair.other.pose);
+}
+
+bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const Pair& pair) {
   const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
+  if (!rate.allFinite() || values.plan().request.redundancy_tolerance.exists()) {
+    return true;
+  }
   constexpr double rounding_of_rates = 1e-8;
   const Fastest fastest = fastest_of(links, pair.size);
-  const bool has_rates = rates_known && rate.allFinite() && !given.exists();
-  if (pair.are_lines) {
-    const Direction<double>& along = one.direction;
-    const double across = along.cos * arm.y() - along.sin * arm.x();
-    const double sine = turned(other.direction, reversed(along)).sin;
-    const double turning = pair.other.velocity(2) - pair.one.velocity(2);
-    return std::abs(across) <= tolerance && std::abs(sine) * pair.size <= tolerance &&
-           (!has_rates || std::abs(turning) <= rounding_of_rates * fastest.turning);
+  const double turning = pair.other.velocity(2) - pair.one.velocity(2);
+  return pair.are_lines ? std::abs(turning) <= rounding_of_rates * fastest.turning
+                        : rate.norm() <= rounding_of_rates * fastest.speed;
+}
+
+/// What is said of a mechanism with too many constraints, and what it does without them.
+OverConstrained refused(const PlanData& plan, const std::string& without) {
+  std::vector<std::string> names;
+  for (const RedundantJoint& joint : plan.redundant) {
+    if (std::ranges::find(names, joint.name) == names.end()) {
+      names.push_back(joint.name);
+    }
   }
-  return arm.norm() <= tolerance &&
-         (!has_rates || rate.norm() <= rounding_of_rates * fastest.speed);
+  return {"",
+          std::string(plan.excess->what()) + "; without constraints of " + text::listed(names) +
+              " it " + without,
+          plan.excess->surplus, plan.excess->joints};
 }
 
 }  // namespace
 
+double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
+                        Status regularity) {
+  double worst = 0;
+  for (const RedundantJoint& joint : values.plan().redundant) {
+    const Pair pair = placed(values, links, joint);
+    const double gap = gap_of(pair);
+    if (!std::isfinite(gap)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    if (gap > tolerance_of(values, pair.size, regularity)) {
+      worst = std::max(worst, gap);
+    }
+  }
+  return worst;
+}
+
 bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                        Status regularity, bool rates_known) {
-  return std::ranges::all_of(values.plan().redundant, [&](const plan::RedundantJoint& joint) {
-    return holds(values, links, joint, regularity == Status::ok, rates_known);
-  });
+  return gap_of_redundant(values, links, regularity) == 0 &&
+         (!rates_known ||
+          std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+            return goes_on(values, links, placed(values, links, joint));
+          }));
+}
+
+OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
+  OverConstrained refusal = refused(
+      plan, gap > 0
+                ? "can be assembled, and they fail to hold by " + short_number(gap) + " at least"
+                : "can be assembled, and they hold there, but not where the drivers "
+                  "go on");
+  refusal.gap = gap;
+  return refusal;
+}
+
+OverConstrained refusal_without_assembly(const PlanData& plan) {
+  return refused(plan, "cannot be assembled either");
 }
 
 }  // namespace assur::mechanism::solve

@@ -1,9 +1,12 @@
 // Turns places of links into whether joints beyond those that determine them hold.
 #pragma once
 
+#include <assur/mechanism/error.hpp>
 #include <assur/mechanism/frame.hpp>
 #include <assur/mechanism/values.hpp>
 #include <assur/status.hpp>
+
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -11,5 +14,17 @@ namespace assur::mechanism::solve {
 /// states, and whether their rates do where these are known.
 [[nodiscard]] bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                                      Status regularity, bool rates_known);
+
+/// By how much the worst of them fails to close, in the scene's unit; zero where all do, to
+/// rounding or to the tolerance.
+[[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
+                                      Status regularity);
+
+/// What is said of a mechanism whose redundant joints fail to close by a gap at least; if that is
+/// zero, they close at its own numbers alone.
+[[nodiscard]] OverConstrained refusal_of_redundant(const PlanData& plan, double gap);
+
+/// What is said where the mechanism has no configuration without them either.
+[[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan);
 
 }  // namespace assur::mechanism::solve

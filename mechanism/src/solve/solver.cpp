@@ -121,6 +121,7 @@ class ConfigurationWalk {
     result.breaches.clear();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
     is_inconsistent_ = false;
+    least_gap_ = std::numeric_limits<double>::infinity();
     listed_ = passed_ = 0;
     has_cut_ = false;
     square_ = 0;
@@ -133,7 +134,7 @@ class ConfigurationWalk {
 
   /// Solves the groups from one on, where all before it are placed.
   void descend(std::size_t depth) {
-    if (!placement_.move_driven_links(depth)) {
+    if (!placement_.move_carried_links(depth)) {
       ++solution_->dropped;
       solution_->drop_reason = placement_.flaw();
       return;
@@ -241,6 +242,8 @@ class ConfigurationWalk {
         holds_redundantly(values_, placed_.links, placed_.regularity, placed_.rates_known);
     if (!is_consistent && search_.within_limits) {
       is_inconsistent_ = true;
+      least_gap_ =
+          std::min(least_gap_, gap_of_redundant(values_, placed_.links, placed_.regularity));
       return;
     }
     if (nearness_.is_sought()) {
@@ -291,7 +294,7 @@ class ConfigurationWalk {
       return;
     }
     if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty()) {
-      throw OverConstrained(*plan_.excess);
+      throw refusal_of_redundant(plan_, least_gap_);
     }
     if (solution_->configurations.empty() && solution_->dropped > 0 &&
         solution_->families.empty() && search_.within_limits && solution_->left_out == 0) {
@@ -351,6 +354,7 @@ class ConfigurationWalk {
   bool has_cut_ = false;          ///< whether something was
   Solution* solution_ = nullptr;  ///< that is being written
   bool is_inconsistent_ = false;  ///< constraints that are too many did not hold somewhere
+  double least_gap_ = 0;          ///< by which they did not
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   std::vector<std::vector<JointIndex>> limited_;  ///< by the groups before them
   bool has_limits_ = false;

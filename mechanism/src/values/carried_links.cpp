@@ -8,29 +8,29 @@
 
 namespace assur::mechanism {
 
-void Values::evaluate_driven_frames() {
-  driven_frames_.clear();
-  driven_roundings_.assign(plan_->structure.driven.size(), {});
-  for (const DrivenLink& link : plan_->structure.driven) {
+void Values::evaluate_carried_frames() {
+  carried_frames_.clear();
+  carried_roundings_.assign(plan_->structure.carried.size(), {});
+  for (const CarriedLink& link : plan_->structure.carried) {
     if (link.group.exists()) {
-      driven_frames_.push_back(
+      carried_frames_.push_back(
           Frame::identity(static_cast<Eigen::Index>(columns().size()), second_order()));
-      driven_frames_.back().pose.x = driven_frames_.back().pose.y =
+      carried_frames_.back().pose.x = carried_frames_.back().pose.y =
           std::numeric_limits<double>::quiet_NaN();
       continue;
     }
     const ElementaryJoint& at = plan_->structure.linkage.joints[link.joint];
     const LinkFeature<Dual> on = feature(at.on(link.to), at.prismatic);
-    driven_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
+    carried_frames_.push_back(Frame::at(inverse<Dual>({on.x, on.y, on.along})));
     if (moves(at.on(link.to))) {
       const LinkFeature<Dual> moving = in_time(at.on(link.to), at.prismatic);
-      driven_frames_.back().move(inverse<Dual>({moving.x, moving.y, moving.along}));
+      carried_frames_.back().move(inverse<Dual>({moving.x, moving.y, moving.along}));
     }
   }
 }
 
-std::size_t Values::place_of(const DrivenLink& link) const {
-  return static_cast<std::size_t>(&link - plan_->structure.driven.data());
+std::size_t Values::place_of(const CarriedLink& link) const {
+  return static_cast<std::size_t>(&link - plan_->structure.carried.data());
 }
 
 LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) const {
@@ -39,11 +39,11 @@ LinkFeature<Dual> Values::feature(const ElementaryJoint& at, LinkIndex link) con
   };
   return carried_feature<Dual>(
       plan_->structure, at, link, feature_of,
-      [&](const LinkFeature<Dual>& carried, const DrivenLink& driven) {
-        return driven.group.exists()
-                   ? placed_feature(carried, driven_frames_[place_of(driven)].to_parameters())
-                   : moved_feature(carried, plan_->structure, driven, feature_of,
-                                   motions_[driven.driver].position);
+      [&](const LinkFeature<Dual>& feature, const CarriedLink& carried) {
+        return carried.group.exists()
+                   ? placed_feature(feature, carried_frames_[place_of(carried)].to_parameters())
+                   : moved_feature(feature, plan_->structure, carried, feature_of,
+                                   motions_[carried.driver].position);
       });
 }
 
@@ -53,24 +53,24 @@ support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link
     return rounding(at.on(link));
   }
   using support::Displacement;
-  const DrivenLink& driven = *plan_->structure.driven_link(holder);
+  const CarriedLink& carried = *plan_->structure.carried_link(holder);
   const auto size_of = [this](FeatureIndex feature) {
     const Pose<double>& pose = frame(feature).pose;
     return std::abs(pose.x) + std::abs(pose.y);
   };
   ElementaryJoint nearer = at;
-  (link == at.first ? nearer.holder_first : nearer.holder_second) = driven.from;
-  if (driven.group.exists()) {
-    return driven_roundings_[place_of(driven)].carries(size_of(at.on(link)), 0,
-                                                       rounding(nearer, link));
+  (link == at.first ? nearer.holder_first : nearer.holder_second) = carried.from;
+  if (carried.group.exists()) {
+    return carried_roundings_[place_of(carried)].carries(size_of(at.on(link)), 0,
+                                                         rounding(nearer, link));
   }
-  const ElementaryJoint& joint = plan_->structure.linkage.joints[driven.joint];
-  const double position = std::abs(motions_[driven.driver].position.value());
+  const ElementaryJoint& joint = plan_->structure.linkage.joints[carried.joint];
+  const double position = std::abs(motions_[carried.driver].position.value());
   // The longest lever about which the driver turns it, and what it slides by.
-  const double lever = size_of(at.on(link)) + size_of(joint.on(driven.to));
+  const double lever = size_of(at.on(link)) + size_of(joint.on(carried.to));
   return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
-      .carries(lever, 0, rounding(joint.on(driven.from)))
-      .carries(0, 0, rounding(joint.on(driven.to)))
+      .carries(lever, 0, rounding(joint.on(carried.from)))
+      .carries(0, 0, rounding(joint.on(carried.to)))
       .carries(0, 0, rounding(nearer, link));
 }
 
@@ -84,10 +84,10 @@ void Values::settle(DriverIndex driver,
 
 void Values::settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
                     const Table<LinkIndex, support::Displacement>& displaced) {
-  for (const DrivenLink& link : plan_->structure.driven) {
+  for (const CarriedLink& link : plan_->structure.carried) {
     if (link.group == group) {
-      driven_frames_[place_of(link)] = links[link.to];
-      driven_roundings_[place_of(link)] = displaced[link.to];
+      carried_frames_[place_of(link)] = links[link.to];
+      carried_roundings_[place_of(link)] = displaced[link.to];
     }
   }
   for (const GroupIndex shaped : plan::groups_carried_by(group, *plan_)) {

@@ -87,8 +87,8 @@ Eigen::MatrixXd covariance_matrix(const Covariance& given, const Values& values,
   const Eigen::MatrixXd related = correlations(matrix);
   if (!is_semi_definite(related, static_cast<double>(size) * entry_rounding)) {
     throw MechanismError("covariance.matrix",
-                         "not positive semi-definite, so no parameters vary so: the matrix of "
-                         "correlations has the eigenvalue " +
+                         "no parameters can vary like this: the matrix is not positive "
+                         "semi-definite, for that of correlations has the eigenvalue " +
                              shown(smallest_eigenvalue(related)));
   }
   const auto count = static_cast<Eigen::Index>(parameter_count);

@@ -121,13 +121,13 @@ LinkFeature<Dual> Values::in_time(const ElementaryJoint& at, LinkIndex link) con
   };
   return carried_feature<Dual>(
       plan_->structure, at, link, feature_of,
-      [&](const LinkFeature<Dual>& carried, const DrivenLink& driven) {
-        if (driven.group.exists()) {
-          return placed_feature(carried, driven_frames_[place_of(driven)].in_time());
+      [&](const LinkFeature<Dual>& feature, const CarriedLink& carried) {
+        if (carried.group.exists()) {
+          return placed_feature(feature, carried_frames_[place_of(carried)].in_time());
         }
-        const JointMotion& motion = motions_[driven.driver];
+        const JointMotion& motion = motions_[carried.driver];
         return moved_feature(
-            carried, plan_->structure, driven, feature_of,
+            feature, plan_->structure, carried, feature_of,
             values::in_time(motion.position.value(), motion.velocity, motion.acceleration));
       });
 }

@@ -73,7 +73,7 @@ void Values::evaluate() {
     evaluate_feature(feature);
   }
   expect_unit();
-  evaluate_driven_frames();
+  evaluate_carried_frames();
   for (const GroupIndex group : groups_.keys()) {
     evaluate_group(group);
   }
@@ -169,7 +169,7 @@ void Values::evaluate_again(const Dependents& dependents) {
     evaluate_feature(feature);
   }
   if (!dependents.features.empty()) {
-    evaluate_driven_frames();
+    evaluate_carried_frames();
   }
   for (const GroupIndex group : dependents.groups) {
     evaluate_group(group);
@@ -301,7 +301,7 @@ void Values::evaluate_feature(FeatureIndex index) {
     if (dx.value() == 0 && dy.value() == 0) {
       const std::string link = plan_->mechanism.links()[feature.link].name;
       throw MechanismError("links." + link + "." + feature.name + ".along",
-                           "a direction [0, 0] has no sense");
+                           "[0, 0] is no direction; one of the numbers must not be zero");
     }
     result.along = unit_direction(dx, dy);
   }

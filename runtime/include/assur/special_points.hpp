@@ -68,11 +68,11 @@ class SpecialPointSystem {
 
   /// Whether the points are known, even where the rates are not.
   [[nodiscard]] bool has_points() const { return solvable() || status_ == Status::singular; }
-  /// The special points, one row a closure link, from the origin of its link's frame.
+  /// The special points, one row per closure link, from the origin of its link's frame.
   [[nodiscard]] const Matrix<Scalar, points, 2>& places() const { return points_; }
-  /// The unit normals of the lines, one row a side.
+  /// The unit normals of the lines, one row per side.
   [[nodiscard]] const Matrix<Scalar, sides, 2>& normals() const { return normals_; }
-  /// L, one row a side.
+  /// L, one row per side.
   [[nodiscard]] const Matrix<Scalar, sides, size>& lengths() const { return lengths_; }
   /// The smallest |n_1 x n_2|, the sine of the angle between the lines of a point.
   [[nodiscard]] Scalar smallest_sine() const { return smallest_sine_; }
@@ -184,7 +184,7 @@ class SpecialPointSystem {
   Eigen::PartialPivLU<Matrix<Scalar, size, size>> factors_;
 };
 
-/// The special points in the fixed frame, one row a closure link in the order of the links. The
+/// The special points in the fixed frame, one row per closure link in the order of the links. The
 /// result is set where the status is ok, near_singular or singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status special_points(const typename Model::template Dimensions<Scalar>& d,

@@ -103,9 +103,11 @@ TEST(Laws, WithoutAValueAreNamed) {
 TEST(Drivers, TooManyAreNamed) {
   Json scene = robot();
   scene["drivers"]["D"]["position"] = 1;
-  EXPECT_EQ(message_of(scene),
-            "scene: joints: over-constrained by 1: the joints B, C hold the links coupler more "
-            "often than they can move; take a joint or a driver away");
+  EXPECT_EQ(
+      message_of(scene),
+      "scene: joints: over-constrained by 1: the joints B, C hold the links coupler more "
+      "often than they can move; take a joint or a driver away; without constraints of B it can be "
+      "assembled, and they fail to hold by 0.475 at least");
 }
 
 TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
@@ -113,14 +115,17 @@ TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
   scene["joints"]["F"] = {{"type", "revolute"}, {"between", {"coupler.F", "arm.F"}}};
   EXPECT_EQ(message_of(scene),
             "scene: joints: over-constrained by 2: the joints F join links that drivers tie "
-            "together; take a joint or a driver away");
+            "together; take a joint or a driver away; without constraints of F it can be "
+            "assembled, and they fail to hold by 1.71 at least");
   scene = robot();
   scene["drivers"].erase("G");
   scene["joints"]["G"]["between"].push_back("coupler.F");
-  EXPECT_EQ(message_of(scene),
-            "scene: joints: over-constrained by 2: the joints G join links that drivers tie "
-            "together; take a joint or a driver away; elsewhere under-constrained by 1: the links "
-            "hand keep a freedom; drive one of their joints, or add a joint");
+  EXPECT_EQ(
+      message_of(scene),
+      "scene: joints: over-constrained by 2: the joints G join links that drivers tie "
+      "together; take a joint or a driver away; elsewhere under-constrained by 1: the links "
+      "hand keep a freedom; drive one of their joints, or add a joint; without constraints of G "
+      "it cannot be assembled either");
 }
 
 TEST(Joints, WithBothEndsOnOneLinkAreNamed) {

@@ -107,7 +107,7 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
   for (const mechanism::FoundGroup& group : structure.groups) {
     tally.relative_groups += group.base.exists() ? 1 : 0;
   }
-  for (const mechanism::DrivenLink& link : structure.driven) {
+  for (const mechanism::CarriedLink& link : structure.carried) {
     tally.driven_in_groups += link.driver.exists() && !placed[link.to] ? 1 : 0;
   }
 }

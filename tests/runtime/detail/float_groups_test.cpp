@@ -4,12 +4,12 @@
 #include <cmath>
 #include <iostream>
 #include <limits>
-#include <random>
 #include <type_traits>
 #include <vector>
 
 #include "largest.hpp"
 #include "runtime/compiled_models.hpp"
+#include "runtime/drawn_groups.hpp"
 #include "runtime/model_types.hpp"
 #include "whole_campaign.hpp"
 
@@ -19,44 +19,6 @@ namespace {
 constexpr unsigned seed = 1702;
 /// `ctest -L long` draws the whole.
 const int samples = is_whole_campaign() ? 10000 : 100;
-
-/// Random groups in float: in general position, or with joints on a lattice, links in a row and
-/// slides along few directions.
-class Draws {
- public:
-  Draws(unsigned start, bool on_lattice) : random_(start), on_lattice_(on_lattice) {}
-
-  template <typename Variables>
-  [[nodiscard]] Variables variables() {
-    Variables result;
-    for_each_member(result, [this](auto& member, std::size_t) { draw(member); });
-    return result;
-  }
-
- private:
-  void draw(float& length) {
-    length = on_lattice_ ? static_cast<float>(std::uniform_int_distribution<int>(-3, 3)(random_))
-                         : std::uniform_real_distribution<float>(-2, 2)(random_);
-  }
-  void draw(Direction<float>& angle) {
-    constexpr double pi = 3.14159265358979;
-    double theta = std::uniform_real_distribution<double>(-pi, pi)(random_);
-    if (on_lattice_) {
-      const int quarter = std::uniform_int_distribution<int>(0, 3)(random_);
-      const bool is_pythagorean = std::uniform_int_distribution<int>(0, 3)(random_) == 0;
-      theta = quarter * pi / 2 + (is_pythagorean ? std::atan2(3.0, 4.0) : 0);
-    }
-    angle = direction_of(static_cast<float>(theta));
-    if (on_lattice_) {
-      for (float* part : {&angle.cos, &angle.sin}) {
-        *part = std::abs(*part) < 1e-3F ? 0.0F : *part;
-      }
-    }
-  }
-
-  std::mt19937 random_;
-  bool on_lattice_;
-};
 
 /// What was seen of one model.
 struct Seen {
@@ -245,7 +207,7 @@ TYPED_TEST_SUITE(FloatGroups, AllModels, ModelNames);
 template <typename Model>
 void compare_with_double(bool on_lattice) {
   if constexpr (Model::rigid) {
-    Draws draws(seed + static_cast<unsigned>(Model::number), on_lattice);
+    DrawnGroups<float> draws(seed + static_cast<unsigned>(Model::number), on_lattice);
     Comparison<Model> comparison;
     for (int sample = 0; sample < samples; ++sample) {
       const auto d = draws.template variables<typename Model::template Dimensions<float>>();

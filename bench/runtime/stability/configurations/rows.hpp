@@ -84,15 +84,17 @@ void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& m
   row.invented += static_cast<int>(std::count(taken.begin(), taken.end(), false));
 }
 
-/// The first of the methods is the library. False if the truth of some member is not vouched for.
+/// Of so many members at each distance. The first of the methods is the library. False if the truth
+/// of some member is not vouched for.
 template <typename Family>
 [[nodiscard]] bool append_listing_rows(
-    const std::vector<ListingMethod<typename Family::Model>>& list, std::vector<ListingRow>& rows) {
+    const std::vector<ListingMethod<typename Family::Model>>& list, std::vector<ListingRow>& rows,
+    int members = members_per_distance) {
   using Model = typename Family::Model;
   bool is_vouched = true;
   for (const double distance : configuration_distances()) {
     std::vector<ListingRow> of_methods(list.size());
-    for (int number = 0; number < members_per_distance; ++number) {
+    for (int number = 0; number < members; ++number) {
       const auto member = make_configuration_member<Family>(number, distance);
       is_vouched = is_vouched && member.is_vouched;
       for (std::size_t method = 0; method < list.size(); ++method) {

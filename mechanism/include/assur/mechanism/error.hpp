@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/text/error.hpp>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -36,6 +37,8 @@ class OverConstrained : public MechanismError {
 
   int surplus;                      ///< constraints that are too many
   std::vector<std::string> joints;  ///< among which they are
+  /// By how much those fail to close at least, where the mechanism without them can be assembled.
+  double gap = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace assur::mechanism

@@ -76,19 +76,18 @@ template <typename Scalar>
   return result;
 }
 
-/// A feature of a driven link in the frame of the link that carries it. `feature_of(feature,
+/// A feature of a carried link in the frame of the link that carries it. `feature_of(feature,
 /// is_line)` is a feature in its own link's frame, `position` where the driver's law puts the
 /// joint.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
-                                                const Structure& structure,
-                                                const DrivenLink& driven,
+                                                const Structure& structure, const CarriedLink& link,
                                                 const FeatureOf& feature_of,
                                                 const Scalar& position) {
-  const ElementaryJoint& joint = structure.linkage.joints[driven.joint];
-  return moved_feature(feature, feature_of(joint.on(driven.from), joint.prismatic),
-                       feature_of(joint.on(driven.to), joint.prismatic), joint.prismatic,
-                       joint.first == driven.from ? position : Scalar(-position));
+  const ElementaryJoint& joint = structure.linkage.joints[link.joint];
+  return moved_feature(feature, feature_of(joint.on(link.from), joint.prismatic),
+                       feature_of(joint.on(link.to), joint.prismatic), joint.prismatic,
+                       joint.first == link.from ? position : Scalar(-position));
 }
 
 /// A feature of a link that stands in a frame, in the outer frame of that one.
@@ -105,7 +104,7 @@ template <typename Scalar>
 
 /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
 /// `feature_of(feature, is_line)` is a feature in its own link's frame, `carried(feature, link)`
-/// one of a driven link in the frame of the link that carries it.
+/// one of a carried link in the frame of the link that carries it.
 template <typename Scalar, typename FeatureOf, typename Carried>
 [[nodiscard]] LinkFeature<Scalar> carried_feature(const Structure& structure,
                                                   const ElementaryJoint& at, LinkIndex link,
@@ -113,9 +112,9 @@ template <typename Scalar, typename FeatureOf, typename Carried>
                                                   const Carried& carried) {
   LinkFeature<Scalar> result = feature_of(at.on(link), at.prismatic);
   for (LinkIndex holder = at.holder(link); holder != link;) {
-    const DrivenLink& driven = *structure.driven_link(holder);
-    result = carried(result, driven);
-    holder = driven.from;
+    const CarriedLink& next = *structure.carried_link(holder);
+    result = carried(result, next);
+    holder = next.from;
   }
   return result;
 }

@@ -67,7 +67,10 @@ class Plan {
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
   /// The joints that hold where the others do: they have constraints that are left out.
-  [[nodiscard]] std::vector<std::string> redundant() const;
+  [[nodiscard]] const std::vector<RedundantJoint>& redundant() const;
+  /// Whether a joint of `mechanism()` is not one that was described, but a slot that stands for a
+  /// redundant pin.
+  [[nodiscard]] bool is_stand_in(JointIndex joint) const;
   /// Whether a number depends on a parameter that has rates in time.
   [[nodiscard]] bool has_rates(NumberIndex number) const;
   /// Throws MechanismError for values of another plan, or that were left by a refused

@@ -1,4 +1,4 @@
-// Turns a mechanism into the order in which its links are placed: driven links and Assur groups.
+// Turns a mechanism into the order in which its links are placed: carried links and Assur groups.
 #pragma once
 
 #include <assur/mechanism/group_model.hpp>
@@ -58,7 +58,7 @@ using GroupIndex = Index<struct FoundGroup>;
 
 /// A link whose place against another one is known before that one is placed: a driver moves it
 /// there, or it is of a group that is solved relative to that one.
-struct DrivenLink {
+struct CarriedLink {
   DriverIndex driver;          ///< none where a group places it
   ElementaryJointIndex joint;  ///< with the driver
   LinkIndex from, to;
@@ -67,10 +67,18 @@ struct DrivenLink {
                                   ///< ground that carries it
 };
 
+/// A pin or slide that must hold where the other joints do: two features, of one sort, that
+/// coincide. Its constraints are left out of the mechanism that is solved.
+struct RedundantJoint {
+  std::string name;
+  FeatureIndex one, other;
+  FeatureIndex slot = {};  ///< a line in which the pin slides instead; none where nothing is left
+};
+
 /// A driver whose law reads where links are.
 struct ReadingDriver {
   DriverIndex driver;
-  /// How many groups, and driven links, are placed before the law can be evaluated.
+  /// How many groups, and carried links, are placed before the law can be evaluated.
   std::size_t groups_before, links_before;
   std::vector<LinkIndex> reads;  ///< the links at the joints that it reads
 };
@@ -112,8 +120,8 @@ struct NamedParts {
 
 /// The order in which the links of a mechanism are placed.
 struct Structure {
-  Linkage linkage;                 ///< with every pin of several links as joints of two
-  std::vector<DrivenLink> driven;  ///< in the order in which they are placed
+  Linkage linkage;                   ///< with every pin of several links as joints of two
+  std::vector<CarriedLink> carried;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
   std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads
   std::vector<ReadingDriver> reading;  ///< in the order in which they can be evaluated
@@ -136,13 +144,13 @@ struct Structure {
   [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
-  /// The driven links, by their places, that the base of a group carries when the group is solved;
+  /// The carried links, by their places, that the base of a group carries when the group is solved;
   /// none where it has no base.
   [[nodiscard]] std::vector<std::size_t> carried_by_base(GroupIndex group) const;
   /// Whether groups are solved relative to links that move.
   [[nodiscard]] bool has_relative_groups() const;
-  /// The driven link that is this one; null if nothing carries it.
-  [[nodiscard]] const DrivenLink* driven_link(LinkIndex link) const;
+  /// The carried link that is this one; null if nothing carries it.
+  [[nodiscard]] const CarriedLink* carried_link(LinkIndex link) const;
 };
 
 /// The joints that the law of a driver names, and those that the laws of these name.

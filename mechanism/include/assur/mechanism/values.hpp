@@ -84,12 +84,14 @@ class Values {
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
   }
-  /// Of a driven link, by its place among them: its own frame, in that of the driven joint on it.
-  /// Where a group places it, in that of the link that carries it, once the group is settled; and
-  /// how far rounding may have displaced it there.
-  [[nodiscard]] const Frame& driven_frame(std::size_t place) const { return driven_frames_[place]; }
-  [[nodiscard]] const support::Displacement& driven_rounding(std::size_t place) const {
-    return driven_roundings_[place];
+  /// Of a carried link, by its place among them: its own frame, in that of the driven joint on it,
+  /// or in that of the base of its group. Where a group places it, in that of the link that carries
+  /// it, once the group is settled; and how far rounding may have displaced it there.
+  [[nodiscard]] const Frame& carried_frame(std::size_t place) const {
+    return carried_frames_[place];
+  }
+  [[nodiscard]] const support::Displacement& carried_rounding(std::size_t place) const {
+    return carried_roundings_[place];
   }
   /// How far rounding may have moved and turned a feature on its link, beyond that of its own
   /// coordinates.
@@ -126,9 +128,9 @@ class Values {
   void evaluate_parameter_in_time(ParameterIndex parameter);
   void evaluate_driver(DriverIndex driver,
                        const std::function<JointMotion(JointIndex)>& coordinate_of);
-  void evaluate_driven_frames();
-  /// The place of a driven link among them.
-  [[nodiscard]] std::size_t place_of(const DrivenLink& link) const;
+  void evaluate_carried_frames();
+  /// The place of a carried link among them.
+  [[nodiscard]] std::size_t place_of(const CarriedLink& link) const;
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(
@@ -166,8 +168,8 @@ class Values {
   Table<FeatureIndex, Frame> frames_;
   Table<FeatureIndex, support::Displacement> roundings_;
   Frame block_;
-  std::vector<Frame> driven_frames_;
-  std::vector<support::Displacement> driven_roundings_;
+  std::vector<Frame> carried_frames_;
+  std::vector<support::Displacement> carried_roundings_;
   Table<GroupIndex, GroupGeometry<Dual>> groups_;
   Spread spread_;
   bool usable_ = true;

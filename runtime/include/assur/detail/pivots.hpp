@@ -86,9 +86,8 @@ template <typename Scalar>
 }
 
 /// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
-template <typename Model, typename Scalar>
-[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
-                              typename numeric::PartOf<Scalar>::Type rounding) {
+template <typename Model, typename Scalar, typename Rounding>
+[[nodiscard]] auto are_regular(const Pivots<Model, Scalar>& pivots, const Rounding& rounding) {
   Scalar core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
   Scalar lost = Scalar(rounding) * pivots.terms;
   for (int index = 0; index < Model::core_pivot_count; ++index) {
@@ -100,7 +99,14 @@ template <typename Model, typename Scalar>
     regular = regular & (lost * (pivots.sizes(index) * pivots.sizes(index)) <
                          core * (pivots.values(index) * pivots.values(index)));
   }
-  return static_cast<bool>(regular);
+  return regular;
+}
+
+/// The same of all numbers of a pack at once.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
+                              typename numeric::PartOf<Scalar>::Type rounding) {
+  return static_cast<bool>(are_regular<Model>(pivots, rounding));
 }
 
 /// Whether second rates keep as many digits too, whatever moves: they divide by the firmness once

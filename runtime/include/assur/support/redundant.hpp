@@ -1,0 +1,60 @@
+// Turns the places of two features that other joints bring together into how far they are apart.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/directions.hpp>
+#include <assur/model.hpp>
+#include <assur/status.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace assur::support {
+
+/// A frame that stands in another one.
+template <typename Scalar>
+[[nodiscard]] Pose<Scalar> pose_in(const Pose<Scalar>& frame, const Pose<Scalar>& inner) {
+  const auto& [c, s] = frame.direction;
+  return {frame.x + c * inner.x - s * inner.y, frame.y + s * inner.x + c * inner.y,
+          turned(inner.direction, frame.direction)};
+}
+
+/// The largest coordinate of frames: rounding of all places is a part of it.
+template <typename Scalar, std::size_t Count>
+[[nodiscard]] Scalar largest_coordinate(const std::array<Pose<Scalar>, Count>& frames) {
+  Scalar largest = 0;
+  for (const Pose<Scalar>& frame : frames) {
+    largest = (std::max)({largest, std::abs(frame.x), std::abs(frame.y)});
+  }
+  return largest;
+}
+
+/// How far apart rounding may leave features in a mechanism of a size, where its configuration is
+/// regular and where it is not.
+template <typename Scalar>
+[[nodiscard]] Scalar redundancy_slack(Scalar size, Status regularity) {
+  constexpr bool is_fine = std::numeric_limits<Scalar>::epsilon() < 1e-12;
+  constexpr auto where_regular = static_cast<Scalar>(is_fine ? 1e-11 : 1e-4);
+  constexpr auto where_singular = static_cast<Scalar>(is_fine ? 1e-6 : 1e-2);
+  return (regularity == Status::ok ? where_regular : where_singular) * size;
+}
+
+/// The distance of two points, of which each is a frame's origin.
+template <typename Scalar>
+[[nodiscard]] Scalar points_apart(const Pose<Scalar>& one, const Pose<Scalar>& other) {
+  return std::hypot(other.x - one.x, other.y - one.y);
+}
+
+/// How far lines, each a frame's x-axis, are apart: the larger of the second one's distance from
+/// the first, and of how far they part over a mechanism's size.
+template <typename Scalar>
+[[nodiscard]] Scalar lines_apart(const Pose<Scalar>& one, const Pose<Scalar>& other, Scalar size) {
+  const auto& [c, s] = one.direction;
+  const Scalar across = c * (other.y - one.y) - s * (other.x - one.x);
+  const Scalar sine = turned(other.direction, reversed(one.direction)).sin;
+  const Scalar parting = std::abs(sine) * size;
+  return std::isnan(parting) ? parting : (std::max)(std::abs(across), parting);
+}
+
+}  // namespace assur::support

@@ -1,0 +1,131 @@
+// Law: the solver emitted for a scene with redundant joints does without their constraints, says
+// so, and finds the configurations in which they hold.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "generator/solver_comparison.hpp"
+#include "mechanism/scene_maker.hpp"
+
+namespace assur::test::emit_redundant_test {
+namespace {
+
+/// A coupler on three parallel cranks of a length, the third of which is a parameter.
+SceneMaker three_cranks() {
+  SceneMaker scene;
+  scene.bar("ground", {{"A", 0}, {"D", 4}, {"F", 2}})
+      .bar("crank", {{"A", 0}, {"B", 1.5}})
+      .bar("coupler", {{"B", 0}, {"C", 4}, {"G", 2}})
+      .bar("rocker", {{"D", 0}, {"C", 1.5}})
+      .bar("third", {{"F", 0}, {"G", 1.5}})
+      .drive("A", 0.7, 2, 0.5);
+  return scene;
+}
+
+TEST(EmitRedundant, SolversFindTheConfigurationsInWhichTheJointsHold) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  nlohmann::ordered_json scene = three_cranks().scene();
+  scene["parameters"]["length"] = {{"value", 1.5}, {"variable", true}};
+  scene["links"]["third"]["G"] = {"length", 0};
+  scene["redundancy"]["tolerance"] = 1e-5;
+  scene["outputs"] = {{"G", "third.G"}};
+  scene["want"] = {"position"};
+  const auto file = directory.write("cranks.json", scene.dump());
+  const CommandResult emitted = run_assur("emit --scene " + file.string() + " --output " + root);
+  EXPECT_EQ(emitted.status, 0);
+  EXPECT_EQ(emitted.messages,
+            "warning: " + file.string() +
+                ": joints.C: constraints of the joint are too many; the solver does without them, "
+                "and leaves out the configurations in which they do not hold\n");
+  const std::string code = read_file(directory.path() / "assur/scenes/cranks.hpp");
+  EXPECT_NE(code.find("/// Constraints of C are too many and left out."), std::string::npos);
+  EXPECT_EQ(code.find("slides."), std::string::npos) << "the slot that stands for C is reported";
+  const auto source = directory.write("driver.cpp", R"(#include <assur/scenes/cranks.hpp>
+#include <cstdio>
+int main() {
+  using S = assur::scenes::Cranks;
+  std::array<S::State<double>, S::max_configurations> states;
+  S::Drivers<double> drivers;
+  S::Parameters<double> parameters;
+  auto branch = S::branch(drivers, parameters, 0);
+  for (const double by : {0.0, 1e-6, -1e-6, 1e-3, -0.1}) {
+    for (int step = 0; step < 5; ++step) {
+      drivers.A.position = 0.4 + 0.2 * step;
+      parameters.length = 1.5 + by;
+      S::State<double> state;
+      const S::Solution found = S::solve(drivers, parameters, states);
+      const S::Track way = S::track(drivers, parameters, branch, state);
+      const auto& output = states[0].outputs.G;
+      std::printf("%d %d %d %.17g\n", found.count, found.left_out,
+                  way.within_limits ? 1 : 0, output.position(0));
+    }
+  }
+}
+)");
+  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", source, directory);
+  ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
+  std::istringstream printed(read_file(directory.path() / "printed"));
+  for (const double by : {0.0, 1e-6, -1e-6, 1e-3, -0.1}) {
+    for (int step = 0; step < 5; ++step) {
+      SCOPED_TRACE(std::to_string(by) + " " + std::to_string(step));
+      const double phi = 0.4 + 0.2 * step;
+      int count = 0;
+      int left_out = 0;
+      int within = 0;
+      double x = 0;
+      printed >> count >> left_out >> within >> x;
+      const bool holds = std::abs(by) < 1e-5;
+      EXPECT_EQ(count, holds ? 1 : 0);
+      EXPECT_GT(left_out, 0);
+      EXPECT_EQ(within, holds ? 1 : 0);
+      if (holds) {
+        EXPECT_NEAR(x, 2 + 1.5 * std::cos(phi), 1e-15 + 4 * std::abs(by));
+      }
+    }
+  }
+}
+
+/// A door on three hinges of which one is driven, a flap on two hinges that a cylinder moves, a ram
+/// in two guides in one line, and three cranks of which the groups have two configurations each.
+std::vector<nlohmann::ordered_json> scenes_with_redundant_joints() {
+  SceneMaker door;
+  SceneMaker flap;
+  for (const std::string hinge : {"H1", "H2"}) {
+    for (SceneMaker* scene : {&door, &flap}) {
+      scene->point("ground", hinge, 1, 2).point("door", hinge, 0.5, 0).point("door", "P", 1.5, 0.2);
+    }
+  }
+  door.point("ground", "H3", 1, 2).point("door", "H3", 0.5, 0).drive("H3", 0.4, 1, 0.5);
+  flap.point("ground", "Q", 0, 0).point("tube", "Q", 0, 0).point("rod", "P", 0, 0);
+  flap.line("tube", "axis", {0, 0}, {1, 0}).line("rod", "axis", {0, 0}, {1, 0});
+  flap.slide("S", "tube.axis", "rod.axis").drive("S", 2.2, 1, 0.5);
+  SceneMaker ram;
+  ram.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 1}}).bar("rod", {{"B", 0}, {"C", 3}});
+  ram.point("ram", "C", 0, 0).drive("A", 0.6, 1, 0.5);
+  for (const auto& [name, x] : {std::pair("S1", 0.0), std::pair("S2", 2.0)}) {
+    ram.line("ground", name, {x, 0.3}, {1, 0}).line("ram", name, {x / 2, 0}, {1, 0});
+    ram.slide(name, "ground." + std::string(name), "ram." + std::string(name));
+  }
+  return {door.scene(), flap.scene(), ram.scene(), three_cranks().scene()};
+}
+
+TEST(EmitRedundant, SolversAgreeWithSolve) {
+  if (!is_whole_campaign()) {
+    GTEST_SKIP() << "four solvers are compiled by `ctest -L long`";
+  }
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes;
+  for (const nlohmann::ordered_json& scene : scenes_with_redundant_joints()) {
+    const std::string stem = "redundant" + std::to_string(scenes.size());
+    scenes.push_back({directory.write(stem + ".json", scene.dump()), stem, struct_of(stem), {}});
+  }
+  for (const int compared : compare_with_solve(scenes)) {
+    EXPECT_GT(compared, 0);
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::emit_redundant_test
