@@ -189,8 +189,9 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "support/(configuration_order|derivative_digits|discriminant|displaced_frame|"
                   "flat_variables|limits|nearest|placed_link|position_polynomial|"
                   "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
-      {"answers at a configuration", std::regex("branch_point|kinematics|normal_form|second_order|"
-                                                "singularity|special_points")},
+      {"answers at a configuration",
+       std::regex("batch_kinematics|branch_point|kinematics|normal_form|second_order|"
+                  "singularity|special_points")},
       {"the searches",
        std::regex("detail/(assembly_order|batch/(closed_pack|general_block|pack_order)|"
                   "branch_step|closed_search|general_search|"

@@ -18,6 +18,7 @@
 #include <assur/assemblies.hpp>
 #include <assur/assembly.hpp>
 #include <assur/batch.hpp>
+#include <assur/batch_kinematics.hpp>
 #include <assur/branch_point.hpp>
 #include <assur/directions.hpp>
 #include <assur/kinematics.hpp>

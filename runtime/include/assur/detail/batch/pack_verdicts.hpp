@@ -1,10 +1,12 @@
 // Turns several groups and configurations into what is certain of each of them.
 #pragma once
 
+#include <array>
 #include <assur/detail/batch/pack_columns.hpp>
 #include <assur/detail/pivots.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
+#include <cstddef>
 #include <limits>
 #include <type_traits>
 
@@ -21,7 +23,17 @@ template <template <typename> class Variables, typename Pack>
   });
   return zero == Pack(0);
 }
+/// Tells where all of many numbers are finite. Each of a few sums waits for a part of them alone.
+template <typename Pack>
+class FiniteNumbers {
+  std::array<Pack, 4> zeros_ = {Pack(0), Pack(0), Pack(0), Pack(0)};
 
+ public:
+  void look_at(const Pack& number, std::size_t place) { zeros_[place % 4] += number * Pack(0); }
+  [[nodiscard]] auto all() const {
+    return (zeros_[0] + zeros_[1]) + (zeros_[2] + zeros_[3]) == Pack(0);
+  }
+};
 /// The longest length of each group, as `longest_length` has it.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] Pack longest_lengths(const Variables<Pack>& variables) {
