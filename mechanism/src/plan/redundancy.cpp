@@ -71,18 +71,32 @@ class Balancer {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
   }
 
+  /// Whether no other joint holds the two links of a redundant one.
+  [[nodiscard]] bool is_alone(const RedundantJoint& redundant) const {
+    const auto holds = [&](const Joint& joint, FeatureIndex at) {
+      return std::ranges::any_of(joint.between, [&](FeatureIndex feature) {
+        return mechanism_.features()[feature].link == mechanism_.features()[at].link;
+      });
+    };
+    return std::ranges::count_if(mechanism_.joints(), [&](const Joint& joint) {
+             return holds(joint, redundant.one) && holds(joint, redundant.other);
+           }) == 1;
+  }
+
   void relax(JointIndex joint, FeatureIndex feature) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
     const RedundantJoint redundant{at.name, other, feature};
-    if (most_ == LeftOut::joints && surplus_ > 1 && at.type != JointType::pin_in_slot) {
-      consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature);
+    const bool whole =
+        most_ == LeftOut::joints || (most_ == LeftOut::doubles && !is_alone(redundant));
+    if (whole && surplus_ > 1 && at.type != JointType::pin_in_slot) {
+      consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature, 2);
     }
     if (at.type == JointType::revolute) {
       for (const FeatureIndex from : points_of(feature)) {
         Step step{mechanism_.with_slot(joint, feature, from), redundant, {}, {}};
         step.redundant.slot = FeatureIndex(mechanism_.features().size());  // the one that it adds
-        consider(std::move(step), feature);
+        consider(std::move(step), feature, 1);
       }
     }
   }
@@ -101,7 +115,8 @@ class Balancer {
     return points;
   }
 
-  void consider(Step step, FeatureIndex feature) {
+  /// `less`: how many constraints less it has. Where not as many less are too many, links are free.
+  void consider(Step step, FeatureIndex feature, int less) {
     try {
       step.structure = structure_of(step.mechanism);
     } catch (const OverConstrained& fault) {
@@ -109,7 +124,7 @@ class Balancer {
     } catch (const MechanismError&) {
       return;
     }
-    if (step.surplus() >= surplus_) {
+    if (step.surplus() > surplus_ - less) {
       return;
     }
     step.link = link_name(feature);
