@@ -10,6 +10,7 @@
 #include "group_branches.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
+#include "redundant_joints.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -138,7 +139,8 @@ class BranchWalk {
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
     const PlacedGroup& here = placed_.groups[group];
     // A group behind a singular one stands as firmly as that does: it was settled to rounding.
-    const double displaced = std::isfinite(here.displaced) ? here.displaced : 0;
+    // Behind others it is displaced by less, or they would have had no branches.
+    const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
          branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
@@ -396,6 +398,9 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     return;
   }
   std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
+  // What the constraints that were left out stop is no motion of the mechanism.
+  std::erase_if(
+      found, [&](const Configuration& branch) { return !moves_redundantly(values, branch.links); });
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;
