@@ -324,7 +324,13 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
 /// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
 /// nor is how such a group shapes others, nor how a driver changes a link whose features hardly
 /// define its frame.
-bool are_known(const Motions& motions, const Values& values) {
+bool are_known(const Motions& motions, const Values& values, const PlacedLinks& placed) {
+  for (const ReadingDriver& reading : values.plan().structure.reading) {
+    if (reading.groups_before > 0 &&
+        !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known) {
+      return false;
+    }
+  }
   for (const GroupIndex group : values.plan().structure.groups.keys()) {
     const Values::GroupNumbers& numbers = values.numbers_of(group);
     if (!precision_of_shape(numbers.firmness).second_rates_known || !numbers.d_rate.allFinite() ||
@@ -382,7 +388,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
     return;
   }
   const Motions motions = along_parameter(values, column);
-  if (!are_known(motions, values)) {
+  if (!are_known(motions, values, placed)) {
     return;
   }
   const std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
@@ -394,7 +400,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
   const Motions motions = in_time(values);
-  if (!are_known(motions, values)) {
+  if (!are_known(motions, values, placed)) {
     return;
   }
   std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
