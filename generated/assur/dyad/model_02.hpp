@@ -67,7 +67,7 @@ struct Model02 {
   static constexpr int first_unknown = 0;    ///< of the final polynomial
   static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
   static constexpr int pivot_count = 1;
-  static constexpr int core_pivot_count = 1;  ///< the first of them: the core's
+  static constexpr int core_pivot_count = 1;  ///< of the core, listed first
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
@@ -383,7 +383,7 @@ struct Model02 {
     P_u(4, 4) = Scalar(1);
   }
 
-  /// Velocity (vx, vy, omega) of each link's frame, one row a link.
+  /// Velocity (vx, vy, omega) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -409,7 +409,7 @@ struct Model02 {
     v(1, 2) = omega_CD;
   }
 
-  /// Acceleration (ax, ay, alpha) of each link's frame, one row a link.
+  /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -444,7 +444,7 @@ struct Model02 {
     a(1, 2) = alpha_CD;
   }
 
-  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
   /// what second rates add goes by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -400,7 +400,7 @@ struct Model06 {
     P_u(5, 2) = Scalar(1);
   }
 
-  /// Velocity (vx, vy, omega) of each link's frame, one row a link.
+  /// Velocity (vx, vy, omega) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -425,7 +425,7 @@ struct Model06 {
     v(1, 2) = omega_B;
   }
 
-  /// Acceleration (ax, ay, alpha) of each link's frame, one row a link.
+  /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_accelerations(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -459,7 +459,7 @@ struct Model06 {
     a(1, 2) = alpha_B;
   }
 
-  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
   /// what second rates add goes by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>&, const Inputs<Scalar>& u,

@@ -608,7 +608,7 @@ struct Model07 {
     P_u(10, 1) = Scalar(1);
   }
 
-  /// Velocity (vx, vy, omega) of each link's frame, one row a link.
+  /// Velocity (vx, vy, omega) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -644,7 +644,7 @@ struct Model07 {
     v(3, 2) = omega_BCG;
   }
 
-  /// Acceleration (ax, ay, alpha) of each link's frame, one row a link.
+  /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -692,7 +692,7 @@ struct Model07 {
     a(3, 2) = alpha_BCG;
   }
 
-  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
   /// what second rates add goes by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,

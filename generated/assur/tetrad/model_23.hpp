@@ -764,7 +764,7 @@ struct Model23 {
     P_u(11, 2) = Scalar(1);
   }
 
-  /// Velocity (vx, vy, omega) of each link's frame, one row a link.
+  /// Velocity (vx, vy, omega) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -813,7 +813,7 @@ struct Model23 {
     v(3, 2) = omega_B;
   }
 
-  /// Acceleration (ax, ay, alpha) of each link's frame, one row a link.
+  /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
   template <typename Scalar>
   static void link_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -883,7 +883,7 @@ struct Model23 {
     a(3, 2) = alpha_B;
   }
 
-  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row a link;
+  /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
   /// what second rates add goes by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
