@@ -1,10 +1,13 @@
 // Turns the data of the page into branches that can be asked where they are at any place of the sweep.
-"use strict";
 
-/** What the page shows at some values of the mechanism's parameters: the data of `film.hpp`. Here it
- * is what the page was made with, whatever the values; a solver that solves anew stands in its place. */
-async function frames(values) {
-  return JSON.parse(document.getElementById("film").textContent);
+/** What the page was made with: the data of `film_json.hpp`. */
+function madeWith() {
+  const data = JSON.parse(document.getElementById("film").textContent);
+  for (const branch of data.branches) {
+    branch.points = numbersOf(branch.points);
+    branch.outputs = numbersOf(branch.outputs);
+  }
+  return data;
 }
 
 /** Numbers of 32 bits out of base 64. */
@@ -15,8 +18,8 @@ function numbersOf(text) {
 
 /** Rows of numbers, one for each step. */
 class Rows {
-  constructor(text, count) {
-    this.numbers = numbersOf(text);
+  constructor(numbers, count) {
+    this.numbers = numbers;
     this.width = this.numbers.length / count;
     this.count = count;
   }

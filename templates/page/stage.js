@@ -30,9 +30,9 @@ function cleared(canvas) {
 }
 
 class Stage {
-  constructor(canvas, film) {
+  /** Its `film` is set before it draws, and may be set again. */
+  constructor(canvas) {
     this.canvas = canvas;
-    this.film = film;
     this.cornersOfNames = new Map();
   }
 

@@ -71,6 +71,7 @@ House house() {
                    {"Eigen", "nlohmann"}),
               part("draw", {"description", "models", "plan", "values", "solve", "follow"},
                    {"Eigen", "nlohmann"}),
+              part("page", {"draw"}, {"nlohmann"}),
 
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),

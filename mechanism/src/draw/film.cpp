@@ -33,7 +33,7 @@ class FilmMaker {
     film_.chosen = std::max(chosen, 1);
   }
 
-  Film made(std::size_t most_bytes) {
+  Film made(std::size_t most_numbers) {
     if (!request_.sweep) {
       record_configurations();
       return finished();
@@ -47,22 +47,22 @@ class FilmMaker {
     while (true) {
       record_sweep();
       Film film = finished();
-      const std::size_t bytes = bytes_of(film);
-      if (bytes <= most_bytes || film_.count <= 2) {
+      const std::size_t numbers = numbers_of(film);
+      if (numbers <= most_numbers || film_.count <= 2) {
         return film;
       }
-      const double part = static_cast<double>(most_bytes) / static_cast<double>(bytes);
+      const double part = static_cast<double>(most_numbers) / static_cast<double>(numbers);
       film_.count = std::max(static_cast<int>(part * (film_.count - 1)), 1) + 1;
     }
   }
 
  private:
-  static std::size_t bytes_of(const Film& film) {
+  static std::size_t numbers_of(const Film& film) {
     std::size_t numbers = 0;
     for (const FilmedBranch& branch : film.branches) {
       numbers += branch.points.size() + branch.outputs.size();
     }
-    return numbers * sizeof(float) * 4 / 3;  // in base 64
+    return numbers;
   }
 
   void record_configurations() {
@@ -170,19 +170,19 @@ class FilmMaker {
                                        double size) const {
     const auto steps = static_cast<std::size_t>(film_.count);
     const std::size_t outputs = output_numbers * plan_.mechanism().outputs().size();
-    const float absent = std::numeric_limits<float>::quiet_NaN();
-    FilmedBranch branch{number, std::vector<float>(2 * steps * points.size(), absent),
-                        std::vector<float>(steps * outputs, absent)};
+    const double absent = std::numeric_limits<double>::quiet_NaN();
+    FilmedBranch branch{number, std::vector<double>(2 * steps * points.size(), absent),
+                        std::vector<double>(steps * outputs, absent)};
     for (const Row& row : rows) {
       const auto step = static_cast<std::size_t>(row.step);
       for (std::size_t point = 0; point < points.size(); ++point) {
         const Eigen::Vector2d at =
             position(points[point], mechanism_, frames[step], row.poses, reaches_.at(number), size);
-        branch.points[2 * (step * points.size() + point)] = static_cast<float>(at.x());
-        branch.points[2 * (step * points.size() + point) + 1] = static_cast<float>(at.y());
+        branch.points[2 * (step * points.size() + point)] = at.x();
+        branch.points[2 * (step * points.size() + point) + 1] = at.y();
       }
       for (std::size_t place = 0; place < outputs; ++place) {
-        branch.outputs[step * outputs + place] = static_cast<float>(row.outputs[place]);
+        branch.outputs[step * outputs + place] = row.outputs[place];
       }
     }
     return branch;
@@ -199,12 +199,12 @@ class FilmMaker {
 
 }  // namespace
 
-Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_bytes,
+Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_numbers,
              int chosen) {
   Request rates = request;
   rates.want.sensitivity = false;
   rates.covariance.reset();
-  return FilmMaker(mechanism, rates, chosen).made(most_bytes);
+  return FilmMaker(mechanism, rates, chosen).made(most_numbers);
 }
 
 }  // namespace assur::mechanism::draw

@@ -153,6 +153,47 @@ TEST(PageWithoutASweep, HasTheConfigurationsAtOneStep) {
   EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed of a unit turn upwards
 }
 
+/// The crank with a swept angle: its length has a value of its own, twice the length has not.
+constexpr const char* crank = R"({"name": "A crank",
+  "parameters": {"length": "1+1", "twice": "2*length", "phi": 0},
+  "links": {"ground": {"A": [0, 0]}, "crank": {"A": [0, 0], "B": ["twice", 0]}},
+  "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]}},
+  "drivers": {"A": {"position": "phi"}}, "outputs": {"B": "crank.B"},
+  "sweep": {"parameter": "phi", "from": 0, "to": 1, "count": 5}})";
+
+TEST(PageOfASceneText, HasSlidersForWhatHasAValueOfItsOwn) {
+  const mechanism::SceneText source = {crank, {"length=3"}};
+  const Scene scene = mechanism::parse_scene(source.text, "crank", source.settings);
+  const std::string page = drawing_page(scene.mechanism, scene.request, source);
+  EXPECT_LT(page.size(), 1'000'000U);
+  const Json solved = data_of(page)["scene"];
+  EXPECT_EQ(solved["parameters"], Json::parse(R"([{"name": "length", "value": 3.0}])"));
+  EXPECT_EQ(solved["text"], crank);
+  EXPECT_EQ(solved["settings"], Json::parse(R"(["length=3"])"));
+  EXPECT_GT(solved["module"].get<std::string>().size(), 100'000U);
+  EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request))["scene"].is_null());
+}
+
+TEST(PageOfASceneText, HasNoSlidersWhereItWouldBeLargerThanAMegabyte) {
+  const mechanism::SceneText source = {crank + std::string(400'000, ' '), {}};
+  const Scene scene = mechanism::parse_scene(source.text, "crank");
+  const std::string page = drawing_page(scene.mechanism, scene.request, source);
+  EXPECT_LT(page.size(), 1'000'000U);
+  const Json data = data_of(page);
+  EXPECT_TRUE(data["scene"].is_null());
+  EXPECT_EQ(data["count"], 181);
+}
+
+TEST(PageOfASceneText, HasNoSlidersWhereNothingButTheSweptAngleHasAValue) {
+  const std::string own = R"("length": "1+1", "twice": "2*length", )";
+  std::string text = crank;
+  text.erase(text.find(own), own.size());
+  text.replace(text.find(R"("twice")"), 7, "4");
+  const Scene scene = mechanism::parse_scene(text, "crank");
+  const mechanism::SceneText source = {text, {}};
+  EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request, source))["scene"].is_null());
+}
+
 TEST(PageOfNothing, IsRefused) {
   Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_coupler_curve.json",
                                       {"coupler=1", "rocker=1"});
