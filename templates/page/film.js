@@ -6,6 +6,7 @@ function madeWith() {
   for (const branch of data.branches) {
     branch.points = numbersOf(branch.points);
     branch.outputs = numbersOf(branch.outputs);
+    branch.spreads = numbersOf(branch.spreads);
   }
   return data;
 }
@@ -14,6 +15,12 @@ function madeWith() {
 function numbersOf(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   return new Float32Array(bytes.buffer);
+}
+
+/** What a tenth of some numbers are above; 0 of none. */
+function nearlyLargest(numbers) {
+  numbers.sort((one, other) => one - other);
+  return numbers.length === 0 ? 0 : numbers[Math.floor(0.9 * (numbers.length - 1))];
 }
 
 /** Rows of numbers, one for each step. */
@@ -43,17 +50,20 @@ class Rows {
   }
 }
 
-/** A branch: where its points are, and its outputs as x, y, vx, vy, ax, ay each. */
+/** A branch: where its points are, its outputs as x, y, vx, vy, ax, ay each, and how they vary, as
+ * the variance of x, the covariance and the variance of y each, if they do. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
     this.points = new Rows(data.points, film.count);
     this.outputs = new Rows(data.outputs, film.count);
+    this.spreads = new Rows(data.spreads, film.count);
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
     this.way = this.wayOfOutputs();
     this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
+    this.widest = this.widestSpread();
   }
 
   /** The curves of all outputs, in the scene's coordinates. */
@@ -85,8 +95,20 @@ class Branch {
         lengths.push(length);
       }
     }
-    lengths.sort((one, other) => one - other);
-    return lengths.length === 0 ? 0 : lengths[Math.floor(0.9 * (lengths.length - 1))];
+    return nearlyLargest(lengths);
+  }
+
+  /** How far outputs vary, likewise. */
+  widestSpread() {
+    const deviations = [];
+    const { numbers } = this.spreads;
+    for (let place = 0; place < numbers.length; place += 3) {
+      const deviation = Math.sqrt(numbers[place] + numbers[place + 2]);
+      if (Number.isFinite(deviation)) {
+        deviations.push(deviation);
+      }
+    }
+    return nearlyLargest(deviations);
   }
 
   /** The ends of all that is seen of it: [least x, least y, greatest x, greatest y]. */
@@ -118,6 +140,17 @@ class Branch {
   }
 }
 
+/** By how much ellipses are drawn larger than they are, so that the widest takes a tenth of the
+ * picture or nearly: 1, 2 or 5 times a power of ten; 0 where nothing varies. */
+function magnification(widest, size) {
+  if (!(widest > 0)) {
+    return 0;
+  }
+  const most = 0.1 * size / widest;
+  const power = 10 ** Math.floor(Math.log10(most));
+  return [5, 2, 1].map((factor) => factor * power).find((one) => one <= most);
+}
+
 class Film {
   constructor(data) {
     Object.assign(this, data);
@@ -126,6 +159,10 @@ class Film {
     this.box = [0, 1, 2, 3].map((side) =>
       (side < 2 ? Math.min : Math.max)(...boxes.map((box) => box[side])));
     this.size = Math.hypot(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
+    for (const branch of this.branches) {
+      branch.magnification = magnification(branch.widest, this.size);
+    }
+    this.hasSpreads = this.branches.some((branch) => branch.magnification > 0);
     this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
   }
 

@@ -40,7 +40,7 @@ class Page {
   get options() {
     const on = (name) => this.element(name).checked;
     return { chosen: this.chosen, all: on("all"), ways: on("ways"), names: on("names"),
-      velocity: on("velocity"), acceleration: on("acceleration") };
+      velocity: on("velocity"), acceleration: on("acceleration"), spread: on("spread") };
   }
 
   addControls() {
@@ -65,6 +65,7 @@ class Page {
       return mark;
     }));
     this.element("place").max = film.count - 1;
+    this.hide(".spreads", !film.hasSpreads);
   }
 
   addQuantities(film) {
@@ -108,7 +109,7 @@ class Page {
     this.element("place").addEventListener("input", (event) => this.seek(Number(event.target.value)));
     this.element("plot").addEventListener("pointerdown", (event) =>
       this.seek(this.plot.placeAt(event.offsetX)));
-    for (const name of ["all", "ways", "names", "velocity", "acceleration", "quantity"]) {
+    for (const name of ["all", "ways", "names", "velocity", "acceleration", "spread", "quantity"]) {
       this.element(name).addEventListener("change", () => this.show());
     }
     new ResizeObserver(() => this.show()).observe(document.querySelector("main"));
@@ -199,6 +200,8 @@ class Page {
       button.setAttribute("aria-pressed", branch.number === this.chosen);
       button.classList.toggle("absent", branch.points.at(this.place) === null);
     });
+    this.element("magnified").textContent =
+      `${film.spread}, × ${shortNumber(film.branch(this.chosen).magnification)}`;
     this.tell();
   }
 

@@ -26,8 +26,9 @@ function solverThread() {
     }
     const film = JSON.parse(text);
     for (const branch of film.branches) {
-      branch.points = new Float64Array(memory.buffer, ...branch.points).slice();
-      branch.outputs = new Float64Array(memory.buffer, ...branch.outputs).slice();
+      for (const rows of ["points", "outputs", "spreads"]) {
+        branch[rows] = new Float64Array(memory.buffer, ...branch[rows]).slice();
+      }
     }
     return { film };
   };

@@ -61,6 +61,9 @@ SET = """(() => {
   return page.sliders.changed.get(row.name) ?? null;
 })()"""
 
+SPREADS = """page.film.branches.map((branch) => [branch.number,
+  Array.from(branch.spreads.numbers, (one) => (Number.isNaN(one) ? null : one))])"""
+
 OUTPUTS = """page.film.branches.map((branch) => [branch.number,
   Array.from(branch.outputs.numbers, (one) => (Number.isNaN(one) ? null : one))])"""
 
@@ -137,6 +140,21 @@ def check(chromium, assur, scene, folder, output, parameter):
     print(f"{scene.stem}: {compared} numbers of the page are those of assur solve")
 
 
+def check_spreads(chromium, rows):
+    """The roots of the variances are the foot's `rss`, where that is known."""
+    known = 0
+    for branch, numbers in chromium.value(SPREADS):
+        for step in range(len(numbers) // 3):
+            row = rows.get((str(branch), step), {"foot.rss_x": "", "foot.rss_y": ""})
+            for column, place in (("foot.rss_x", 0), ("foot.rss_y", 2)):
+                told, shown = row[column], numbers[3 * step + place]
+                expect((told == "") == (shown is None), f"branch {branch}, step {step}: {column}")
+                if told and shown is not None:
+                    expect(abs(shown**0.5 - float(told)) <= 1e-6 * float(told), f"{shown} is {told}^2")
+                    known += 1
+    expect(known > 1000, f"{known} deviations are compared")
+
+
 def check_sliders(chromium, assur, scene, folder):
     """The foot of Jansen's leg, on all its branches, as sliders and fields move it."""
     opened(chromium, assur, scene, folder)
@@ -148,6 +166,7 @@ def check_sliders(chromium, assur, scene, folder):
         values = chromium.value("Object.fromEntries(page.sliders.changed)")
         rows = rows_of(assur, scene, *(word for one, number in values.items()
                                        for word in ("--set", f"{one}={number!r}")))
+        check_spreads(chromium, rows)
         found = 0
         for branch, numbers in chromium.value(OUTPUTS):
             for step in range(len(numbers) // 6):

@@ -18,13 +18,34 @@ namespace {
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
 constexpr int output_numbers = 6;
+constexpr int spread_numbers = 3;
+/// Of more parameters no derivatives are taken: nobody waits so long for a picture.
+constexpr std::size_t most_derived = 200;
 
 /// A configuration at a step.
 struct Row {
   int step;
   LinkPoses poses;
-  std::vector<double> outputs;
+  std::vector<double> outputs, spreads;
 };
+
+bool varies(const Mechanism& mechanism, const Request& request) {
+  const auto& parameters = mechanism.parameters();
+  return request.want.sensitivity && parameters.size() <= most_derived &&
+         (request.covariance ||
+          std::any_of(parameters.begin(), parameters.end(),
+                      [](const Parameter& one) { return one.tolerance.exists(); }));
+}
+
+/// The covariance of a point whose parameters vary so.
+Eigen::Matrix2d covariance_of(const Point& point, const Spread& spread) {
+  const auto& first = point.follows.first;
+  if (spread.covariance.size() > 0) {
+    return first * spread.covariance * first.transpose();
+  }
+  const Eigen::MatrixXd deviations = first * spread.tolerances.asDiagonal();
+  return deviations * deviations.transpose();
+}
 
 class FilmMaker {
  public:
@@ -60,16 +81,17 @@ class FilmMaker {
   static std::size_t numbers_of(const Film& film) {
     std::size_t numbers = 0;
     for (const FilmedBranch& branch : film.branches) {
-      numbers += branch.points.size() + branch.outputs.size();
+      numbers += branch.points.size() + branch.outputs.size() + branch.spreads.size();
     }
     return numbers;
   }
 
   void record_configurations() {
-    const Solution solution = plan_.solve(plan_.values());
+    const Values values = plan_.values();
+    const Solution solution = plan_.solve(values);
     int number = 0;
     for (const Configuration& configuration : solution.configurations) {
-      record(++number, 0, configuration);
+      record(++number, 0, configuration, values.spread());
     }
     if (asked_for_ == 0 && !request_.reference.empty() && number > 0) {
       film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
@@ -86,7 +108,7 @@ class FilmMaker {
     choose(plan);
     (void)sweep(plan, {[&](const SweepRecord& row) {
                          if (row.event.empty()) {
-                           record(row.branch, row.step, *row.state);
+                           record(row.branch, row.step, *row.state, *row.spread);
                          } else {
                            const auto [kind, branches] = parts_of_event(row.event);
                            film_.events.push_back({kind, branches, row.parameter});
@@ -106,8 +128,8 @@ class FilmMaker {
     film_.chosen = nearest ? static_cast<int>(nearest->configuration) + 1 : 1;
   }
 
-  void record(int branch, int step, const Configuration& configuration) {
-    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}};
+  void record(int branch, int step, const Configuration& configuration, const Spread& spread) {
+    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     const double rates = configuration.rates_known ? 1 : unknown;
     for (const Point& point : configuration.outputs) {
@@ -119,6 +141,12 @@ class FilmMaker {
                                                : Eigen::Vector2d::Constant(unknown);
       for (const Eigen::Vector2d& part : {point.position, velocity, acceleration}) {
         row.outputs.insert(row.outputs.end(), {part.x(), part.y()});
+      }
+      if (request_.want.sensitivity) {
+        const Eigen::Matrix2d covariance = covariance_of(point, spread);
+        for (const double part : {covariance(0, 0), covariance(0, 1), covariance(1, 1)}) {
+          row.spreads.push_back(configuration.derivatives_known ? part : unknown);
+        }
       }
     }
     auto [reaches, is_new] = reaches_.try_emplace(branch, mechanism_.joints().size());
@@ -170,9 +198,12 @@ class FilmMaker {
                                        double size) const {
     const auto steps = static_cast<std::size_t>(film_.count);
     const std::size_t outputs = output_numbers * plan_.mechanism().outputs().size();
+    const std::size_t spreads =
+        request_.want.sensitivity ? spread_numbers * plan_.mechanism().outputs().size() : 0;
     const double absent = std::numeric_limits<double>::quiet_NaN();
     FilmedBranch branch{number, std::vector<double>(2 * steps * points.size(), absent),
-                        std::vector<double>(steps * outputs, absent)};
+                        std::vector<double>(steps * outputs, absent),
+                        std::vector<double>(steps * spreads, absent)};
     for (const Row& row : rows) {
       const auto step = static_cast<std::size_t>(row.step);
       for (std::size_t point = 0; point < points.size(); ++point) {
@@ -181,9 +212,10 @@ class FilmMaker {
         branch.points[2 * (step * points.size() + point)] = at.x();
         branch.points[2 * (step * points.size() + point) + 1] = at.y();
       }
-      for (std::size_t place = 0; place < outputs; ++place) {
-        branch.outputs[step * outputs + place] = row.outputs[place];
-      }
+      std::copy(row.outputs.begin(), row.outputs.end(),
+                branch.outputs.begin() + static_cast<std::ptrdiff_t>(step * outputs));
+      std::copy(row.spreads.begin(), row.spreads.end(),
+                branch.spreads.begin() + static_cast<std::ptrdiff_t>(step * spreads));
     }
     return branch;
   }
@@ -201,10 +233,12 @@ class FilmMaker {
 
 Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_numbers,
              int chosen) {
-  Request rates = request;
-  rates.want.sensitivity = false;
-  rates.covariance.reset();
-  return FilmMaker(mechanism, rates, chosen).made(most_numbers);
+  Request shown = request;
+  shown.want.sensitivity = varies(mechanism, request);
+  if (!shown.want.sensitivity) {
+    shown.covariance.reset();
+  }
+  return FilmMaker(mechanism, shown, chosen).made(most_numbers);
 }
 
 }  // namespace assur::mechanism::draw

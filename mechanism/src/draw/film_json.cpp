@@ -25,7 +25,8 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
   for (const FilmedBranch& branch : film.branches) {
     branches.push_back({{"number", branch.number},
                         {"points", told(branch.points)},
-                        {"outputs", told(branch.outputs)}});
+                        {"outputs", told(branch.outputs)},
+                        {"spreads", told(branch.spreads)}});
   }
   Json events = Json::array();
   for (const FilmedEvent& event : film.events) {
@@ -49,7 +50,8 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
           {"shapes", std::move(shapes)},
           {"outputs", std::move(outputs)},
           {"branches", std::move(branches)},
-          {"events", std::move(events)}};
+          {"events", std::move(events)},
+          {"spread", request.covariance ? "one deviation" : "tolerances (rss)"}};
 }
 
 }  // namespace assur::mechanism::draw

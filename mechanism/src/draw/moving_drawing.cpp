@@ -55,7 +55,9 @@ Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, in
   if (!request.sweep || request.sweep->count < 2) {
     throw MechanismError("sweep", "what moves needs a sweep of two steps at least");
   }
-  Film film = film_of(mechanism, request, most_numbers, branch);
+  Request still = request;  // nothing of it tells how points vary
+  still.want.sensitivity = false;
+  Film film = film_of(mechanism, still, most_numbers, branch);
   const FilmedBranch& filmed = branch_of(film, branch > 0 ? branch : film.chosen);
   Drawing drawing;
   drawing.title = mechanism.name();
