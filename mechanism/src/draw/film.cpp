@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "draw/symbols.hpp"
 #include "draw/ways.hpp"
@@ -49,8 +50,14 @@ Eigen::Matrix2d covariance_of(const Point& point, const Spread& spread) {
 
 class FilmMaker {
  public:
-  FilmMaker(const Mechanism& mechanism, const Request& request, int chosen)
-      : mechanism_(mechanism), request_(request), plan_(mechanism, request), asked_for_(chosen) {
+  /// `varied` is the request with its covariance, which takes no part in solving: an ellipse needs
+  /// no second derivatives.
+  FilmMaker(const Mechanism& mechanism, const Request& request, const Request& varied, int chosen)
+      : mechanism_(mechanism),
+        request_(request),
+        plan_(mechanism, request),
+        varied_(Plan(mechanism, varied).values()),
+        asked_for_(chosen) {
     film_.chosen = std::max(chosen, 1);
   }
 
@@ -87,11 +94,10 @@ class FilmMaker {
   }
 
   void record_configurations() {
-    const Values values = plan_.values();
-    const Solution solution = plan_.solve(values);
+    const Solution solution = plan_.solve(plan_.values());
     int number = 0;
     for (const Configuration& configuration : solution.configurations) {
-      record(++number, 0, configuration, values.spread());
+      record(++number, 0, configuration);
     }
     if (asked_for_ == 0 && !request_.reference.empty() && number > 0) {
       film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
@@ -108,7 +114,8 @@ class FilmMaker {
     choose(plan);
     (void)sweep(plan, {[&](const SweepRecord& row) {
                          if (row.event.empty()) {
-                           record(row.branch, row.step, *row.state, *row.spread);
+                           vary_at(row.parameter);
+                           record(row.branch, row.step, *row.state);
                          } else {
                            const auto [kind, branches] = parts_of_event(row.event);
                            film_.events.push_back({kind, branches, row.parameter});
@@ -128,7 +135,14 @@ class FilmMaker {
     film_.chosen = nearest ? static_cast<int>(nearest->configuration) + 1 : 1;
   }
 
-  void record(int branch, int step, const Configuration& configuration, const Spread& spread) {
+  void vary_at(double parameter) {
+    if (request_.want.sensitivity && varied_at_ != parameter) {
+      varied_.set(request_.sweep->parameter, parameter);
+      varied_at_ = parameter;
+    }
+  }
+
+  void record(int branch, int step, const Configuration& configuration) {
     Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     const double rates = configuration.rates_known ? 1 : unknown;
@@ -143,7 +157,7 @@ class FilmMaker {
         row.outputs.insert(row.outputs.end(), {part.x(), part.y()});
       }
       if (request_.want.sensitivity) {
-        const Eigen::Matrix2d covariance = covariance_of(point, spread);
+        const Eigen::Matrix2d covariance = covariance_of(point, varied_.spread());
         for (const double part : {covariance(0, 0), covariance(0, 1), covariance(1, 1)}) {
           row.spreads.push_back(configuration.derivatives_known ? part : unknown);
         }
@@ -223,7 +237,9 @@ class FilmMaker {
   const Mechanism& mechanism_;
   const Request& request_;
   Plan plan_;
-  int asked_for_;  ///< the branch that is to be looked at; 0 where none is named
+  Values varied_;
+  std::optional<double> varied_at_;  ///< the value of the swept parameter there
+  int asked_for_;                    ///< the branch that is to be looked at; 0 where none is named
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;
@@ -235,10 +251,9 @@ Film film_of(const Mechanism& mechanism, const Request& request, std::size_t mos
              int chosen) {
   Request shown = request;
   shown.want.sensitivity = varies(mechanism, request);
-  if (!shown.want.sensitivity) {
-    shown.covariance.reset();
-  }
-  return FilmMaker(mechanism, shown, chosen).made(most_numbers);
+  shown.covariance.reset();
+  return FilmMaker(mechanism, shown, shown.want.sensitivity ? request : shown, chosen)
+      .made(most_numbers);
 }
 
 }  // namespace assur::mechanism::draw

@@ -194,6 +194,48 @@ TEST(PageOfASceneText, HasNoSlidersWhereNothingButTheSweptAngleHasAValue) {
   EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request, source))["scene"].is_null());
 }
 
+/// B = 2 length (cos phi, sin phi).
+Eigen::Matrix2d covariance_of_crank(double phi, const Eigen::Matrix2d& of_length_and_phi) {
+  constexpr double length = 2;
+  Eigen::Matrix2d derivatives;
+  derivatives << 2 * std::cos(phi), -2 * length * std::sin(phi), 2 * std::sin(phi),
+      2 * length * std::cos(phi);
+  return derivatives * of_length_and_phi * derivatives.transpose();
+}
+
+void expect_spreads(const std::string& text, const Eigen::Matrix2d& of_length_and_phi) {
+  const Scene scene = mechanism::parse_scene(text, "crank");
+  const Json data = data_of(drawing_page(scene.mechanism, scene.request));
+  const std::vector<float> spreads = numbers_of(data["branches"][0]["spreads"]);
+  const auto count = data["count"].get<std::size_t>();
+  ASSERT_EQ(spreads.size(), 3 * count);
+  for (std::size_t step = 0; step < count; ++step) {
+    const double phi = static_cast<double>(step) / static_cast<double>(count - 1);
+    const Eigen::Matrix2d expected = covariance_of_crank(phi, of_length_and_phi);
+    EXPECT_NEAR(spreads[3 * step], expected(0, 0), 1e-7);
+    EXPECT_NEAR(spreads[3 * step + 1], expected(0, 1), 1e-7);
+    EXPECT_NEAR(spreads[3 * step + 2], expected(1, 1), 1e-7);
+  }
+}
+
+TEST(PageOfWhatVaries, HasTheCovarianceOfItsOutputs) {
+  std::string text = crank;
+  text.insert(text.rfind('}'), R"(, "covariance": {"parameters": ["length", "phi"],
+    "matrix": [[0.01, 0.001], [0.001, 0.0004]]})");
+  Eigen::Matrix2d matrix;
+  matrix << 0.01, 0.001, 0.001, 0.0004;
+  expect_spreads(text, matrix);
+}
+
+TEST(PageOfWhatVaries, TakesTolerancesForDeviations) {
+  std::string text = crank;
+  const std::string own = R"("1+1")";
+  text.replace(text.find(own), own.size(), R"({"value": 2, "tolerance": "0.1"})");
+  Eigen::Matrix2d matrix;
+  matrix << 0.01, 0, 0, 0;
+  expect_spreads(text, matrix);
+}
+
 TEST(PageOfNothing, IsRefused) {
   Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_coupler_curve.json",
                                       {"coupler=1", "rocker=1"});
