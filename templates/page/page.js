@@ -88,15 +88,16 @@ class Page {
     }
     this.element("units").textContent =
       `lengths in ${unit || "the scene's unit"}, angles in rad`;
-    const isBehind = (obstacle) => {
-      this.element("obstacle").textContent = obstacle &&
-        `Not shown: ${obstacle}. The picture is that of the values before.`;
-      this.element("view").classList.toggle("behind", obstacle !== "");
+    const tell = (obstacle, works) => {
+      this.element("obstacle").textContent = obstacle && (works
+        ? `Not shown: ${obstacle}. The picture is that of the values before.`
+        : `This browser cannot solve the scene anew: ${obstacle}.`);
+      this.element("view").classList.toggle("behind", works && obstacle !== "");
     };
     this.sliders = new Sliders(this.element("sliders"), scene, (film) => {
       this.use(film);
       this.show();
-    }, isBehind);
+    }, tell);
     this.element("reset").addEventListener("click", () => this.sliders.reset());
   }
 

@@ -3,10 +3,12 @@
 /** A slider and a field for each parameter of the scene. Only the last values that were set are
  * solved: what was set while the solver was busy with others is left out. */
 class Sliders {
-  /** `show` takes a film; `tell` takes why there is none, or nothing. */
+  /** `show` takes a film; `tell` takes why there is none, or nothing, and whether there ever was
+   * one. First the page's own values are solved: where that fails, the browser cannot. */
   constructor(place, scene, show, tell) {
     [this.show, this.tell] = [show, tell];
-    this.solver = new Solver(scene);
+    this.scene = scene;
+    this.works = false;
     this.made = new Map(scene.parameters.map(({ name, value }) => [name, value]));
     this.changed = new Map();
     this.rows = scene.parameters.map((parameter) => this.row(parameter));
@@ -76,10 +78,15 @@ class Sliders {
     }
     this.busy = true;
     try {
+      this.solver ??= new Solver(this.scene);
       this.show(new Film(await this.solver.solve(Object.fromEntries(this.changed))));
-      this.tell("");
+      this.works = true;
+      this.tell("", true);
     } catch (error) {
-      this.tell(error.message);
+      this.tell(error.message, this.works);
+      this.rows.forEach(({ slider, field }) => {
+        slider.disabled = field.disabled = !this.works;
+      });
     }
     this.busy = false;
     if (this.waiting) {

@@ -218,6 +218,20 @@ def check_sliders(chromium, assur, scene, folder):
         expect((state != chromium.value("[page.place, page.chosen]")) == moved, f"{key} in a slider")
 
 
+def check_without_solver(chromium, assur, scene, folder):
+    """A browser that cannot solve shows what the page was made with, and says so."""
+    page = folder / "old.html"
+    run(assur, "draw", str(scene), "--output", str(page))
+    page.write_text(page.read_text().replace("<script", "<script>Worker = undefined;</script><script", 1))
+    chromium.open(page.as_uri())
+    chromium.value(SOLVED)
+    obstacle = chromium.value("document.getElementById('obstacle').textContent")
+    expect("cannot solve" in obstacle, obstacle)
+    expect(chromium.value("page.sliders.rows.every(({slider, field}) => slider.disabled && field.disabled)"),
+           "the sliders stand still")
+    expect(chromium.value("page.film.branches.length > 0 && page.isPlaying"), "the page moves")
+
+
 def main():
     assur, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as name, Browser(browser, name + "/profile") as chromium:
@@ -225,6 +239,7 @@ def main():
         check(chromium, assur, examples / "jansen_leg.json", folder, "foot", "phi")
         check(chromium, assur, examples / "quintero_2011_rrp_rrr.json", folder, "E", "phi")
         check_sliders(chromium, assur, examples / "jansen_leg.json", folder)
+        check_without_solver(chromium, assur, examples / "slider_crank.json", folder)
         expect(not chromium.errors, f"the console says {chromium.errors}")
     sys.exit(1 if failures else 0)
 
