@@ -47,7 +47,12 @@ function(assur_add_solver target)
   endif()
   get_filename_component(stem ${scene} NAME)
   string(REGEX REPLACE "\\.[^.]*$" "" stem ${stem})
-  string(MAKE_C_IDENTIFIER ${stem} name)
+  # What the generator makes of it: one underscore for several, and none at the ends.
+  string(REGEX REPLACE "[^A-Za-z0-9]+" "_" name "${stem}")
+  if(name MATCHES "^_?(.*[A-Za-z0-9])_?$")
+    set(name "${CMAKE_MATCH_1}")
+  endif()
+  string(MAKE_C_IDENTIFIER "${name}" name)
   # A program that links both would read one of the headers twice.
   get_property(other GLOBAL PROPERTY assur_scene_of_${name})
   if(other AND NOT other STREQUAL stem)

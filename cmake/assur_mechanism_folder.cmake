@@ -26,8 +26,9 @@ function(assur_mechanism_folder)
     list(TRANSFORM below PREPEND ${whole}_)
     target_link_libraries(${library} PUBLIC ${below} ${arg_PUBLIC} assur::text
       PRIVATE ${arg_PRIVATE} assur_build_flags)
+    get_target_property(is_shareable ${whole} POSITION_INDEPENDENT_CODE)
     set_target_properties(${library} PROPERTIES ASSUR_COMPILER_HEAP 600000 ASSUR_FAST "${${whole}_FAST}"
-      POSITION_INDEPENDENT_CODE $<TARGET_PROPERTY:${whole},POSITION_INDEPENDENT_CODE>)
+      POSITION_INDEPENDENT_CODE ${is_shareable})
     target_sources(${whole} PRIVATE $<TARGET_OBJECTS:${library}>)
   endforeach()
   if(ASSUR_BUILD_TESTS)

@@ -26,13 +26,14 @@ struct Part {
   const char* name;
   std::vector<Task> (*tasks)(const TaskSizes& sizes);
 };
-constexpr std::array<Part, 6> parts = {{
+constexpr std::array<Part, 7> parts = {{
     {"everyday", everyday_tasks},
     {"derivatives", derivative_tasks},
     {"positions", position_tasks},
     {"tracking", tracking_tasks},
     {"scenes", [](const TaskSizes&) { return scene_tasks(); }},
     {"sweeps", sweep_tasks},
+    {"batches", batch_tasks},
 }};
 
 /// Runs the parts that are named; all of them if none is.

@@ -16,6 +16,7 @@ struct TaskSizes {
 [[nodiscard]] std::vector<Task> tracking_tasks(const TaskSizes& sizes);
 [[nodiscard]] std::vector<Task> scene_tasks();
 [[nodiscard]] std::vector<Task> sweep_tasks(const TaskSizes& sizes);
+[[nodiscard]] std::vector<Task> batch_tasks(const TaskSizes& sizes);
 [[nodiscard]] std::vector<Task> everyday_tasks(const TaskSizes& sizes);
 
 }  // namespace assur::speed

@@ -213,7 +213,8 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   std::string text = csv_header(plan);
   const auto record = [&](const mechanism::SweepRecord& row) {
     last_branch = std::max(last_branch, row.branch);
-    if (nearest && row.step == nearest->step &&
+    // At a crossing it has a row for each branch: the first of them is followed.
+    if (nearest && chosen == 0 && row.step == nearest->step &&
         std::cmp_equal(row.configuration, nearest->place + 1)) {
       chosen = row.branch;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <tuple>
 
 #include "command/command.hpp"
 
@@ -78,6 +79,30 @@ TEST(BranchOption, PicksTheRowsOfOneBranchOfASweep) {
             run_assur("solve --format csv " + leg + " --branch " + std::to_string(branch)).output),
         expected);
   }
+}
+
+/// A parallelogram's sweep that begins where it is flat: of the branches that cross there, each of
+/// which has a row, one is the nearest.
+TEST(BranchOption, NearestFollowsOneOfTheBranchesThatCrossAtTheFirstStep) {
+  Json scene = Json::parse(R"({"parameters": {"phi": 0},
+      "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [2, 0]},
+                "coupler": {"B": [0, 0], "C": [4, 0]}, "rocker": {"D": [0, 0], "C": [2, 0]}},
+      "joints": {}, "drivers": {"A": {"position": "phi"}}, "reference": {"rocker": 0},
+      "sweep": {"parameter": "phi", "from": 0, "to": 1, "count": 4}})");
+  for (const auto& [pin, one, other] : {std::tuple{"A", "ground", "crank"},
+                                        {"B", "crank", "coupler"},
+                                        {"C", "coupler", "rocker"},
+                                        {"D", "ground", "rocker"}}) {
+    scene["joints"][pin] = {
+        {"type", "revolute"},
+        {"between", {std::string(one) + "." + pin, std::string(other) + "." + pin}}};
+  }
+  const TemporaryDirectory directory;
+  const std::string call =
+      "solve --format csv " + directory.write("scene.json", scene.dump()).string();
+  EXPECT_EQ(lines_of(run_assur(call + " --nearest").output),
+            lines_of(run_assur(call + " --branch 1").output));
+  EXPECT_EQ(lines_of(run_assur(call + " --branch 1").output).size(), 5U);
 }
 
 TEST(BranchOption, OutOfRangeIsOneLine) {

@@ -73,6 +73,8 @@ House house() {
                    {"Eigen", "nlohmann"}),
               part("page", {"draw"}, {"nlohmann"}),
 
+              {"python/src", "assur::python", {mechanism, runtime, words}, {"Eigen", "pybind11"}},
+
               {"generator", "assur::generator", {}, {}},
               stage("structure", {}, {}),
               stage("equations", {"structure"}),
@@ -122,7 +124,7 @@ House house() {
 Files files_of_the_project() {
   const std::filesystem::path root = ASSUR_SOURCE;
   Files files;
-  for (const std::string top : {"runtime", "mechanism", "generator", "generated"}) {
+  for (const std::string top : {"runtime", "mechanism", "python", "generator", "generated"}) {
     if (!std::filesystem::exists(root / top)) {
       continue;
     }
@@ -177,21 +179,25 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
   static const std::vector<std::pair<const char*, std::regex>> storeys = {
       {"what models are made of",
        std::regex("(version|model_tables|status|assemblies|model|"
-                  "directions|variables|detail/(index|members|numbers))")},
+                  "directions|variables|columns|detail/(index|members|numbers))")},
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
        std::regex("detail/"
-                  "(closed_form|closure_geometry|completion|first_values|limit_turns|"
+                  "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts)|"
+                  "closed_form|closure_geometry|completion|first_values|limit_turns|"
                   "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
                   "special_search)|"
                   "support/(configuration_order|derivative_digits|discriminant|displaced_frame|"
                   "flat_variables|limits|nearest|placed_link|position_polynomial|"
                   "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
-      {"answers at a configuration", std::regex("branch_point|kinematics|normal_form|second_order|"
-                                                "singularity|special_points")},
-      {"the searches", std::regex("detail/(assembly_order|branch_step|closed_search|general_search|"
-                                  "polish|special_group|wider)")},
-      {"all configurations, and branches", std::regex("assembly|tracking")},
+      {"answers at a configuration",
+       std::regex("batch_kinematics|branch_point|kinematics|normal_form|second_order|"
+                  "singularity|special_points")},
+      {"the searches",
+       std::regex("detail/(assembly_order|batch/(closed_pack|general_block|pack_order)|"
+                  "branch_step|closed_search|general_search|"
+                  "polish|special_group|wider)")},
+      {"all configurations, and branches", std::regex("assembly|batch|tracking")},
       {"whole mechanisms",
        std::regex("assur|support/"
                   "(displacement|flat_branch|placed_group|scene_search|scene_solve|scene_track|"
@@ -238,8 +244,9 @@ TEST(House, NobodyOutsideNamesTheDetailsOfTheRuntime) {
   const std::regex details(R"(assur/detail/|(^|[^:\w])(assur::)?detail::)");
   int read = 0;
   for (const std::string top :
-       {"mechanism", "generator", "generated", "templates", "examples", "bench", "tests/mechanism",
-        "tests/generator", "tests/generated", "tests/runtime", "tests/command", "tests/support"}) {
+       {"mechanism", "python", "generator", "generated", "templates", "examples", "bench",
+        "tests/mechanism", "tests/python", "tests/generator", "tests/generated", "tests/runtime",
+        "tests/command", "tests/support"}) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(root / top)) {
       if (!entry.is_regular_file() || entry.path().parent_path() == own_tests) {
         continue;

@@ -36,6 +36,15 @@ const std::vector<Target>& targets() {
       made.push_back({tracking, "generated", "KINSOL", Measure::time, 0.12});
       made.push_back({tracking, "generated", "MINPACK hybrj", Measure::time, 0.12});
     }
+    made.push_back(
+        {"all configurations, batch", "generated, batch", "generated", Measure::time, 0.2});
+    for (const char* dyad :
+         {"dyad RRR, all configurations, batch", "dyad RRP, all configurations, batch",
+          "dyad RPR, all configurations, batch"}) {
+      made.push_back({dyad, "generated, batch", "generated", Measure::time, 0.3});
+    }
+    made.push_back({"sensitivities, velocity, acceleration, batch", "generated, batch", "generated",
+                    Measure::time, 0.35});
     made.push_back({six_bar, "generated", "Ceres Jet + LU", Measure::time, 0.1});
     made.push_back({"sweep of a scene", "assur solve", "emitted", Measure::time, 5});
     made.push_back(

@@ -91,7 +91,7 @@ cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closure
   model::show_variables(equations.dimensions, "dimension", view);
   model::show_variables(equations.inputs, "input", view);
   return {std::filesystem::path("assur") / "closures" /
-              (text::c_identifier(file.stem().string()) + ".hpp"),
+              (text::header_name(file.stem().string()) + ".hpp"),
           cpp::page("closures.hpp", view)};
 }
 

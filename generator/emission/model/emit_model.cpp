@@ -1,14 +1,12 @@
-#include <algorithm>
 #include <assur/text/names.hpp>
 #include <cctype>
-#include <iterator>
 #include <optional>
 
 #include "derivatives/mobility.hpp"
 #include "emission/model/closed_form.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/model/model_view.hpp"
-#include "emission/model/solution_functions.hpp"
+#include "emission/model/rigid_functions.hpp"
 #include "emission/model/special_point_functions.hpp"
 
 namespace assur::generator::emission::model {
@@ -91,32 +89,27 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
     }
   }
 
-  std::vector<NamingFunction> naming;
   std::optional<pivoting::StructuredJacobian> structured;
   std::optional<elimination::Elimination> elimination;
-  std::vector<ModelFunction> positions;
-  std::vector<const equations::Vocabulary*> vocabularies = {&equations.vocabulary};
+  RigidFunctions rigid;
   if (mobility.rigid) {
     structured.emplace(equations);
-    naming = solution_functions(*structured);
     elimination.emplace(elimination::eliminate(equations));
-    positions = position_functions(equations, *elimination);
-    vocabularies.push_back(&elimination->vocabulary);
-    std::transform(naming.begin(), naming.end(), std::back_inserter(vocabularies),
-                   [](const NamingFunction& function) { return &function.vocabulary; });
+    rigid = rigid_functions(equations, *structured, *elimination);
+  } else {
+    rigid.known = known_quantities(equations, {&equations.vocabulary});
   }
-  const std::vector<equations::NamedQuantity> known = known_quantities(equations, vocabularies);
 
   cpp::View view;
   cpp::View::List functions;
   const auto add_functions = [&](const std::vector<ModelFunction>& list,
                                  const equations::Vocabulary& vocabulary) {
-    program::SymbolOrder order = program::symbol_order(equations, vocabulary, known);
+    program::SymbolOrder order = program::symbol_order(equations, vocabulary, rigid.known);
     for (const auto& [symbol, entry] : special_functions.symbols) {
       order.declare(symbol);
     }
     for (const ModelFunction& function : list) {
-      const program::Program program(order, vocabulary.quantities(), function.results, known);
+      const program::Program program(order, vocabulary.quantities(), function.results, rigid.known);
       functions.push_back(function_view(function, program, spelling));
       if (function.name == "position_polynomial") {
         show_closed_form(equations, *elimination, *structured, program, GroupRange(), view);
@@ -150,10 +143,10 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   view.set("has_special_points", cpp::boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {
-    for (const NamingFunction& function : naming) {
+    for (const NamingFunction& function : rigid.solutions) {
       add_functions({function.function}, function.vocabulary);
     }
-    add_functions(positions, elimination->vocabulary);
+    add_functions(rigid.positions, elimination->vocabulary);
     show_solution(*structured, equations, *elimination, view);
     const std::vector<std::string> steps = elimination_steps(*elimination);
     closure.insert(closure.end(), steps.begin(), steps.end());

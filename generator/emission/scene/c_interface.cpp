@@ -42,7 +42,7 @@ void show_given(const std::string& prefix, cpp::View& view) {
       defaults.push_back(prefix + "_" + word + "* " + word);
       handed.push_back(std::string("cpp_of(*") + word + ")");
     } else if (std::string(word) == "drivers") {
-      handed.emplace_back("{}");
+      handed.emplace_back("Solver::Drivers<double>{}");
     }
   }
   const auto joined = [](const std::vector<std::string>& texts, const std::string& between) {

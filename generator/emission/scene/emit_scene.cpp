@@ -53,7 +53,7 @@ class SceneEmitter {
     show_aliases();
     const std::string stem = std::filesystem::path(solver_.file).stem().string();
     const std::filesystem::path header =
-        std::filesystem::path("assur") / "scenes" / (text::c_identifier(stem) + ".hpp");
+        std::filesystem::path("assur") / "scenes" / (text::header_name(stem) + ".hpp");
     std::vector<cpp::EmittedFile> files = {{header, cpp::page("scene.hpp", view_)}};
     if (interface == Interface::c) {
       const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_);

@@ -361,6 +361,10 @@ std::vector<std::string> listing_statements(const SolverScene& solver,
     lines.add("state.slides." + slide + " = " +
               state_of(want, placed + ".displacement", placed + ".rates", false) + ";");
   }
+  const bool is_sensitive = solver.parameters.count() > 0 || solver.has_tolerances();
+  if (!want.position && !want.velocity && !want.acceleration && !is_sensitive) {
+    return lines.lines();
+  }
   for (const mechanism::OutputIndex index : solver.mechanism().outputs().keys()) {
     const mechanism::FeatureIndex output = solver.mechanism().outputs()[index].point;
     const mechanism::Feature& feature = solver.mechanism().features()[output];

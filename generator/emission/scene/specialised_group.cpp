@@ -11,8 +11,9 @@
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/closed_form.hpp"
 #include "emission/model/model_view.hpp"
-#include "emission/model/solution_functions.hpp"
+#include "emission/model/rigid_functions.hpp"
 #include "emission/scene/specialise.hpp"
+#include "emission/scene/specialised_sensitivities.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -37,18 +38,11 @@ class GroupSpecialiser {
     cpp::View::List functions;
     std::vector<std::string> operations;
     std::set<std::string> named;
-    const std::vector<model::NamingFunction> naming = model::solution_functions(structured_);
-    const std::vector<model::ModelFunction> positions =
-        model::position_functions(equations_, elimination_);
-    std::vector<const equations::Vocabulary*> vocabularies = {&equations_.vocabulary,
-                                                              &elimination_.vocabulary};
-    std::transform(naming.begin(), naming.end(), std::back_inserter(vocabularies),
-                   [](const model::NamingFunction& entry) { return &entry.vocabulary; });
-    const std::vector<equations::NamedQuantity> known =
-        model::known_quantities(equations_, vocabularies);
+    const model::RigidFunctions rigid =
+        model::rigid_functions(equations_, structured_, elimination_);
     const auto add = [&](const model::ModelFunction& function,
                          const equations::Vocabulary& vocabulary) {
-      program::SymbolOrder order = program::symbol_order(equations_, vocabulary, known);
+      program::SymbolOrder order = program::symbol_order(equations_, vocabulary, rigid.known);
       for (const NamedConstant& constant : constants_) {
         order.set_constant(constant.symbol, constant.value);
       }
@@ -57,7 +51,7 @@ class GroupSpecialiser {
       model::ModelFunction folded = without_dimensions(function);
       folded.results = special.results;
       const program::Program program(order, special.quantities, special.results,
-                                     specialised(known, {}, order, values_).quantities);
+                                     specialised(rigid.known, {}, order, values_).quantities);
       operations.push_back(function.name + " " + counted(program.count()));
       functions.push_back(
           model::function_view(folded, program, spelling, model::ZeroResults::assigned));
@@ -76,16 +70,16 @@ class GroupSpecialiser {
     }
     add(link_poses(), equations_.vocabulary);
     if (parameter_count() > 0) {
-      for (const model::ModelFunction& function : sensitivity_functions()) {
+      for (const model::ModelFunction& function : sensitivity_functions(numbers_, derivatives_)) {
         add(function, equations_.vocabulary);
       }
     }
-    for (const model::NamingFunction& entry : naming) {
+    for (const model::NamingFunction& entry : rigid.solutions) {
       if (is_wanted(entry.function.name)) {
         add(entry.function, entry.vocabulary);
       }
     }
-    for (const model::ModelFunction& function : positions) {
+    for (const model::ModelFunction& function : rigid.positions) {
       add(function, elimination_.vocabulary);
     }
     result.view.set("functions", functions);
@@ -272,95 +266,11 @@ class GroupSpecialiser {
            (has_rates && function == "link_velocities");
   }
 
-  /// The derivatives to what is an input of the solver's group.
-  [[nodiscard]] std::vector<program::Result> input_columns(
-      const std::string& target, const derivatives::ExpressionMatrix& of_dimensions,
-      const derivatives::ExpressionMatrix& of_inputs) const {
-    std::vector<program::Result> results;
-    for (std::size_t row = 0; row < of_inputs.size(); ++row) {
-      std::size_t place = 0;
-      const auto add = [&](const std::vector<GiNaC::ex>& partials, const auto& numbers) {
-        for (std::size_t column = 0; column < partials.size(); ++column) {
-          if (!numbers[column]) {
-            results.push_back({entry(target, row, place++), partials[column]});
-          }
-        }
-      };
-      add(of_inputs[row], numbers_.inputs);
-      add(of_dimensions[row], numbers_.dimensions);
-    }
-    return results;
-  }
-
-  /// of_dimensions d_a + of_inputs u_a, for those that are numbers.
-  [[nodiscard]] std::vector<program::Result> parameter_columns(
-      const std::string& target, const derivatives::ExpressionMatrix& of_dimensions,
-      const derivatives::ExpressionMatrix& of_inputs) const {
-    std::vector<program::Result> results;
-    for (std::size_t row = 0; row < of_dimensions.size(); ++row) {
-      for (Eigen::Index parameter = 0; parameter < parameter_count(); ++parameter) {
-        GiNaC::ex sum;
-        const auto add = [&](const std::vector<GiNaC::ex>& partials,
-                             const Eigen::MatrixXd& gradient) {
-          Eigen::Index row_of_gradient = 0;
-          for (const GiNaC::ex& by_variable : partials) {
-            sum += by_variable * cpp::exact(gradient(row_of_gradient++, parameter));
-          }
-        };
-        add(of_dimensions[row], numbers_.dimension_gradient);
-        add(of_inputs[row], numbers_.input_gradient);
-        results.push_back({entry(target, row, static_cast<std::size_t>(parameter)), sum});
-      }
-    }
-    return results;
-  }
-
   /// A length is one number, an angle its cosine and sine.
   [[nodiscard]] static std::size_t number_count(const std::deque<equations::Variable>& variables) {
     const auto angles = std::count_if(variables.begin(), variables.end(),
                                       [](const auto& one) { return one.is_angle(); });
     return variables.size() + static_cast<std::size_t>(angles);
-  }
-
-  static std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
-    return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
-  }
-
-  [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions() const {
-    const std::vector<model::Parameter> place = {{"const Inputs<Scalar>&", "u"},
-                                                 {"const Configuration<Scalar>&", "q"}};
-    const std::string columns = "parameter_count";
-    std::vector<model::ModelFunction> functions = {
-        {"parameter_jacobian",
-         {"F_a = df/da by the scene's parameters a, through the dimensions and the ground."},
-         place,
-         {{"Matrix<Scalar, equation_count, " + columns + ">&", "F_a"}},
-         parameter_columns("F_a", derivatives_.dimension_jacobian, derivatives_.input_jacobian)},
-        {"input_jacobian",
-         {"F_u = df/du; the sensitivities solve J dq/da = -(F_a + F_u du/da)."},
-         place,
-         {{"Matrix<Scalar, equation_count, input_count>&", "F_u"}},
-         input_columns("F_u", derivatives_.dimension_jacobian, derivatives_.input_jacobian)},
-        {"pose_jacobians",
-         {"Partial derivatives of the link frames p, rows (x, y, theta) link by link:",
-          "P_q = dp/dq, P_a = dp/da, P_u = dp/du, each with the other two held."},
-         place,
-         {{"Matrix<Scalar, 3 * link_count, unknown_count>&", "P_q"},
-          {"Matrix<Scalar, 3 * link_count, " + columns + ">&", "P_a"},
-          {"Matrix<Scalar, 3 * link_count, input_count>&", "P_u"}},
-         parameter_columns("P_a", derivatives_.pose_dimension_jacobian,
-                           derivatives_.pose_input_jacobian)}};
-    std::vector<program::Result>& poses = functions.back().results;
-    const std::vector<program::Result> inputs = input_columns(
-        "P_u", derivatives_.pose_dimension_jacobian, derivatives_.pose_input_jacobian);
-    poses.insert(poses.end(), inputs.begin(), inputs.end());
-    for (std::size_t row = 0; row < derivatives_.pose_unknown_jacobian.size(); ++row) {
-      for (std::size_t column = 0; column < equations_.unknowns.size(); ++column) {
-        poses.push_back(
-            {entry("P_q", row, column), derivatives_.pose_unknown_jacobian[row][column]});
-      }
-    }
-    return functions;
   }
 
   [[nodiscard]] cpp::View view(const std::string& struct_name, const std::string& title) const {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "branch_matching.hpp"
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -74,7 +75,9 @@ Table<PointIndex, std::vector<const Passage::Lead*>> Passage::assigned(const Sna
   for (const Lead& lead : leads_) {
     const Eigen::VectorXd place = expected(lead, step.parameter);
     for (const PointIndex point : step.points.keys()) {
-      choices.push_back({(step.points[point].at - place).norm(), &lead, point});
+      if (step.configuration(point).is_consistent) {
+        choices.push_back({(step.points[point].at - place).norm(), &lead, point});
+      }
     }
   }
   std::stable_sort(choices.begin(), choices.end(), [](const Choice& one, const Choice& other) {
@@ -104,6 +107,15 @@ void Passage::add_rows(const Snapshot& step, PointIndex point, std::vector<const
                        std::vector<StepRow>& rows) const {
   const Configuration& here = step.configuration(point);
   const auto first = rows.size();
+  // Constraints that are too many leave one motion of several.
+  if (here.rates_known && leads.size() > 1 && !here.plan->redundant.empty()) {
+    const auto rank = [&](const Lead* lead) {
+      return std::pair(difference_of_rates(*lead, here), lead->branch);
+    };
+    leads = {*std::min_element(leads.begin(), leads.end(), [&](const Lead* one, const Lead* other) {
+      return rank(one) < rank(other);
+    })};
+  }
   for (const Configuration& branch : here.branches) {
     const auto best =
         std::min_element(leads.begin(), leads.end(), [&](const Lead* one, const Lead* other) {

@@ -247,6 +247,9 @@ class Sweeper {
     const auto is_told = [](const Configuration& one) {
       return one.is_consistent && one.within_limits;
     };
+    if (!state.is_consistent && state.regularity == Status::ok) {
+      foreign_.insert(branch);
+    }
     if (!is_told(state)) {
       return;
     }
@@ -289,10 +292,15 @@ class Sweeper {
            !(only_ends && event.parameter == solver_.from()) &&
            !(only_begins && event.parameter == solver_.to());
   }
-  /// What an event outside the sweep ends or begins is no branch of it.
+  /// What an event outside the sweep ends or begins is no branch of it, nor is one that does not
+  /// hold the constraints that are too many.
   void forget_outside(PassageEnd& end) const {
-    for (int& branch : end.branches) {
-      branch = std::ranges::find(outside_, branch) == outside_.end() ? branch : 0;
+    for (const PointIndex point : end.branches.keys()) {
+      int& branch = end.branches[point];
+      if (std::ranges::find(outside_, branch) != outside_.end() || foreign_.contains(branch) ||
+          !end.set->configuration(point).is_consistent) {
+        branch = 0;
+      }
     }
   }
   /// Numbers are given as branches appear in rows and events: others may have ended before the
@@ -340,11 +348,13 @@ class Sweeper {
   }
 
   /// Where a mechanism has too many constraints, some branches do not hold them and are none of its
-  /// own. An event is told if it befalls a branch that has had a row.
+  /// own. An event is told if it befalls a branch that has had a row, a crossing if it befalls two.
   [[nodiscard]] bool is_told(const BranchEvent& event) const {
     const auto is_own = [this](int branch) { return told_.contains(branch); };
     return solver_.plan().redundant().empty() || is_own(event.through) ||
-           std::ranges::any_of(event.ended, is_own) || std::ranges::any_of(event.begun, is_own);
+           std::ranges::count_if(event.ended, is_own) >=
+               (event.kind == EventKind::crossing ? 2 : 1) ||
+           (event.kind != EventKind::crossing && std::ranges::any_of(event.begun, is_own));
   }
 
   const SweepObserver& observer_;
@@ -352,6 +362,7 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
+  std::set<int> foreign_;           ///< that do not hold the constraints that are too many
   std::set<int> told_;              ///< branches that have had rows, by the tracker's numbers
   std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
   int last_shown_ = 0;

@@ -51,10 +51,10 @@ std::vector<GroupIndex> Structure::holders_of(GroupIndex group) const {
   };
   const auto add = [&](LinkIndex link) {
     add_group_of(link);
-    for (const CarriedLink* carried = carried_link(link); carried != nullptr;
-         carried = carried_link(carried->from)) {
+    for (const CarriedLink* step = carried_link(link); step != nullptr;
+         step = carried_link(step->from)) {
       for (const ReadingDriver& one : reading) {
-        if (one.driver == carried->driver) {
+        if (one.driver == step->driver) {
           std::ranges::for_each(one.reads, add_group_of);
         }
       }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 namespace assur::mechanism::plan {
 
@@ -20,6 +21,7 @@ struct Step {
   std::optional<Structure> structure;
   std::optional<OverConstrained> fault;
   std::string link = {};    ///< that has the feature at which something is left out
+  std::string from = {};    ///< the joint towards which a slot lies
   bool loses_kept = false;  ///< the joint should not be left out
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
@@ -31,8 +33,9 @@ struct Step {
     }
     return largest;
   }
-  [[nodiscard]] std::tuple<int, bool, std::size_t, std::string, std::string> rank() const {
-    return {surplus(), loses_kept, largest_group(), redundant.name, link};
+  using Rank = std::tuple<int, bool, std::size_t, std::string, std::string, std::string>;
+  [[nodiscard]] Rank rank() const {
+    return {surplus(), loses_kept, largest_group(), redundant.name, link, from};
   }
 };
 
@@ -71,37 +74,54 @@ class Balancer {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
   }
 
+  /// Whether no other joint holds the two links of a redundant one.
+  [[nodiscard]] bool is_alone(const RedundantJoint& redundant) const {
+    const auto holds = [&](const Joint& joint, FeatureIndex at) {
+      return std::ranges::any_of(joint.between, [&](FeatureIndex feature) {
+        return mechanism_.features()[feature].link == mechanism_.features()[at].link;
+      });
+    };
+    return std::ranges::count_if(mechanism_.joints(), [&](const Joint& joint) {
+             return holds(joint, redundant.one) && holds(joint, redundant.other);
+           }) == 1;
+  }
+
   void relax(JointIndex joint, FeatureIndex feature) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
     const RedundantJoint redundant{at.name, other, feature};
-    if (most_ == LeftOut::joints && surplus_ > 1 && at.type != JointType::pin_in_slot) {
-      consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature);
+    const bool whole =
+        most_ == LeftOut::joints || (most_ == LeftOut::doubles && !is_alone(redundant));
+    if (whole && surplus_ > 1 && at.type != JointType::pin_in_slot) {
+      consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature, 2);
     }
     if (at.type == JointType::revolute) {
-      for (const FeatureIndex from : points_of(feature)) {
+      for (const auto& [from, name] : points_of(feature)) {
         Step step{mechanism_.with_slot(joint, feature, from), redundant, {}, {}};
+        step.from = name;
         step.redundant.slot = FeatureIndex(mechanism_.features().size());  // the one that it adds
-        consider(std::move(step), feature);
+        consider(std::move(step), feature, 1);
       }
     }
   }
 
-  /// The other points of a feature's link at which joints are.
-  [[nodiscard]] std::vector<FeatureIndex> points_of(FeatureIndex feature) const {
-    std::vector<FeatureIndex> points;
+  /// The other points of a feature's link at which joints are, and the names of these.
+  [[nodiscard]] std::vector<std::pair<FeatureIndex, std::string>> points_of(
+      FeatureIndex feature) const {
+    std::vector<std::pair<FeatureIndex, std::string>> points;
     for (const Joint& joint : mechanism_.joints()) {
       for (const FeatureIndex other : joint.between) {
         const Feature& at = mechanism_.features()[other];
         if (other != feature && !at.is_line && at.link == mechanism_.features()[feature].link) {
-          points.push_back(other);
+          points.emplace_back(other, joint.name);
         }
       }
     }
     return points;
   }
 
-  void consider(Step step, FeatureIndex feature) {
+  /// `less`: how many constraints less it has. Where not as many less are too many, links are free.
+  void consider(Step step, FeatureIndex feature, int less) {
     try {
       step.structure = structure_of(step.mechanism);
     } catch (const OverConstrained& fault) {
@@ -109,7 +129,7 @@ class Balancer {
     } catch (const MechanismError&) {
       return;
     }
-    if (step.surplus() >= surplus_) {
+    if (step.surplus() > surplus_ - less) {
       return;
     }
     step.link = link_name(feature);

@@ -17,6 +17,7 @@ struct BalancedMechanism {
 /// What may be left out of a joint that has constraints too many.
 enum class LeftOut : unsigned char {
   joints,      ///< a pin holds by a slot alone, along the link, or a joint holds a link not at all
+  doubles,     ///< the latter only where another joint holds the same two links
   constraints  ///< the former alone
 };
 

@@ -43,24 +43,24 @@ std::vector<std::string> Structure::names_of(const std::vector<LinkIndex>& links
 }
 
 Table<LinkIndex, bool> Structure::carried_by_ground() const {
-  Table<LinkIndex, bool> carried(linkage.links.size(), false);
-  carried[linkage.ground] = true;
-  for (const CarriedLink& link : this->carried) {
-    carried[link.to] = carried[link.from];
+  Table<LinkIndex, bool> stands(linkage.links.size(), false);
+  stands[linkage.ground] = true;
+  for (const CarriedLink& link : carried) {
+    stands[link.to] = stands[link.from];
   }
-  return carried;
+  return stands;
 }
 
 std::vector<std::size_t> Structure::carried_by_base(GroupIndex group) const {
-  Table<LinkIndex, bool> carried(linkage.links.size(), false);
+  Table<LinkIndex, bool> stands(linkage.links.size(), false);
   std::vector<std::size_t> result;
   if (const LinkIndex base = groups[group].base; base.exists()) {
-    carried[base] = true;
-    for (std::size_t place = 0; place < this->carried.size(); ++place) {
-      const CarriedLink& link = this->carried[place];
+    stands[base] = true;
+    for (std::size_t place = 0; place < carried.size(); ++place) {
+      const CarriedLink& link = carried[place];
       const bool is_known = !link.group.exists() || link.group < group;
-      carried[link.to] = carried[link.to] || (carried[link.from] && is_known);
-      if (carried[link.from] && is_known) {
+      stands[link.to] = stands[link.to] || (stands[link.from] && is_known);
+      if (stands[link.from] && is_known) {
         result.push_back(place);
       }
     }
@@ -90,9 +90,9 @@ NamedParts Structure::named_parts(const Mechanism& mechanism) const {
     return mechanism.links()[mechanism.features()[feature].link].name;
   };
   NamedParts parts;
-  const Table<LinkIndex, bool> carried = carried_by_ground();
+  const Table<LinkIndex, bool> stands = carried_by_ground();
   for (const LinkIndex link : mechanism.links().keys()) {
-    if (!carried[link]) {
+    if (!stands[link]) {
       parts.links.push_back(link);
     }
   }

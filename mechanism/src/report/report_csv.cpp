@@ -45,7 +45,7 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                std::string& row) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    add_cells(plan, spread, without_derivatives(plan, configuration), row);
+    add_cells(plan, spread, without_unknown(plan, configuration), row);
     return;
   }
   const Want& want = plan.request().want;
@@ -109,7 +109,7 @@ std::string csv_header(const Plan& plan) {
     }
   };
   const Want& want = request.want;
-  for (const LinkIndex link : report::reported_links(plan, false)) {
+  for (const LinkIndex link : reported_links(plan, false)) {
     const std::string& name = mechanism.links()[link].name;
     add(want.position, name, {"x", "y", "theta"});
     add(want.velocity, name, {"vx", "vy", "omega"});

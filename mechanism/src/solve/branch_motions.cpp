@@ -10,6 +10,7 @@
 #include "group_branches.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
+#include "redundant_joints.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -138,7 +139,8 @@ class BranchWalk {
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
     const PlacedGroup& here = placed_.groups[group];
     // A group behind a singular one stands as firmly as that does: it was settled to rounding.
-    const double displaced = std::isfinite(here.displaced) ? here.displaced : 0;
+    // Behind others it is displaced by less, or they would have had no branches.
+    const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
          branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
@@ -322,7 +324,13 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
 /// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
 /// nor is how such a group shapes others, nor how a driver changes a link whose features hardly
 /// define its frame.
-bool are_known(const Motions& motions, const Values& values) {
+bool are_known(const Motions& motions, const Values& values, const PlacedLinks& placed) {
+  for (const ReadingDriver& reading : values.plan().structure.reading) {
+    if (reading.groups_before > 0 &&
+        !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known) {
+      return false;
+    }
+  }
   for (const GroupIndex group : values.plan().structure.groups.keys()) {
     const Values::GroupNumbers& numbers = values.numbers_of(group);
     if (!precision_of_shape(numbers.firmness).second_rates_known || !numbers.d_rate.allFinite() ||
@@ -380,7 +388,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
     return;
   }
   const Motions motions = along_parameter(values, column);
-  if (!are_known(motions, values)) {
+  if (!are_known(motions, values, placed)) {
     return;
   }
   const std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
@@ -392,10 +400,13 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
   const Motions motions = in_time(values);
-  if (!are_known(motions, values)) {
+  if (!are_known(motions, values, placed)) {
     return;
   }
   std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
+  // What the constraints that were left out stop is no motion of the mechanism.
+  std::erase_if(
+      found, [&](const Configuration& branch) { return !moves_redundantly(values, branch.links); });
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;

@@ -12,10 +12,6 @@ constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
 constexpr auto highest_order = static_cast<Eigen::Index>(models::Series::order);
 /// A term this small a part of what it is the component of is zero but for rounding.
 constexpr double negligible_part = 1e-6;
-/// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
-/// largest. Rates are known to two digits where noise / s^2 is at most this, second rates where
-/// noise / s^3 is.
-constexpr double two_digits_lost = 1e-3;
 /// Configurations that meet are listed as one where rounding does not tell them apart; then s^2 is
 /// at most this part of the noise.
 constexpr double met = 0.1;

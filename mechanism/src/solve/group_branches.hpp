@@ -9,6 +9,11 @@
 
 namespace assur::mechanism::solve {
 
+/// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
+/// largest. Rates are known to two digits where noise / s^2 is at most this, second rates where
+/// noise / s^3 is.
+inline constexpr double two_digits_lost = 1e-3;
+
 /// A configuration of a group whose inputs move, and whose links may change their shapes.
 struct GroupOnTheMove {
   const GroupModel& model;

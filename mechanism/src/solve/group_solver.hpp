@@ -11,11 +11,12 @@
 
 namespace assur::mechanism::solve {
 
-/// A configuration of a group, and how far rounding may have moved its neighbours, in parts of the
-/// group's size.
+/// A configuration of a group, how far rounding may have moved its neighbours, in parts of the
+/// group's size, and whether its rates and those of all groups before it are known.
 struct PlacedGroup {
   models::FlatVariables q;
   double displaced;
+  bool rates_known;
 };
 
 /// What is placed so far of one configuration.

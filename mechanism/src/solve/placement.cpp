@@ -280,7 +280,8 @@ void Placement::place(GroupIndex group, std::size_t index) {
   if (structure_.groups[group].base.exists()) {
     settled_->settle(group, placed_.links, placed_.displaced);
   }
-  placed_.groups[group] = {solvers_[group].configuration(index), solvers_[group].displaced()};
+  placed_.groups[group] = {solvers_[group].configuration(index), solvers_[group].displaced(),
+                           placed_.rates_known};
   chosen_[group] = index;
   if (plan_->request.sweep) {
     placed_.determinants[group] = solvers_[group].determinant();

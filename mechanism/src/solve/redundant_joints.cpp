@@ -115,6 +115,29 @@ bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& link
           }));
 }
 
+bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
+  constexpr double rounding_of_branches = 1e-6;
+  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+    const Pair pair = placed(values, links, joint);
+    const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
+    const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
+    if (!second_rate.allFinite() || values.plan().request.redundancy_tolerance.exists()) {
+      return true;
+    }
+    const Fastest fastest = fastest_of(links, pair.size);
+    double speeding_up = fastest.speed * fastest.turning;
+    for (const Frame& link : links) {
+      speeding_up = std::max({speeding_up, link.acceleration.head<2>().norm(),
+                              std::abs(link.acceleration(2)) * pair.size});
+    }
+    return pair.are_lines
+               ? std::abs(rate(2)) <= rounding_of_branches * fastest.turning &&
+                     std::abs(second_rate(2)) * pair.size <= rounding_of_branches * speeding_up
+               : rate.head<2>().norm() <= rounding_of_branches * fastest.speed &&
+                     second_rate.head<2>().norm() <= rounding_of_branches * speeding_up;
+  });
+}
+
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
   OverConstrained refusal = refused(
       plan, gap > 0

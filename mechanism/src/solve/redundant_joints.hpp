@@ -15,6 +15,10 @@ namespace assur::mechanism::solve {
 [[nodiscard]] bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                                      Status regularity, bool rates_known);
 
+/// Whether they hold along one of several motions through a configuration in which they do: to
+/// first and second order, for at a change point all motions agree to first order.
+[[nodiscard]] bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
+
 /// By how much the worst of them fails to close, in the scene's unit; zero where all do, to
 /// rounding or to the tolerance.
 [[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,

@@ -108,13 +108,24 @@ std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechani
                                                         const OverConstrained& excess) {
   OverConstrained refusal = excess;
   const std::vector<std::string> kept = reported_joints(mechanism, request);
-  for (const plan::LeftOut most : {plan::LeftOut::joints, plan::LeftOut::constraints}) {
+  std::optional<MechanismError> flaw;
+  bool is_tried = false;
+  for (const plan::LeftOut most :
+       {plan::LeftOut::joints, plan::LeftOut::doubles, plan::LeftOut::constraints}) {
     for (const plan::BalancedMechanism& part : plan::balanced(mechanism, excess, most, kept)) {
       const Request asked = request_of_part(mechanism, request, part.mechanism);
-      if (auto plan = planned_without(part, asked, excess, refusal)) {
-        return plan;
+      try {
+        if (auto plan = planned_without(part, asked, excess, refusal)) {
+          return plan;
+        }
+        is_tried = true;
+      } catch (const MechanismError& error) {
+        flaw = error;  // as where a slot would lead from a pin to another one in its place
       }
     }
+  }
+  if (flaw && !is_tried) {
+    throw MechanismError(*flaw);
   }
   throw OverConstrained(refusal);
 }

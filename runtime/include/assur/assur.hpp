@@ -1,6 +1,7 @@
 // Turns one include into all that the runtime offers to the user of a generated model.
 //
 //   Assemblies    assemblies(d, u)                    every configuration of a group
+//   assemblies(count, d, u, result)                   the same of many groups, several at once
 //   Status        refine(d, u, q)                     one configuration, from a guess
 //   Regularity    regularity(d, u, q)                 how far it is from singular
 //   Status        sensitivities, motion, jerk, ...    what follows to first and second order
@@ -16,6 +17,8 @@
 
 #include <assur/assemblies.hpp>
 #include <assur/assembly.hpp>
+#include <assur/batch.hpp>
+#include <assur/batch_kinematics.hpp>
 #include <assur/branch_point.hpp>
 #include <assur/directions.hpp>
 #include <assur/kinematics.hpp>

@@ -78,6 +78,21 @@ std::string c_identifier(const std::string& text) {
   return result;
 }
 
+std::string header_name(const std::string& stem) {
+  std::string result;
+  for (const char c : stem) {
+    if (is_letter(c) || is_digit(c)) {
+      result += c;
+    } else if (!result.empty() && result.back() != '_') {
+      result += '_';
+    }
+  }
+  if (!result.empty() && result.back() == '_') {
+    result.pop_back();
+  }
+  return result.empty() ? "_" : c_identifier(result);
+}
+
 std::string struct_name(const std::string& stem, const std::string& word) {
   std::string result;
   bool capital = true;

@@ -71,6 +71,23 @@ TEST(EmitSceneContent, HoldsWhatIsWantedAlone) {
   EXPECT_NE(everything.find("\"AB\""), std::string::npos);
 }
 
+/// Compilers warn of a point of which nothing is used.
+TEST(EmitSceneContent, PlacesNoPointOfWhichNothingIsWanted) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.write("crank.json", R"({"links": {"ground": {"A": [0, 0]},
+      "crank": {"A": [0, 0], "P": [1, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]}},
+    "drivers": {"A": {"position": 1.5}}, "outputs": {"P": "crank.P"}})");
+  const auto emitted = [&](const std::string& want) {
+    const CommandResult result = run_assur("emit --scene " + file.string() + " --want " + want +
+                                           " --output " + directory.path().string());
+    EXPECT_EQ(result.status, 0) << result.messages;
+    return code_of(read_file(directory.path() / "assur/scenes/crank.hpp"));
+  };
+  EXPECT_NE(emitted("position").find("point_P"), std::string::npos);
+  EXPECT_EQ(emitted("sensitivity").find("point_P"), std::string::npos);
+}
+
 TEST(EmitSceneContent, IsTheSameInEveryProcess) {
   std::string first;
   for (int process = 0; process < 4; ++process) {

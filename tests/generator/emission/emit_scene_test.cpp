@@ -33,7 +33,7 @@ EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
   const std::map<std::string, std::string> members = {
       {"class", "class_2"},     {"1-2", "n1_2"},   {"1 2", "n1_2_2"},
       {"slide_S", "slide_S_2"}, {"\u00e9\n", "n"}, {"__Drivers", "Drivers_2"}};
-  return {directory.write("4-bar & \"co\".json", awkward_scene().dump()), "_4_bar____co_",
+  return {directory.write("4-bar & \"co\".json", awkward_scene().dump()), "_4_bar_co",
           "Scene4BarCo", members};
 }
 

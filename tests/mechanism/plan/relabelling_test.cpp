@@ -1,13 +1,16 @@
 // Law, over all 64 kinds: a scene gives the same configurations in the same order however its links
-// and joints are listed, and the one from which it was made is among them.
+// and joints are listed, and the one from which it was made is among them; so does one with
+// constraints that are too many.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <assur/tetrad/models.hpp>
 #include <numeric>
 
 #include "largest.hpp"
 #include "mechanism/kind_scene.hpp"
+#include "mechanism/scene_maker.hpp"
 #include "mechanism/solved.hpp"
 
 namespace assur::test::relabelling_test {
@@ -77,6 +80,29 @@ TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
   std::apply([&](auto... model) { (check_kinds<decltype(model)>(groups), ...); }, tetrad::Models());
   std::cout << groups << " groups, each in five listings\n";
   EXPECT_GT(groups, 100);
+}
+
+/// A coupler on three equal cranks: of the constraints that are too many the same is left out,
+/// along the same line, on which the verdict on a configuration depends.
+TEST(Relabelling, KeepsWhatIsLeftOutOfTooManyConstraints) {
+  SceneMaker maker;
+  maker.parameter("phi", "-pi/2").drive("A0", "phi", 1, 0);
+  const std::array<std::array<double, 2>, 3> pivots{{{5, 4}, {5, 3}, {0, 2}}};
+  for (std::size_t crank = 0; crank < pivots.size(); ++crank) {
+    const std::string number = std::to_string(crank);
+    const auto& [x, y] = pivots[crank];
+    maker.point("ground", "A" + number, x, y).point("coupler", "B" + number, x, y + 2);
+    maker.point("leg" + number, "A" + number, 0, 0).point("leg" + number, "B" + number, 0, 2);
+  }
+  const Solved reference(mechanism::parse_scene(maker.scene().dump(), "scene"));
+  ASSERT_EQ(reference.configurations().size(), 1U);
+  for (const int listing : {1, 2}) {
+    const Solved found(
+        mechanism::parse_scene(scene_listed(maker.scene(), listing).dump(), "scene"));
+    ASSERT_EQ(found.configurations().size(), 1U);
+    EXPECT_EQ(found.configurations()[0].regularity, reference.configurations()[0].regularity);
+    EXPECT_NEAR(found.configurations()[0].link("leg1").velocity(2), 1, 1e-7);
+  }
 }
 
 }  // namespace

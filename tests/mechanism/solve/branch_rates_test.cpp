@@ -282,6 +282,44 @@ TEST(Meetings, AreLeftFromRestAsTheyArePassed) {
   EXPECT_NEAR(found[0] * found[1], 1.0 / 3, 1e-9);
 }
 
+/// Parallelograms in a row that are flat at once, whatever rounding makes of their Jacobians there:
+/// each turns as the one before it, or at one other ratio.
+TEST(Meetings, OfGroupsInARowHaveAllTheirMotions) {
+  for (const double crank : {0.75, 1.0, 2.0, 3.0, 1.3}) {
+    for (const double coupler : {4.0, 3.5, 5.7}) {
+      for (const char* phi : {"pi/2", "-pi/2", "3*pi/2"}) {
+        SceneMaker scene;
+        scene.parameter("phi", phi)
+            .drive("A", "phi", 1, 0)
+            .point("ground", "A", 0, 0)
+            .bar("crank", {{"A", 0}, {"C0", crank}});
+        for (int stage = 1; stage < 4; ++stage) {
+          const std::string before = std::to_string(stage - 1);
+          const std::string here = std::to_string(stage);
+          scene.point("ground", "D" + here, 0, stage * coupler)
+              .bar("coupler" + here, {{"C" + before, 0}, {"C" + here, coupler}})
+              .bar("rocker" + here, {{"D" + here, 0}, {"C" + here, crank}});
+        }
+        const Solved solved(mechanism::parse_scene(scene.scene().dump(), "scene"));
+        ASSERT_EQ(solved.configurations().size(), 1U);
+        const std::vector<Configuration>& branches = solved.configurations()[0].branches;
+        EXPECT_EQ(branches.size(), 8U) << crank << " " << coupler << " " << phi;
+        const double sense = phi[0] == 'p' ? 1 : -1;  // the crank points along the row, or back
+        const double other = (coupler + sense * crank) / (coupler - sense * crank);
+        for (const Configuration& branch : branches) {
+          double before = 1;
+          for (int stage = 1; stage < 4; ++stage) {
+            const double omega = branch.link("rocker" + std::to_string(stage)).velocity(2);
+            const double ratio = omega / before;
+            EXPECT_LT(std::min(std::abs(ratio - 1), std::abs(ratio + other)), 1e-5) << ratio;
+            before = omega;
+          }
+        }
+      }
+    }
+  }
+}
+
 /// Neither the unit of length nor the speed changes how many digits are known.
 TEST(Meetings, DoNotDependOnUnits) {
   const std::vector<double> truth = rocker_accelerations(four_bar(2, 5, 4, 3, "0", 1, -3));

@@ -86,6 +86,29 @@ TEST(ReadAngles, GoOnAlongABranchThatIsFollowedAlone) {
   }
 }
 
+/// A rack on a crank of a flat parallelogram, which may go on in two ways: what is known of its
+/// motions moves the rack as it moves the crank.
+TEST(ReadAngles, HaveNoRatesOfTheirOwnAtAChangePoint) {
+  for (const double phi : {-1.5, -0.5, 0.5, 1.5}) {
+    Json scene = rack_on_drag_link(1, 2);
+    scene["parameters"]["phi"] = {{"value", phi * std::numbers::pi}, {"velocity", 1}};
+    scene["links"]["ground"]["D"] = {3, 0};
+    scene["links"]["crank"]["B"] = {0, 2};
+    scene["links"]["coupler"]["C"] = {3, 0};
+    scene["links"]["output"]["C"] = {0, 2};
+    const mechanism::Plan plan(scene_of(scene));
+    const mechanism::Solution found = plan.solve(plan.values());
+    ASSERT_EQ(found.configurations.size(), 1U);
+    std::vector<Configuration> known = found.configurations[0].branches;
+    if (found.configurations[0].rates_known) {
+      known.push_back(found.configurations[0]);
+    }
+    for (const Configuration& motion : known) {
+      EXPECT_NEAR(motion.link("rack").velocity(0), 2 * motion.link("output").velocity(2), 1e-6);
+    }
+  }
+}
+
 TEST(Laws, WithoutAValueDropTheirConfigurationsAlone) {
   Bars bars;
   bars.four_bar().point("arm", "E", 0, 0).point("arm", "T", 1, 0);

@@ -2,7 +2,10 @@
 // elsewhere the mechanism is refused as over-constrained.
 #include <gtest/gtest.h>
 
+#include <assur/mechanism/sweep.hpp>
 #include <cmath>
+#include <numbers>
+#include <tuple>
 
 #include "mechanism/bars.hpp"
 
@@ -54,6 +57,42 @@ TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
     EXPECT_NEAR(point.position.y(), 1.5 * std::sin(phi), 1e-14);
     EXPECT_NEAR(point.velocity.x(), -3 * std::sin(phi), 1e-13);
     EXPECT_NEAR(point.acceleration.y(), -6 * std::sin(phi), 1e-13);
+  }
+}
+
+/// Where the bars are in line, and where the constraint that is left out would leave the rocker
+/// free to turn back: the bars have one motion, and a sweep passes through with one branch.
+TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
+  for (const double third : {1.0, 2.0}) {
+    for (const double phi : {0.0, 0.5, 1.0, 1.5, 2.0}) {
+      Bars bars = five_bars(2, 1.5);
+      bars.json()["links"]["ground"]["F"] = {third, 0};
+      bars.json()["links"]["coupler"]["G"] = {third, 0};
+      bars.json()["parameters"]["phi"] = phi * std::numbers::pi;
+      const Solved found = solved(bars.json());
+      ASSERT_EQ(found.configurations().size(), 1U) << phi;
+      EXPECT_TRUE(found.configurations()[0].branches.empty());
+      EXPECT_NEAR(found.configurations()[0].link("rocker").velocity(2), 2, 1e-7) << phi;
+      EXPECT_NEAR(found.configurations()[0].link("third").velocity(2), 2, 1e-7) << phi;
+      EXPECT_NEAR(found.configurations()[0].link("coupler").velocity(2), 0, 1e-7) << phi;
+      EXPECT_NEAR(found.configurations()[0].link("rocker").acceleration(2), 0, 1e-5) << phi;
+    }
+    Bars bars = five_bars(2, 1.5);
+    bars.json()["links"]["ground"]["F"] = {third, 0};
+    bars.json()["links"]["coupler"]["G"] = {third, 0};
+    bars.json()["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", "2*pi"}, {"count", 9}};
+    int rows = 0;
+    const auto record = [&](const mechanism::SweepRecord& at) {
+      EXPECT_EQ(at.event, "");
+      EXPECT_EQ(at.branch, 1);
+      if (at.event.empty()) {
+        EXPECT_NEAR(at.state->link("rocker").velocity(2), 2, 1e-7) << at.step;
+        ++rows;
+      }
+    };
+    mechanism::sweep(mechanism::Plan(mechanism::parse_scene(bars.json().dump(), "scene")),
+                     {record, {}, {}});
+    EXPECT_EQ(rows, 9);
   }
 }
 
@@ -250,6 +289,89 @@ TEST(RedundantJoints, HideNoSlideOfTheScene) {
     described += found.plan.is_stand_in(slide.joint) ? 0 : 1;
   }
   EXPECT_EQ(described, 1);
+}
+
+/// Equal cranks, on whose coupler a door slides in two guides, moved by a rod: constraints of two
+/// sorts are too many, each of which would be left out were it alone.
+TEST(RedundantJoints, OfGuidesOnParallelCranksHold) {
+  for (const int cranks : {3, 4}) {
+    Json scene;
+    for (int crank = 0; crank < cranks; ++crank) {
+      const std::string number = std::to_string(crank);
+      scene["links"]["ground"]["A" + number] = {2 * crank, 0};
+      scene["links"]["coupler"]["B" + number] = {2 * crank, 2};
+      scene["links"]["crank" + number] = {{"A", {0, 0}}, {"B", {0, 2}}};
+      scene["joints"]["A" + number] = {{"type", "revolute"},
+                                       {"between", {"ground.A" + number, "crank" + number + ".A"}}};
+      scene["joints"]["B" + number] = {
+          {"type", "revolute"}, {"between", {"crank" + number + ".B", "coupler.B" + number}}};
+    }
+    for (const std::string guide : {"G", "H"}) {
+      const Json line = {{"through", {1, guide == "G" ? 1 : 3}}, {"along", {1, 0}}};
+      scene["links"]["coupler"][guide] = line;
+      scene["links"]["door"][guide] = line;
+      scene["joints"][guide] = {{"type", "prismatic"},
+                                {"between", {"coupler." + guide, "door." + guide}}};
+    }
+    scene["links"]["door"]["P"] = {2, 2};
+    scene["links"]["rod"] = {{"P", {2, 2}}, {"Q", {5, 3}}};
+    scene["links"]["ground"]["Q"] = {5, 3};
+    scene["joints"]["P"] = {{"type", "revolute"}, {"between", {"door.P", "rod.P"}}};
+    scene["joints"]["Q"] = {{"type", "revolute"}, {"between", {"rod.Q", "ground.Q"}}};
+    scene["drivers"]["A0"] = {{"position", 0.2}, {"velocity", 1}};
+    scene["outputs"]["P"] = "door.P";
+    const Solved found = solved(scene);
+    EXPECT_EQ(found.plan.redundant().size(), static_cast<std::size_t>(cranks - 1));
+    ASSERT_EQ(found.configurations().size(), 2U);
+    for (const Configuration& configuration : found.configurations()) {
+      const mechanism::Point& pin = configuration.output("P");
+      EXPECT_NEAR(pin.position.y(), 2 * std::cos(0.2), 1e-13);  // 2 in the coupler's frame
+      EXPECT_NEAR(std::hypot(pin.position.x() - 5, pin.position.y() - 3), std::sqrt(10), 1e-13);
+      EXPECT_NEAR(pin.velocity.y(), -2 * std::sin(0.2), 1e-13);
+      EXPECT_NEAR(configuration.link("coupler").velocity(2), 0, 1e-13);
+    }
+  }
+}
+
+/// Two rows of equal bars, one on the other's coupler, with pins of both in one place: no slot
+/// leads from one to the other.
+TEST(RedundantJoints, OfPinsInOnePlaceHold) {
+  Json scene;
+  scene["links"]["ground"]["W"] = {7, 9};
+  scene["links"]["rod"] = {{"W", {7, 9}}, {"T", {0, 9}}};
+  scene["links"]["top"]["T"] = {0, 9};
+  scene["joints"]["T"] = {{"type", "revolute"}, {"between", {"rod.T", "top.T"}}};
+  scene["joints"]["W"] = {{"type", "revolute"}, {"between", {"rod.W", "ground.W"}}};
+  for (const int bar : {0, 1, 2}) {
+    const std::string number = std::to_string(bar);
+    const double x = bar * (bar + 1);
+    scene["links"]["ground"]["A" + number] = {x, bar % 2};
+    scene["links"]["coupler"]["B" + number] = {x + 4, 3 + bar % 2};
+    scene["links"]["coupler"]["C" + number] = {x + 4, 3 + bar % 2};
+    scene["links"]["top"]["D" + number] = {x + 7, 7 + bar % 2};
+    scene["links"]["lower" + number] = {{"A", {0, 0}}, {"B", {4, 3}}};
+    scene["links"]["upper" + number] = {{"C", {0, 0}}, {"D", {3, 4}}};
+    for (const auto& [joint, low, high] : {std::tuple{"A", "ground", "lower"},
+                                           {"B", "lower", "coupler"},
+                                           {"C", "coupler", "upper"},
+                                           {"D", "upper", "top"}}) {
+      const auto feature = [&](const std::string& link) {
+        return link +
+               (link == "lower" || link == "upper" ? number + "." + joint : "." + (joint + number));
+      };
+      scene["joints"][joint + number] = {{"type", "revolute"},
+                                         {"between", {feature(low), feature(high)}}};
+    }
+  }
+  scene["drivers"]["A1"] = {{"position", 0.05}, {"velocity", 1}};
+  const Solved found = solved(scene);
+  EXPECT_EQ(found.plan.redundant().size(), 2U);
+  ASSERT_FALSE(found.configurations().empty());
+  for (const Configuration& configuration : found.configurations()) {
+    EXPECT_NEAR(configuration.link("coupler").velocity(2), 0, 1e-12);
+    EXPECT_NEAR(configuration.link("top").velocity(2), 0, 1e-12);
+    EXPECT_LT(configuration.residual, 1e-12);
+  }
 }
 
 TEST(RedundantJoints, OfADoorOnThreeHingesHold) {

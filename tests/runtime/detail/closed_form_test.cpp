@@ -128,8 +128,9 @@ double least_margin(const Group<Model>& group) {
         (-(T.cosine[0] * T.cosine[1]) - reach * T.sine[1]) / found.leading,
         (reach * T.cosine[1] - T.cosine[0] * T.sine[1]) / found.leading};
     Model::complete(d, u, q);
-    const auto regularity = detail::regularity_of(detail::pivots_at<Model, Scalar>(d, u, q),
-                                                  detail::derivative_rounding<Scalar>());
+    const auto regularity =
+        detail::regularity_of(detail::firmness_of(detail::pivots_at<Model, Scalar>(d, u, q)),
+                              detail::derivative_rounding<Scalar>());
     least = std::min(least, static_cast<double>(regularity.margin));
   }
   return least;

@@ -64,7 +64,7 @@ template <std::size_t Place>
   }
   board::paint_stack();
   board::start_counting();
-  const auto found = assur::assemblies<Model>(d, u);
+  const auto found = assur::assemblies<Model, Scalar>(d, u);
   const std::uint64_t instructions = board::instructions();
   const std::uint32_t stack = board::painted_over();
   for (const double number : {static_cast<double>(Place), static_cast<double>(found.status),

@@ -73,18 +73,24 @@ def table_of_examples(examples):
                  [[name, *(one[key] for key in keys)] for name, one in examples.items()])
 
 
+def title(campaign):
+    """`m4f_float`: a board, and the scalar where that is not double."""
+    name, _, scalar = campaign.partition("_")
+    return boards.boards[name].name + (f", {scalar}" if scalar else "")
+
+
 def table_of_campaign(campaigns):
     keys = ["groups", "configurations", "lost", "invented", "other_verdicts"]
     return table(["processor", "groups", "configurations", "lost", "invented", "other verdicts",
                   "groups bit for bit"],
-                 [[boards.boards[name].name, *(one[key] for key in keys),
+                 [[title(name), *(one[key] for key in keys),
                    one["groups"] - one["unlike"]] for name, one in campaigns.items()])
 
 
 def table_of_groups(campaigns):
     head, rows = ["group"], []
     for name in campaigns:
-        head += [f"{boards.boards[name].name}: general", "special", "stack"]
+        head += [f"{title(name)}: general", "special", "stack"]
     for model in next(iter(campaigns.values()), {"models": {}})["models"]:
         of_model = [one["models"][model] for one in campaigns.values()]
         rows.append([model, *(one[key] for one in of_model for key in ("general", "special",

@@ -106,4 +106,23 @@ double pow(double x, double y) {
   }
   return ldexp(sum, doublings);
 }
+
+// Of float: those of double, rounded.
+float cosf(float x) { return static_cast<float>(cos(static_cast<double>(x))); }
+float sinf(float x) { return static_cast<float>(sin(static_cast<double>(x))); }
+void sincosf(float x, float* sine, float* cosine) {
+  *sine = sinf(x);
+  *cosine = cosf(x);
+}
+float atanf(float x) { return static_cast<float>(atan(static_cast<double>(x))); }
+float atan2f(float y, float x) {
+  return static_cast<float>(atan2(static_cast<double>(y), static_cast<double>(x)));
+}
+float acosf(float x) { return static_cast<float>(acos(static_cast<double>(x))); }
+float hypotf(float x, float y) {
+  return static_cast<float>(hypot(static_cast<double>(x), static_cast<double>(y)));
+}
+float powf(float x, float y) {
+  return static_cast<float>(pow(static_cast<double>(x), static_cast<double>(y)));
+}
 }

@@ -47,7 +47,7 @@ void place(int number, Random& random, Drivers& drivers) {
   std::size_t index = 0;
   for (double* position : drivers.positions()) {
     const double part = random.next();
-    if (index++ >= assur::support::Access<Solver>::turning_drivers) {
+    if (index++ >= assur::support::Access<Solver, double>::turning_drivers) {
       *position *= 0.9 + 0.2 * part;
     } else if (number < random_places) {
       *position = 6.283185307179586 * part;

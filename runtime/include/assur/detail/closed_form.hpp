@@ -11,6 +11,7 @@
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 
 namespace assur::detail {
@@ -89,13 +90,15 @@ struct Certainty {
   int degree = 0;       ///< of the discriminant in the lengths
 
   /// A length to the discriminant's degree, by the length's square.
-  [[nodiscard]] Scalar power(Scalar square) const {
-    Scalar result = (degree & 1) != 0 ? std::sqrt(square) : 1;
+  template <typename Number>
+  [[nodiscard]] Number power(const Number& square) const {
+    using std::sqrt;
+    Number result = (degree & 1) != 0 ? sqrt(square) : Number(1);
     if ((degree & 2) != 0) {
-      result *= square;
+      result = result * square;
     }
     if ((degree & 4) != 0) {
-      result *= square * square;
+      result = result * (square * square);
     }
     return result;
   }
@@ -138,6 +141,30 @@ struct ClosedForm {
       vouches ? 1 / (std::max)(static_cast<Scalar>(Model::discriminant_error),
                                static_cast<Scalar>(Model::regular_discriminant))
               : discriminant.firmness;
+  /// Of a trigonometric polynomial the leading coefficient is no less than the discriminant, and of
+  /// a linear one it is the root of it.
+  static constexpr bool has_leading_coefficient =
+      !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
+  static constexpr bool is_scaled = Model::dimension_count > 0;
+  /// The discriminant of lengths of this power of two, and of its inverse, is far from overflow and
+  /// underflow.
+  static constexpr int most_power =
+      (std::min)(32, std::numeric_limits<Scalar>::max_exponent * 7 / 16 /
+                         (std::max)(1, Model::discriminant_degree));
+
+  /// Whether products of several lengths neither overflow nor underflow, by the sum of the squares
+  /// of all lengths.
+  template <typename Number>
+  [[nodiscard]] static auto is_in_range(const Number& square) {
+    constexpr Scalar longest = numeric::power_of_two<Scalar>(most_power);
+    constexpr Scalar most = longest * longest;
+    constexpr Scalar most_of_numbers = most_length<Model, Scalar> * most_length<Model, Scalar>;
+    if constexpr (is_scaled) {
+      return (square * Number(most) > Number(1)) & (square < Number(most));
+    } else {
+      return square <= Number(most_of_numbers);
+    }
+  }
 };
 
 /// Whether there is a formula for a model's configurations of which that is said.

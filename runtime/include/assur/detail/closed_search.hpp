@@ -38,21 +38,19 @@ class ClosedSearch {
                                                Assemblies<Model, Number>& result) {
     const Number of_dimensions = square_of_lengths<Number>(dimensions);
     const Number square = of_dimensions + square_of_lengths<Number>(inputs);
-    constexpr Number longest = numeric::power_of_two<Number>(most_power);
-    constexpr Number longest_of_numbers = most_length<Model, Number>;
-    if (!is_in_range(square, longest * longest, longest_of_numbers * longest_of_numbers)) {
+    if (!static_cast<bool>(Form::is_in_range(square))) {
       return false;
     }
     FinalPolynomial<Model, Number> T;
     Model::position_polynomial(dimensions, inputs, T);
     const Discriminants<Number> found = discriminants_of(T);
-    const Number in_units = is_scaled ? square : 1;
+    const Number in_units = Form::is_scaled ? square : 1;
     const Number error = Form::discriminant.error(in_units, displaced);
     if (!(found.discriminant * Form::firmness > error)) {
       return found.discriminant * Form::discriminant.firmness < -error && is_finite(dimensions) &&
              is_finite(inputs);
     }
-    if constexpr (has_leading_coefficient) {
+    if constexpr (Form::has_leading_coefficient) {
       constexpr auto leading = certainty<Number>(Model::leading_error, Model::leading_degree);
       if (!(std::abs(found.leading) * leading.firmness > leading.error(in_units, displaced))) {
         return false;
@@ -91,11 +89,12 @@ class ClosedSearch {
     const Number longest = (std::max)(longest_length(inputs), longest_length(dimensions));
     // What is scaled may have any unit of which the scale is a number.
     constexpr Number most = numeric::power_of_two<Number>(most_power_of_scale);
-    if (!is_in_range(longest, most, most_length<Model, Number>) || !is_finite(dimensions) ||
-        !is_finite(inputs)) {
+    const bool is_in_range = Form::is_scaled ? longest * most > 1 && longest < most
+                                             : longest <= most_length<Model, Number>;
+    if (!is_in_range || !is_finite(dimensions) || !is_finite(inputs)) {
       return false;
     }
-    const Number scale = is_scaled ? support::inverse_power_of_two(longest) / 2 : 1;
+    const Number scale = Form::is_scaled ? support::inverse_power_of_two(longest) / 2 : 1;
     const auto d = support::scaled_to<Dimensions>(dimensions, scale);
     const auto u = support::scaled_to<Inputs>(inputs, scale);
     FinalPolynomial<Model, Number> T;
@@ -134,24 +133,9 @@ class ClosedSearch {
 
  private:
   using Form = ClosedForm<Model, Number>;
-  static constexpr bool is_scaled = Model::dimension_count > 0;
-  /// The discriminant of lengths of this power of two, and of its inverse, is far from overflow and
-  /// underflow; and any length whose inverse is a number can be scaled.
-  static constexpr int most_power =
-      (std::min)(32, std::numeric_limits<Number>::max_exponent * 7 / 16 /
-                         (std::max)(1, Model::discriminant_degree));
+  /// Any length of this power of two, and of its inverse, can be scaled.
   static constexpr int most_power_of_scale =
       std::numeric_limits<Number>::max_exponent * 500 / std::numeric_limits<double>::max_exponent;
-
-  /// Products of several lengths may neither overflow nor underflow.
-  [[nodiscard]] static bool is_in_range(Number size, Number most, Number most_of_numbers) {
-    return is_scaled ? size * most > 1 && size < most : size <= most_of_numbers;
-  }
-
-  /// The leading coefficient of a trigonometric polynomial is no less than its discriminant, and
-  /// that of a linear one is the root of it.
-  static constexpr bool has_leading_coefficient =
-      !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
 
   /// Completes the configurations at the roots; whether they close to a few roundings and are
   /// regular, where the Jacobian is `unsure` by so much. A discriminant that vouches counts that.
@@ -166,7 +150,9 @@ class ClosedSearch {
              static_cast<bool>(miss <= Scalar(settled_direction<Number>)) ||
              static_cast<bool>(holds());
     } else {
-      return static_cast<bool>(complete_simple<Model, Scalar>(d, u, q) & holds()) &&
+      // Compilers are free to compute the operands of `&` in any order.
+      const auto is_complete = complete_simple<Model, Scalar>(d, u, q);
+      return static_cast<bool>(is_complete & holds()) &&
              is_regular<Model, Scalar>(d, u, q, unsure());
     }
   }

@@ -32,38 +32,52 @@ template <typename Model, typename Scalar>
 using support::derivative_rounding;
 using support::regular_error;
 
-/// `rounding`: the relative error of what the pivots are computed from, with all constants.
+/// What the pivots tell, in parts of what they could be at most.
+template <typename Scalar>
+struct Firmness {
+  Scalar kept;      ///< the core's determinant, in parts of the size of its terms
+  Scalar core;      ///< the product of the core's pivots
+  Scalar other;     ///< the smallest of the others
+  int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
+};
+
 template <typename Model, typename Scalar>
-[[nodiscard]] Regularity<Scalar> regularity_of(const Pivots<Model, Scalar>& pivots,
-                                               const Scalar& rounding) {
+[[nodiscard, gnu::always_inline]] inline Firmness<Scalar> firmness_of(
+    const Pivots<Model, Scalar>& pivots) {
   using std::abs;
-  Regularity<Scalar> result;
-  // Of the core's pivots the product counts, of the others the smallest.
-  Scalar core(1);
-  Scalar core_firmness(1);
-  Scalar other_firmness(1);
+  Firmness<Scalar> result{Scalar(1), Scalar(1), Scalar(1)};
   Scalar smallest = std::numeric_limits<Scalar>::infinity();
   for (int index = 0; index < Model::pivot_count; ++index) {
     const Scalar value = abs(pivots.values(index));
     const Scalar firmness = value / pivots.sizes(index);
     if (index < Model::core_pivot_count) {
-      core = core * value;
-      core_firmness = core_firmness * firmness;
-    } else if (!(firmness >= other_firmness)) {
-      other_firmness = firmness;
+      result.kept = result.kept * value;
+      result.core = result.core * firmness;
+    } else if (!(firmness >= result.other)) {
+      result.other = firmness;
     }
     if (!(firmness >= smallest)) {
       smallest = firmness;
       result.weakest = index;
     }
   }
-  const Scalar kept = core / pivots.terms;
-  const Scalar firmness = core_firmness * other_firmness * other_firmness;
+  result.kept = result.kept / pivots.terms;
+  return result;
+}
+
+/// `rounding`: the relative error of what the pivots are computed from, with all constants. Of the
+/// core's pivots the product counts, of the others the smallest.
+template <typename Scalar>
+[[nodiscard]] Regularity<Scalar> regularity_of(const Firmness<Scalar>& pivots,
+                                               const Scalar& rounding) {
+  Regularity<Scalar> result;
+  result.weakest = pivots.weakest;
+  const Scalar firmness = pivots.core * pivots.other * pivots.other;
   const Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
-  if (!(kept > epsilon && firmness > Scalar(0))) {
+  if (!(pivots.kept > epsilon && firmness > Scalar(0))) {
     return result;
   }
-  result.margin = kept * firmness;
+  result.margin = pivots.kept * firmness;
   result.firmness = firmness;
   result.rounding = rounding;
   const bool keeps = rounding < Scalar(regular_error<Scalar>) * result.margin;
@@ -72,9 +86,8 @@ template <typename Model, typename Scalar>
 }
 
 /// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
-template <typename Model, typename Scalar>
-[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
-                              typename numeric::PartOf<Scalar>::Type rounding) {
+template <typename Model, typename Scalar, typename Rounding>
+[[nodiscard]] auto are_regular(const Pivots<Model, Scalar>& pivots, const Rounding& rounding) {
   Scalar core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
   Scalar lost = Scalar(rounding) * pivots.terms;
   for (int index = 0; index < Model::core_pivot_count; ++index) {
@@ -86,7 +99,14 @@ template <typename Model, typename Scalar>
     regular = regular & (lost * (pivots.sizes(index) * pivots.sizes(index)) <
                          core * (pivots.values(index) * pivots.values(index)));
   }
-  return static_cast<bool>(regular);
+  return regular;
+}
+
+/// The same of all numbers of a pack at once.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
+                              typename numeric::PartOf<Scalar>::Type rounding) {
+  return static_cast<bool>(are_regular<Model>(pivots, rounding));
 }
 
 /// Whether second rates keep as many digits too, whatever moves: they divide by the firmness once

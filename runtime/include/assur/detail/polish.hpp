@@ -20,11 +20,11 @@ namespace assur::detail {
 
 /// Whether the closures hold as they are to a few roundings, where the square of the longest of the
 /// given lengths is so much.
-template <typename Model, typename Scalar>
+template <typename Model, typename Scalar, typename Square>
 [[nodiscard]] auto closes(const typename Model::template Dimensions<Scalar>& d,
                           const typename Model::template Inputs<Scalar>& u,
                           const typename Model::template Configuration<Scalar>& q,
-                          typename numeric::PartOf<Scalar>::Type square) {
+                          const Square& square) {
   using Part = typename numeric::PartOf<Scalar>::Type;
   constexpr Part rounding = 8 * std::numeric_limits<Part>::epsilon();
   constexpr Part farthest = farthest_configuration<Part> * farthest_configuration<Part>;
@@ -36,7 +36,7 @@ template <typename Model, typename Scalar>
   }
   const auto lengths = square_of_lengths<Scalar>(q);
   return (miss <= (Scalar(square) + lengths) * Scalar(rounding * rounding)) &
-         (lengths < Scalar(farthest * square));
+         (lengths < Scalar(farthest) * Scalar(square));
 }
 
 /// Whether a configuration is regular, where what tells it is `unsure` by so much beforehand.
@@ -47,12 +47,6 @@ template <typename Model, typename Scalar>
                               typename numeric::PartOf<Scalar>::Type unsure) {
   return is_regular<Model>(pivots_at<Model, Scalar>(d, u, q),
                            derivative_rounding<typename numeric::PartOf<Scalar>::Type>() + unsure);
-}
-
-/// What polishing leaves of the closures where the longest number among them is so long.
-template <typename Scalar>
-[[nodiscard]] Scalar polished_rounding(Scalar longest) {
-  return 18 * std::numeric_limits<Scalar>::epsilon() * longest;
 }
 
 /// A root that is certainly simple may yet leave another unknown loose, which then may move freely,

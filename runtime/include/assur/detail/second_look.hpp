@@ -20,8 +20,17 @@
 
 namespace assur::detail {
 
-/// Rounding of a closure f_i, of a few epsilons, moves the configuration by dq = J^-1 df and the
+/// What polishing leaves of the closures where the longest number among them is so long.
+template <typename Scalar>
+[[nodiscard]] Scalar polished_rounding(Scalar longest) {
+  return 18 * std::numeric_limits<Scalar>::epsilon() * longest;
+}
+
+/// What is left of a closure f_i, of some epsilons, moves the configuration by dq = J^-1 df and the
 /// derivatives J^-1 c by J^-1 (J_q dq) J^-1 c; rounding of J moves them by |J^-1| |J| |J^-1|.
+/// The elimination knows the unknowns of the core to a few epsilons over what its determinant keeps
+/// of its terms; the others are differences of these over pivots outside the core, of which the
+/// smallest counts. This is what the margin, too, has of both once, beside their firmness.
 /// Lengths count in parts of the group's longest, and the changes of all closures add up, in parts
 /// of the largest entry of J^-1 among unknowns of one unit. `displaced` as `regularity` has it.
 /// Sets the status, and what `error` and the firmness tell.
@@ -29,7 +38,7 @@ template <typename Model, typename Scalar>
 void look_again(const typename Model::template Dimensions<Scalar>& d,
                 const typename Model::template Inputs<Scalar>& u,
                 const typename Model::template Configuration<Scalar>& q, Scalar displaced,
-                Regularity<Scalar>& regularity) {
+                const Firmness<Scalar>& pivots, Regularity<Scalar>& regularity) {
   constexpr int size = Model::unknown_count;
   using Square = Matrix<Scalar, size, size>;
   constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
@@ -60,8 +69,9 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
     }
   }
   // A displacement may be longer than the group, and is rounded as it is long.
-  const Scalar of_closures = 8 * epsilon * (std::max)(Scalar(1), longest_length(q) / longest);
+  const Scalar of_closures = polished_rounding((std::max)(Scalar(1), longest_length(q) / longest));
   constexpr Scalar of_entries = 4 * epsilon;
+  constexpr Scalar of_elimination = 4 * epsilon;
   constexpr Scalar small_turn = Scalar(1) / 32;
   Square change = product(product(sizes, terms), sizes);
   for (int index = 0; index < size * size; ++index) {
@@ -107,9 +117,7 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
     }
     error = largest > 0 && !(farthest / largest <= error) ? farthest / largest : error;
   }
-  // By measurement the pivots are no more than so many times too cautious where digits are lost.
-  constexpr Scalar most_caution = 32;
-  error = error < regularity.error() / most_caution ? regularity.error() / most_caution : error;
+  error += of_elimination / (pivots.kept * pivots.other);
   if (std::isfinite(error)) {
     regularity.rounding = error * regularity.margin;
     regularity.firmness = (std::max)(regularity.firmness, 1 / loose);
@@ -131,11 +139,12 @@ template <typename Model, typename Scalar>
     const Pivots<Model, Scalar>& pivots, const typename Model::template Dimensions<Scalar>& d,
     const typename Model::template Inputs<Scalar>& u,
     const typename Model::template Configuration<Scalar>& q, Scalar displaced = Scalar(0)) {
+  const Firmness<Scalar> firmness = firmness_of(pivots);
   Regularity<Scalar> result =
-      regularity_of(pivots, Scalar(derivative_rounding<Scalar>() + displaced));
+      regularity_of(firmness, Scalar(derivative_rounding<Scalar>() + displaced));
   if constexpr (std::is_same_v<Scalar, float> && closes_loops<Model>) {
     if (result.status == Status::near_singular) {
-      look_again<Model, Scalar>(d, u, q, displaced, result);
+      look_again<Model, Scalar>(d, u, q, displaced, firmness, result);
     }
   }
   return result;

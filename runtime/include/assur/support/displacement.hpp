@@ -47,7 +47,8 @@ class DisplacedGroup {
     Regularity<Scalar> result = regularity(d, u, q);
     if constexpr (std::is_same_v<Scalar, float>) {
       if (result.status == Status::ok) {
-        detail::look_again<Model, Scalar>(d, u, q, unsure_, result);
+        const auto pivots = detail::firmness_of(detail::pivots_at<Model, Scalar>(d, u, q));
+        detail::look_again<Model, Scalar>(d, u, q, unsure_, pivots, result);
       }
     }
     return result;

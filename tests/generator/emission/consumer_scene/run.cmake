@@ -77,6 +77,7 @@ function(expect_refusal text message)
     "project(refused LANGUAGES CXX)\nfind_package(assur REQUIRED)\n${text}\n")
   file(COPY ${SOURCE}/four-bar.json DESTINATION ${WORK}/refused)
   file(COPY_FILE ${SOURCE}/four-bar.json ${WORK}/refused/four_bar.json)
+  file(COPY_FILE ${SOURCE}/four-bar.json ${WORK}/refused/_four__bar.json)
   execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/refused -B ${WORK}/refused_build
       -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/install
     RESULT_VARIABLE status ERROR_VARIABLE messages OUTPUT_QUIET)
@@ -88,14 +89,18 @@ endfunction()
 expect_refusal("assur_add_solver(one SCENE five_bar.json)" "one: no file [^ ]*/five_bar.json")
 expect_refusal("assur_add_solver(one SCENE four-bar.json)\nassur_add_solver(two SCENE four_bar.json)"
   "four-bar and four_bar differ in punctuation alone")
+expect_refusal("assur_add_solver(one SCENE four-bar.json)\nassur_add_solver(two SCENE _four__bar.json)"
+  "four-bar and _four__bar differ in punctuation alone")
 expect_refusal("assur_add_solver(one SCENE four-bar.json INTERFACE d)" "one: no interface 'd'")
 set(emit ${WORK}/install/bin/assur emit --output ${WORK}/punctuation --scene)
 run(${emit} ${WORK}/refused/four-bar.json)
-execute_process(COMMAND ${emit} ${WORK}/refused/four_bar.json
-  RESULT_VARIABLE status ERROR_VARIABLE messages)
-if(NOT status EQUAL 2 OR NOT messages MATCHES "is the solver of 'four-bar.json'")
-  message(FATAL_ERROR "one solver may not replace another: ${status}\n${messages}")
-endif()
+foreach(other four_bar _four__bar)
+  execute_process(COMMAND ${emit} ${WORK}/refused/${other}.json
+    RESULT_VARIABLE status ERROR_VARIABLE messages)
+  if(NOT status EQUAL 2 OR NOT messages MATCHES "is the solver of 'four-bar.json'")
+    message(FATAL_ERROR "one solver may not replace another: ${status}\n${messages}")
+  endif()
+endforeach()
 execute_process(COMMAND ${emit} ${WORK}/refused/four-bar.json --want speed
   RESULT_VARIABLE status ERROR_VARIABLE messages)
 if(NOT status EQUAL 2 OR NOT messages MATCHES "--want: no result named 'speed'")

@@ -10,6 +10,10 @@ namespace assur::text {
 /// MAKE_C_IDENTIFIER makes of it.
 [[nodiscard]] std::string c_identifier(const std::string& text);
 
+/// The header for a file, without its ending: the above, with one `_` for several and none at the
+/// ends. Names that differ in punctuation alone have the same, as they have the same struct.
+[[nodiscard]] std::string header_name(const std::string& stem);
+
 /// The struct for a file: `four-bar_2` as `FourBar2`, with a word in front of a leading digit and
 /// of a word that the templates or a macro have taken.
 [[nodiscard]] std::string struct_name(const std::string& stem, const std::string& word = "Scene");

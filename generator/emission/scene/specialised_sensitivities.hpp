@@ -1,0 +1,18 @@
+// Turns a group's derivatives into the functions that its sensitivities to a scene's parameters
+// need.
+#pragma once
+
+#include <vector>
+
+#include "derivatives/differentiate.hpp"
+#include "emission/model/model_functions.hpp"
+#include "emission/scene/specialised_group.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// What parameters change at the dimensions and at the ground, and what the inputs change, in the
+/// closures and in the poses of the links.
+[[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions(
+    const SpecialisedNumbers& numbers, const derivatives::Derivatives& derivatives);
+
+}  // namespace assur::generator::emission::scene

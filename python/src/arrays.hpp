@@ -1,0 +1,35 @@
+// Turns memory that an object owns into NumPy arrays that look into it and keep the object alive.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <vector>
+
+#include "rows.hpp"
+
+namespace assur::python {
+
+namespace py = pybind11;
+
+/// A view that cannot be written to. `strides` are in bytes; the owner must not change any more.
+[[nodiscard]] py::array view(const py::dtype& type, std::vector<py::ssize_t> shape,
+                             std::vector<py::ssize_t> strides, const void* memory,
+                             const py::object& owner);
+
+/// A view of all of a vector of numbers.
+template <typename Number>
+[[nodiscard]] py::array view_of(const std::vector<Number>& numbers, const py::object& owner) {
+  return view(py::dtype::of<Number>(), {static_cast<py::ssize_t>(numbers.size())},
+              {static_cast<py::ssize_t>(sizeof(Number))}, numbers.data(), owner);
+}
+
+/// The numbers at a place of one row, a float where the shape is empty; of all rows, an array with
+/// a row for each.
+[[nodiscard]] py::object numbers_at(const RowsView& of, std::size_t place,
+                                    const std::vector<std::ptrdiff_t>& shape,
+                                    const py::object& owner);
+
+/// Whether one row is regular; of all rows, an array.
+[[nodiscard]] py::object regular_at(const RowsView& of, const py::object& owner);
+
+}  // namespace assur::python

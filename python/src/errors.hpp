@@ -1,0 +1,49 @@
+// Turns what the library and the module refuse into exceptions of the Python package.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <assur/mechanism/error.hpp>
+#include <string>
+#include <vector>
+
+namespace assur::python {
+
+namespace py = pybind11;
+
+/// A parameter, link, joint or output that is not there: `no output 'Q' (did you mean 'P'?)`.
+class UnknownName : public text::InputError {
+ public:
+  UnknownName(const std::string& what, const std::string& name,
+              const std::vector<std::string>& known);
+};
+
+/// A value that is no number, or an array of a shape that does not fit.
+class ShapeError : public text::InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// A result that the scene does not ask for.
+class NotWanted : public text::InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Registers how these, and the library's, are raised.
+void translate_errors();
+
+/// What `use` returns; what it throws of a mechanism is told with the scene's file ahead, as the
+/// command does.
+template <typename Use>
+auto in_scene(const std::string& file, const Use& use) {
+  try {
+    return use();
+  } catch (const mechanism::OverConstrained& error) {
+    throw mechanism::OverConstrained(file, error.what(), error.surplus, error.joints);
+  } catch (const mechanism::MechanismError& error) {
+    throw mechanism::MechanismError(file, error.what());
+  }
+}
+
+}  // namespace assur::python

@@ -1,0 +1,51 @@
+// Turns what a caller gives for parameters, as a mapping and by keywords, into numbers and arrays.
+#pragma once
+
+#include <pybind11/numpy.h>
+
+#include <assur/mechanism/mechanism.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "errors.hpp"
+
+namespace assur::python {
+
+/// A text of Python. Throws ShapeError for what is none, or cannot be told in UTF-8.
+[[nodiscard]] std::string utf8_of(const py::handle& value, const std::string& what);
+/// A whole number from zero. Throws ShapeError for what is none.
+[[nodiscard]] std::uint64_t whole_number(const py::handle& value, const std::string& what);
+/// Likewise where the library counts by int.
+[[nodiscard]] int place_number(const py::handle& value, const std::string& what);
+
+/// An argument that is given by its place; its name ends in a space, which the name of no parameter
+/// does, so that no keyword meets it.
+using ByPlace = py::arg;
+
+/// Values by names; a keyword goes before the same name in the mapping.
+using Given = std::vector<std::pair<std::string, py::object>>;
+[[nodiscard]] Given given(const py::object& mapping, const py::kwargs& keywords);
+
+/// `NAME=EXPR` of numbers and of texts of expressions, as scenes are read with.
+[[nodiscard]] std::vector<std::string> settings_of(const Given& given);
+
+/// A number for each of some parameters. Throws UnknownName, and ShapeError for what is no number.
+[[nodiscard]] std::vector<std::pair<std::string, double>> numbers_of(
+    const mechanism::Mechanism& mechanism, const Given& given);
+
+/// Parameters, and an array of as many values for each of them.
+struct Columns {
+  std::vector<mechanism::ParameterIndex> parameters;
+  std::vector<py::array_t<double>> values;
+  py::ssize_t count = 0;
+
+  [[nodiscard]] std::vector<std::pair<mechanism::ParameterIndex, double>> row(py::ssize_t at) const;
+};
+
+/// Arrays of one length, without a copy where they hold doubles; a number is the same in all rows.
+/// Throws UnknownName, and ShapeError for other shapes, and where no array is given.
+[[nodiscard]] Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given);
+
+}  // namespace assur::python

@@ -1,0 +1,81 @@
+// Turns a plan into the layout of a row of numbers: what is told of one configuration, and where.
+#pragma once
+
+#include <array>
+#include <assur/mechanism/reported_parts.hpp>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace assur::python {
+
+/// In place of an extent: as many as the mechanism has parameters.
+inline constexpr std::ptrdiff_t parameters = -1;
+
+/// What a scene has to ask for.
+enum class Need : unsigned char {
+  position,
+  velocity,
+  acceleration,
+  both_rates,
+  sensitivity,
+  spread
+};
+
+/// Numbers that are told of a link, a slide or an output, in a row-major array.
+template <typename Part>
+struct Field {
+  const char* name;
+  std::vector<std::ptrdiff_t> shape;
+  Need need;
+  void (*write)(const Part& part, const mechanism::Spread& spread, double* numbers);
+  const char* meaning;  ///< for the docstring
+};
+
+/// All that is told of a part: mechanism::Frame, mechanism::SlideState or mechanism::Point.
+template <typename Part>
+[[nodiscard]] const std::vector<Field<Part>>& fields();
+
+/// Where a row holds the parts of one kind, one after the other, all alike.
+struct Section {
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  std::vector<std::string> names;    ///< of the parts
+  std::size_t first = 0, width = 0;  ///< of the first part; of each of them
+  std::vector<std::size_t> offsets;  ///< of each field in a part; none where it is not wanted
+
+  [[nodiscard]] std::size_t end() const { return first + names.size() * width; }
+};
+
+/// A row: the residual, then links, slides and outputs.
+struct Layout {
+  Layout(const mechanism::Plan& plan, const mechanism::Want& want);
+
+  [[nodiscard]] std::size_t width() const { return outputs.end(); }
+  template <typename Part>
+  [[nodiscard]] const Section& section() const;
+  /// Writes what a configuration has to tell; what is not known is NaN.
+  void write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
+             const mechanism::Spread& spread, double* row) const;
+
+  std::vector<mechanism::LinkIndex> link_of;    ///< in the order of the section
+  std::vector<mechanism::JointIndex> slide_of;  ///< likewise
+  Section links, slides, outputs;
+  std::ptrdiff_t parameter_count;
+};
+
+template <>
+inline const Section& Layout::section<mechanism::Frame>() const {
+  return links;
+}
+template <>
+inline const Section& Layout::section<mechanism::SlideState>() const {
+  return slides;
+}
+template <>
+inline const Section& Layout::section<mechanism::Point>() const {
+  return outputs;
+}
+
+}  // namespace assur::python

@@ -1,0 +1,15 @@
+// Turns lists of names into tuples of texts.
+#pragma once
+
+#include <pybind11/stl.h>
+
+#include <string>
+#include <vector>
+
+namespace assur::python {
+
+[[nodiscard]] inline pybind11::tuple tuple_of(const std::vector<std::string>& names) {
+  return pybind11::tuple(pybind11::cast(names));
+}
+
+}  // namespace assur::python

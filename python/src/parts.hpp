@@ -1,0 +1,23 @@
+// Turns rows into what is told of each link, slide and output, by its name.
+#pragma once
+
+#include <cstddef>
+
+#include "rows.hpp"
+
+namespace assur::python {
+
+/// The parts of one kind, as a mapping from names.
+template <typename Part>
+struct Parts {
+  RowsView of;
+};
+
+/// One of them.
+template <typename Part>
+struct PartState {
+  RowsView of;
+  std::size_t place;
+};
+
+}  // namespace assur::python

@@ -1,0 +1,156 @@
+#include "plan.hpp"
+
+#include <pybind11/stl.h>
+
+#include "bindings.hpp"
+#include "given.hpp"
+#include "names.hpp"
+#include "solved_scene.hpp"
+
+namespace assur::python {
+
+namespace {
+
+using Asked = SolvedScene::Asked;
+
+/// A group as the command tells of it.
+struct GroupOfPlan {
+  int assur_class;
+  std::string kind;
+  int model;
+  std::vector<std::string> links;
+  std::optional<std::string> relative_to;
+};
+
+std::vector<GroupOfPlan> groups_of(const PlannedScene& planned) {
+  const mechanism::Structure& structure = planned.plan.structure();
+  std::vector<GroupOfPlan> groups;
+  for (const mechanism::FoundGroup& group : structure.groups) {
+    groups.push_back(
+        {group.model->group->assur_class, group.kind, group.model->number,
+         structure.names_of(group.links),
+         group.base.exists() ? std::optional(structure.linkage.links[group.base]) : std::nullopt});
+  }
+  return groups;
+}
+
+SharedSolution solved(const SharedPlan& planned, const py::object& values,
+                      const py::kwargs& keywords, Asked asked, std::size_t number = 0) {
+  auto replaced = numbers_of(planned->plan.mechanism(), given(values, keywords));
+  const py::gil_scoped_release others_run;
+  return std::make_shared<SolvedScene>(planned, std::move(replaced), asked, number);
+}
+
+mechanism::Plan planned_of(const mechanism::Scene& scene) {
+  return in_scene(scene.file, [&] { return mechanism::Plan(scene.mechanism, scene.request); });
+}
+
+void bind_group(py::module_& module) {
+  py::class_<GroupOfPlan>(module, "Group", "An Assur group of a plan.")
+      .def_readonly("assur_class", &GroupOfPlan::assur_class,
+                    "int: 2 for a dyad, 3 for a triad, 4 for a tetrad.")
+      .def_readonly("kind", &GroupOfPlan::kind, "str: its joints, R or P.")
+      .def_readonly("model", &GroupOfPlan::model, "int: the number of its model.")
+      .def_readonly("links", &GroupOfPlan::links, "list of str: the names of its links.")
+      .def_readonly("relative_to", &GroupOfPlan::relative_to,
+                    "str or None: the moving link relative to which it is solved.");
+}
+
+}  // namespace
+
+PlannedScene::PlannedScene(SharedScene of)
+    : scene(std::move(of)),
+      plan(planned_of(*scene)),
+      layout(std::make_shared<Layout>(plan, plan.request().want)) {
+  mechanism::Want rates = plan.request().want;
+  rates.position = false;
+  rates.sensitivity = false;
+  layout_of_rates = std::make_shared<Layout>(plan, rates);
+}
+
+void bind_plan(py::module_& module) {
+  bind_group(module);
+  PlanClass plan(
+      module, "Plan",
+      "Plan(scene, /)\n--\n\n"
+      "A scene, taken apart once, to be solved for any number of values, on any threads.\n\n"
+      "Raises OverConstrained, and SceneError for a scene that cannot be solved.");
+  plan.def(py::init([](const SharedScene& scene) {
+             const py::gil_scoped_release others_run;
+             return std::make_shared<PlannedScene>(scene);
+           }),
+           py::arg("scene"), py::pos_only())
+      .def_property_readonly(
+          "scene", [](const PlannedScene& planned) { return planned.scene; },
+          "Scene: what it is the plan of.")
+      .def_property_readonly(
+          "parameters",
+          [](const PlannedScene& planned) {
+            return tuple_of(text::names_of(planned.plan.mechanism().parameters()));
+          },
+          "tuple of str: the names of the parameters, in the order of sensitivities.")
+      .def_property_readonly(
+          "links",
+          [](const PlannedScene& planned) { return tuple_of(planned.layout->links.names); },
+          "tuple of str: the names of the reported links.")
+      .def_property_readonly(
+          "joints",
+          [](const PlannedScene& planned) { return tuple_of(planned.layout->slides.names); },
+          "tuple of str: the names of the reported prismatic joints and pins in slots.")
+      .def_property_readonly(
+          "outputs",
+          [](const PlannedScene& planned) { return tuple_of(planned.layout->outputs.names); },
+          "tuple of str: the names of the outputs.")
+      .def_property_readonly("groups", groups_of,
+                             "list of Group: in the order in which they are solved.")
+      .def_property_readonly(
+          "redundant",
+          [](const PlannedScene& planned) {
+            std::vector<std::string> names;
+            for (const mechanism::RedundantJoint& joint : planned.plan.redundant()) {
+              names.push_back(joint.name);
+            }
+            return tuple_of(names);
+          },
+          "tuple of str: the names of the joints that hold where the others do.")
+      .def_property_readonly(
+          "most_configurations",
+          [](const PlannedScene& planned) { return planned.plan.most_configurations(); },
+          "float: how many configurations there are at most.")
+      .def(
+          "solve",
+          [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
+            return solved(planned, values, keywords, Asked::all);
+          },
+          ByPlace("values ") = py::none(), py::pos_only(),
+          "solve(self, values=None, /, **parameters)\n--\n\n"
+          "Every configuration, as a Solution.\n\n"
+          "values, and keywords: numbers by the names of parameters, in place of their formulas.\n"
+          "A keyword goes before the mapping. Angles are radians.\n\n"
+          "Raises UnknownName, ShapeError for what is no number, and SceneError for values that\n"
+          "cannot be used. Links that cannot reach are no error: see Solution.status.")
+      .def(
+          "solve_one",
+          [](const SharedPlan& planned, const py::object& number, const py::object& values,
+             const py::kwargs& keywords) {
+            return solved(planned, values, keywords, Asked::numbered,
+                          static_cast<std::size_t>(place_number(number, "number")));
+          },
+          ByPlace("number "), ByPlace("values ") = py::none(), py::pos_only(),
+          "solve_one(self, number, values=None, /, **parameters)\n--\n\n"
+          "The configuration of a number, from 1, alone in a Solution.\n\n"
+          "Raises SceneError where there is none of that number, and as solve does.")
+      .def(
+          "solve_nearest",
+          [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
+            return solved(planned, values, keywords, Asked::nearest);
+          },
+          ByPlace("values ") = py::none(), py::pos_only(),
+          "solve_nearest(self, values=None, /, **parameters)\n--\n\n"
+          "The configuration nearest to the scene's reference, alone in a Solution.\n\n"
+          "Raises SceneError where the scene has no reference, and as solve does.");
+  add_solve_batch(module, plan);
+  add_sweep(module, plan);
+}
+
+}  // namespace assur::python

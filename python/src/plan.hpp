@@ -1,0 +1,35 @@
+// Turns a scene, once, into what any number of values is solved with.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
+#include <memory>
+
+#include "layout.hpp"
+#include "spare_values.hpp"
+
+namespace assur::python {
+
+using SharedScene = std::shared_ptr<mechanism::Scene>;
+
+/// A plan, the scene that it is of, and the layouts of rows: of a configuration, and of the rates
+/// of the motions through one.
+struct PlannedScene {
+  explicit PlannedScene(SharedScene of);
+
+  SharedScene scene;
+  mechanism::Plan plan;
+  std::shared_ptr<const Layout> layout, layout_of_rates;
+  SpareValues spare;
+};
+
+using SharedPlan = std::shared_ptr<PlannedScene>;
+using PlanClass = pybind11::class_<PlannedScene, SharedPlan>;
+
+// What a plan does with many values, and the classes of what comes of it.
+void add_solve_batch(pybind11::module_& module, PlanClass& plan);
+void add_sweep(pybind11::module_& module, PlanClass& plan);
+
+}  // namespace assur::python

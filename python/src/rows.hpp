@@ -1,0 +1,50 @@
+// Turns configurations into rows of numbers, which arrays look into.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "layout.hpp"
+
+namespace assur::python {
+
+/// Rows of one layout, in one piece of memory; nothing is added once an array looks into it.
+class Rows {
+ public:
+  Rows(const mechanism::Plan& plan, std::shared_ptr<const Layout> layout)
+      : plan_(plan), layout_(std::move(layout)) {}
+
+  /// Makes room for so many rows.
+  void reserve(std::size_t rows);
+  void add(const mechanism::Configuration& configuration, const mechanism::Spread& spread);
+
+  [[nodiscard]] std::size_t count() const { return regular_.size(); }
+  [[nodiscard]] const Layout& layout() const { return *layout_; }
+  [[nodiscard]] const double* row(std::size_t at) const {
+    return numbers_.data() + at * layout_->width();
+  }
+  /// One byte for each row, one where it is regular.
+  [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
+
+ private:
+  mechanism::Plan plan_;
+  std::shared_ptr<const Layout> layout_;
+  std::vector<double> numbers_;
+  std::vector<unsigned char> regular_;
+};
+
+/// All rows, or one of them.
+struct RowsView {
+  static constexpr std::ptrdiff_t all = -1;
+
+  std::shared_ptr<const Rows> rows;
+  std::ptrdiff_t row = all;
+
+  [[nodiscard]] bool is_one() const { return row != all; }
+  [[nodiscard]] const double* first() const {
+    return rows->row(is_one() ? static_cast<std::size_t>(row) : 0);
+  }
+};
+
+}  // namespace assur::python

@@ -1,0 +1,196 @@
+// Turns a scene's tolerances and a seed into arrays of outputs under random deviations.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <assur/mechanism/campaign.hpp>
+#include <cstdint>
+#include <thread>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "errors.hpp"
+#include "given.hpp"
+#include "long_call.hpp"
+#include "plan.hpp"
+
+namespace assur::python {
+
+namespace {
+
+using mechanism::NominalPoint;
+using mechanism::Sampling;
+
+constexpr std::size_t columns_before_outputs = 2;  // the sample, and its outcome
+
+/// Rows of a campaign, and what it was made of.
+struct Sampled {
+  SharedScene scene;
+  Sampling sampling;
+  std::uint64_t count;
+  std::size_t width = 0;
+  std::vector<double> rows = {};
+  std::vector<std::uint8_t> outcome = {};
+};
+
+void expect_count(std::uint64_t count, std::size_t width) {
+  if (count == 0 || count > std::vector<double>().max_size() / width) {
+    throw ShapeError("count: expected a number of samples from 1, that memory holds");
+  }
+}
+
+std::shared_ptr<Sampled> sampled(const SharedScene& scene, const py::object& count_of,
+                                 const py::object& seed_of, const py::object& branch_of,
+                                 const py::object& threads_of) {
+  const std::uint64_t count = whole_number(count_of, "count");
+  const std::uint64_t seed = whole_number(seed_of, "seed");
+  const auto branch = static_cast<std::size_t>(place_number(branch_of, "branch"));
+  const int threads = place_number(threads_of, "threads");
+  LongCall call;
+  return in_scene(scene->file, [&] {
+    auto result = std::make_shared<Sampled>(
+        Sampled{scene, Sampling(scene->mechanism, scene->request, branch, seed, count), count});
+    const mechanism::Campaign campaign = result->sampling.campaign();
+    result->width = campaign.columns.size();
+    expect_count(count, result->width);
+    result->rows.reserve(count * result->width);
+    result->outcome.reserve(count);
+    const auto all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    mechanism::run_campaign(campaign, {0, count}, threads > 0 ? threads : all, nullptr,
+                            [&](const mechanism::RowBlock& block) {
+                              call.go_on();
+                              result->rows.insert(result->rows.end(), block.rows.begin(),
+                                                  block.rows.end());
+                            });
+    for (std::size_t at = 1; at < result->rows.size(); at += result->width) {
+      result->outcome.push_back(static_cast<std::uint8_t>(result->rows[at]));
+    }
+    return result;
+  });
+}
+
+py::dict positions_of(const py::object& self) {
+  const auto& samples = self.cast<const Sampled&>();
+  py::dict positions;
+  std::size_t place = columns_before_outputs;
+  for (const NominalPoint& point : samples.sampling.nominal()) {
+    positions[py::str(point.name)] =
+        view(py::dtype::of<double>(), {static_cast<py::ssize_t>(samples.count), 2},
+             {static_cast<py::ssize_t>(samples.width * sizeof(double)), sizeof(double)},
+             samples.rows.data() + place, self);
+    place += 2;
+  }
+  return positions;
+}
+
+py::dict nominal_of(const Sampled& samples) {
+  py::dict nominal;
+  for (const NominalPoint& point : samples.sampling.nominal()) {
+    nominal[py::str(point.name)] = point;
+  }
+  return nominal;
+}
+
+py::dict deviations_of(const Sampled& samples) {
+  py::dict deviations;
+  for (const mechanism::Deviation& deviation : samples.sampling.deviations()) {
+    const auto& parameter = samples.scene->mechanism.parameters()[deviation.parameter];
+    deviations[py::str(parameter.name)] = deviation.half_width;
+  }
+  return deviations;
+}
+
+py::array parameters_of_samples(const Sampled& samples) {
+  const std::size_t width = samples.sampling.deviations().size();
+  py::array_t<double> array({static_cast<std::size_t>(samples.count), width});
+  double* to = array.mutable_data();
+  for (std::uint64_t sample = 0; sample < samples.count; ++sample) {
+    to = std::ranges::copy(samples.sampling.parameters_of(sample), to).out;
+  }
+  return array;
+}
+
+std::string reason_of_sample(const Sampled& samples, const py::object& of) {
+  const std::uint64_t sample = whole_number(of, "sample");
+  if (sample >= samples.count) {
+    throw py::index_error("sample " + std::to_string(sample) + ": there are " +
+                          std::to_string(samples.count));
+  }
+  return samples.sampling.reason_of(sample);
+}
+
+template <typename Vector>
+py::object array_of(const Vector& numbers, std::vector<py::ssize_t> shape) {
+  py::array_t<double> array(std::move(shape));
+  std::copy_n(numbers.data(), numbers.size(), array.mutable_data());  // symmetric, or a vector
+  return array;
+}
+
+py::object array_of(const std::optional<Eigen::Vector2d>& numbers) {
+  return numbers ? array_of(*numbers, {2}) : py::none();
+}
+
+void bind_nominal(py::module_& module) {
+  py::class_<NominalPoint>(module, "NominalPoint",
+                           "An output at the nominal values, and what derivatives there say.")
+      .def_property_readonly(
+          "position", [](const NominalPoint& point) { return array_of(point.position, {2}); },
+          "Array of shape (2,): x, y in the scene's unit.")
+      .def_property_readonly(
+          "worst_case", [](const NominalPoint& point) { return array_of(point.worst_case); },
+          "Array of shape (2,), or None: sum of |derivative| times half-width, for x and y.")
+      .def_property_readonly(
+          "rss", [](const NominalPoint& point) { return array_of(point.rss); },
+          "Array of shape (2,), or None: root of the sum of (derivative times half-width)^2.")
+      .def_property_readonly(
+          "covariance",
+          [](const NominalPoint& point) {
+            return point.spread ? array_of(point.spread->covariance, {2, 2}) : py::none();
+          },
+          "Array of shape (2, 2), or None: of x and y, by first derivatives.")
+      .def_property_readonly(
+          "mean_shift",
+          [](const NominalPoint& point) {
+            return point.spread ? array_of(point.spread->mean_shift, {2}) : py::none();
+          },
+          "Array of shape (2,), or None: of x and y, by second derivatives.");
+}
+
+}  // namespace
+
+void bind_sample(py::module_& module) {
+  bind_nominal(module);
+  py::class_<Sampled, std::shared_ptr<Sampled>>(
+      module, "Samples", "Outputs under random deviations within the tolerances.")
+      .def_property_readonly(
+          "positions", positions_of,
+          "dict of arrays of shape (count, 2): x, y of each output, by its name;\n"
+          "NaN where a sample has no configuration.")
+      .def_property_readonly(
+          "outcome",
+          [](const py::object& self) { return view_of(self.cast<const Sampled&>().outcome, self); },
+          "Array of shape (count,): what became of each sample, an Outcome.")
+      .def_property_readonly(
+          "nominal", nominal_of,
+          "dict of NominalPoint: the outputs without deviations, by their names.")
+      .def_property_readonly("deviations", deviations_of,
+                             "dict of float: the half-widths of the deviating parameters.")
+      .def_property_readonly(
+          "parameters", parameters_of_samples,
+          "Array of shape (count, len(deviations)): values of the deviating parameters, computed\n"
+          "when it is asked for.")
+      .def("reason", reason_of_sample, py::arg("sample"), py::pos_only(),
+           "reason(self, sample, /)\n--\n\n"
+           "What the solver says of a sample that has no configuration.")
+      .def("__len__", [](const Sampled& samples) { return samples.count; });
+  module.def("sample", sampled, py::arg("scene"), py::arg("count"), py::arg("seed"),
+             py::arg("branch") = 0, py::arg("threads") = 0,
+             "sample(scene, count, seed, branch=0, threads=0)\n--\n\n"
+             "Outputs under random deviations within the scene's tolerances, as Samples: the same\n"
+             "numbers as `assur sample` has for the seed, on any number of threads.\n\n"
+             "branch: the number of the nominal configuration, from 1; for 0 the nearest to the\n"
+             "scene's reference, or else the first. threads: 0 for all that the machine has.\n\n"
+             "Raises SceneError where nothing deviates, nothing is an output, or there is no such\n"
+             "configuration. Ctrl-C ends it.");
+}
+
+}  // namespace assur::python

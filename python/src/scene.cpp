@@ -1,0 +1,173 @@
+// Turns scene files, their text and dictionaries into scenes, and scenes into pictures.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <assur/mechanism/scene_file.hpp>
+
+#include "bindings.hpp"
+#include "drawing.hpp"
+#include "given.hpp"
+#include "names.hpp"
+#include "plan.hpp"
+
+namespace assur::python {
+
+namespace {
+
+using mechanism::Scene;
+
+SharedScene read(const std::filesystem::path& file, const py::object& values,
+                 const py::kwargs& keywords) {
+  const std::vector<std::string> settings = settings_of(given(values, keywords));
+  const py::gil_scoped_release others_run;
+  return std::make_shared<Scene>(mechanism::read_scene(file, settings));
+}
+
+/// The JSON text of a dictionary, in which NumPy's numbers and arrays may stand.
+std::string json_text_of(const py::object& scene) {
+  if (PyUnicode_Check(scene.ptr()) != 0) {
+    return utf8_of(scene, "scene: what is parsed");
+  }
+  const py::cpp_function plain([](const py::object& value) -> py::object {
+    if (!py::hasattr(value, "tolist")) {
+      throw ShapeError("scene: expected numbers, texts, lists and dictionaries, not a " +
+                       py::cast<std::string>(py::type::of(value).attr("__name__")));
+    }
+    return value.attr("tolist")();
+  });
+  try {
+    return py::cast<std::string>(
+        py::module_::import("json").attr("dumps")(scene, py::arg("default") = plain));
+  } catch (const py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError) &&
+        !error.matches(PyExc_RecursionError)) {
+      throw;
+    }
+    throw ShapeError("scene: " + py::cast<std::string>(py::str(error.value())));
+  }
+}
+
+SharedScene parse(const py::object& scene, const py::object& values, const py::kwargs& keywords) {
+  const std::vector<std::string> settings = settings_of(given(values, keywords));
+  const std::string text = json_text_of(scene);
+  const py::gil_scoped_release others_run;
+  return std::make_shared<Scene>(mechanism::parse_scene(text, "scene", settings));
+}
+
+std::string svg_of_scene(const Scene& scene, const py::object& configuration, bool nearest) {
+  const int number = place_number(configuration, "configuration");
+  const py::gil_scoped_release others_run;
+  return svg_of(scene, {}, {number, nearest});
+}
+
+std::string moving_svg(const Scene& scene, const py::object& branch) {
+  const int number = place_number(branch, "branch");
+  const py::gil_scoped_release others_run;
+  return in_scene(scene.file, [&] {
+    return mechanism::drawing_svg(
+        mechanism::moving_drawing_of(scene.mechanism, scene.request, number));
+  });
+}
+
+std::string dxf(const Scene& scene, const py::object& configuration, bool nearest) {
+  const int number = place_number(configuration, "configuration");
+  const py::gil_scoped_release others_run;
+  return in_scene(scene.file, [&] {
+    return mechanism::drawing_dxf(
+        mechanism::drawing_of(scene.mechanism, scene.request, {number, nearest}));
+  });
+}
+
+std::string page(const Scene& scene) {
+  const py::gil_scoped_release others_run;
+  return in_scene(scene.file,
+                  [&] { return mechanism::drawing_page(scene.mechanism, scene.request); });
+}
+
+/// Nothing where there is no picture: a notebook shows the text then.
+py::object picture_of_scene(const Scene& scene) {
+  try {
+    return py::str(svg_of_scene(scene, py::int_(0), false));
+  } catch (const text::InputError&) {
+    return py::none();
+  }
+}
+
+std::vector<std::string> driven_joints(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const mechanism::Driver& driver : scene.mechanism.drivers()) {
+    names.push_back(scene.mechanism.joints()[driver.joint].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+void bind_scene(py::module_& module) {
+  py::class_<Scene, SharedScene>(
+      module, "Scene",
+      "A mechanism and what is wanted of it, from read_scene or parse_scene; nothing changes it.")
+      .def_property_readonly(
+          "file", [](const Scene& scene) { return scene.file; },
+          "str: the name of its file, which errors begin with.")
+      .def_property_readonly(
+          "name", [](const Scene& scene) { return scene.mechanism.name(); }, "str: its name.")
+      .def_property_readonly(
+          "unit", [](const Scene& scene) { return scene.mechanism.unit(); },
+          "str: what its unit of length is called; empty where it does not say.")
+      .def_property_readonly(
+          "parameters",
+          [](const Scene& scene) { return tuple_of(text::names_of(scene.mechanism.parameters())); },
+          "tuple of str: the names of its parameters, in the order of sensitivities.")
+      .def_property_readonly(
+          "links",
+          [](const Scene& scene) { return tuple_of(text::names_of(scene.mechanism.links())); },
+          "tuple of str: the names of its links.")
+      .def_property_readonly(
+          "joints",
+          [](const Scene& scene) { return tuple_of(text::names_of(scene.mechanism.joints())); },
+          "tuple of str: the names of its joints.")
+      .def_property_readonly(
+          "drivers", [](const Scene& scene) { return tuple_of(driven_joints(scene)); },
+          "tuple of str: the names of the joints that have drivers.")
+      .def_property_readonly(
+          "outputs",
+          [](const Scene& scene) { return tuple_of(text::names_of(scene.mechanism.outputs())); },
+          "tuple of str: the names of its outputs.")
+      .def("svg", svg_of_scene, py::arg("configuration") = 0, py::arg("nearest") = false,
+           "svg(self, configuration=0, nearest=False)\n--\n\n"
+           "A picture, 80 mm wide, as the text of an SVG file: of all configurations, of one by\n"
+           "its number, or of the one nearest to the scene's reference.\n\n"
+           "Raises SceneError where there is no such configuration.")
+      .def("moving_svg", moving_svg, py::arg("branch") = 0,
+           "moving_svg(self, branch=0)\n--\n\n"
+           "The same of one branch of the scene's sweep, in motion: by its number, or the one\n"
+           "nearest to the reference, or else the first.")
+      .def("dxf", dxf, py::arg("configuration") = 0, py::arg("nearest") = false,
+           "dxf(self, configuration=0, nearest=False)\n--\n\n"
+           "A drawing for CAD as the text of a DXF file, in the scene's unit.")
+      .def("page", page,
+           "page(self)\n--\n\n"
+           "The text of an HTML page that needs no other file and animates the scene's sweep.")
+      .def("_repr_svg_", picture_of_scene)
+      .def("__repr__", [](const Scene& scene) {
+        return "<assur.Scene " + scene.file +
+               (scene.mechanism.name().empty() ? "" : ": " + scene.mechanism.name()) + ">";
+      });
+  module.def(
+      "read_scene", read, ByPlace("file "), ByPlace("values ") = py::none(), py::pos_only(),
+      "read_scene(file, values=None, /, **parameters)\n--\n\n"
+      "The scene of a JSON file.\n\n"
+      "values, and keywords: by the names of parameters, numbers or texts of expressions, which\n"
+      "take the place of the file's; a keyword goes before.\n\n"
+      "Raises SceneError with the file, the place in it, what is wrong, and the mend.");
+  module.def("parse_scene", parse, ByPlace("scene "), ByPlace("values ") = py::none(),
+             py::pos_only(),
+             "parse_scene(scene, values=None, /, **parameters)\n--\n\n"
+             "The scene of a JSON text, or of a dictionary of the same form, in which NumPy's\n"
+             "numbers and arrays may stand. values and keywords: see read_scene.");
+  module.def("scene_schema", mechanism::scene_schema,
+             "scene_schema()\n--\n\nThe JSON Schema of scenes, as text.");
+}
+
+}  // namespace assur::python

@@ -1,0 +1,222 @@
+// Turns solved scenes into the classes of solutions, their configurations and their families.
+#include <pybind11/stl.h>
+
+#include <assur/mechanism/report.hpp>
+#include <assur/variables.hpp>
+#include <cmath>
+
+#include "arrays.hpp"
+#include "bindings.hpp"
+#include "drawing.hpp"
+#include "errors.hpp"
+#include "solved_scene.hpp"
+
+namespace assur::python {
+
+namespace {
+
+using mechanism::Family;
+using mechanism::Nearest;
+
+/// A row of a solution.
+struct SolvedConfiguration : RowsView {
+  SharedSolution solution;
+  std::size_t place;
+};
+
+/// A family, and the names of its links.
+struct SolvedFamily {
+  SharedSolution solution;
+  const Family* family;
+};
+
+py::object status_of(const SolvedScene& solved) {
+  return py::module_::import("assur.statuses")
+      .attr("Status")(static_cast<int>(solved.solution.status));
+}
+
+std::string reason_of(const SolvedScene& solved) {
+  const py::gil_scoped_release others_run;
+  return solved.solution.status == mechanism::SolutionStatus::no_assembly
+             ? solved.planned->plan.obstacle(solved.values())
+             : solved.solution.reason;
+}
+
+SolvedConfiguration configuration_at(const SharedSolution& solved, py::ssize_t at) {
+  const auto count = static_cast<py::ssize_t>(solved->rows->count());
+  const py::ssize_t place = at < 0 ? at + count : at;
+  if (place < 0 || place >= count) {
+    throw py::index_error("configuration " + std::to_string(at) + ": there are " +
+                          std::to_string(count));
+  }
+  return {{solved->rows, place}, solved, static_cast<std::size_t>(place)};
+}
+
+py::tuple families_of(const SharedSolution& solved) {
+  py::list families;
+  for (const Family& family : solved->solution.families) {
+    families.append(SolvedFamily{solved, &family});
+  }
+  return py::tuple(families);
+}
+
+py::dict placed_links(const SolvedFamily& of) {
+  py::dict poses;
+  const auto& links = of.solution->planned->plan.mechanism().links();
+  for (const mechanism::LinkIndex link : links.keys()) {
+    if (of.family->is_placed[link]) {
+      const Pose<double>& pose = of.family->links[link].pose;
+      py::array_t<double> array(3);
+      array.mutable_at(0) = pose.x;
+      array.mutable_at(1) = pose.y;
+      array.mutable_at(2) = angle_of(pose.direction);
+      poses[py::str(links[link].name)] = array;
+    }
+  }
+  return poses;
+}
+
+py::dict parameters_of(const SolvedScene& solved) {
+  py::dict all;
+  const mechanism::Values values = solved.values();
+  const auto& parameters = solved.planned->plan.mechanism().parameters();
+  for (const mechanism::ParameterIndex parameter : parameters.keys()) {
+    all[py::str(parameters[parameter].name)] = values.parameter(parameter);
+  }
+  return all;
+}
+
+std::optional<Nearest> nearest_of(const SolvedScene& solved) {
+  if (solved.asked == SolvedScene::Asked::nearest) {
+    return solved.nearest;
+  }
+  return in_scene(solved.planned->scene->file,
+                  [&] { return solved.planned->plan.nearest(solved.values(), solved.solution); });
+}
+
+std::string svg(const SolvedScene& solved, mechanism::DrawingChoice choice) {
+  const py::gil_scoped_release others_run;
+  choice.nearest = solved.asked == SolvedScene::Asked::nearest;
+  return svg_of(*solved.planned->scene, solved.replaced, choice);
+}
+
+std::string svg_of_all(const SolvedScene& solved) {
+  return svg(solved, {static_cast<int>(solved.asked_number), false});
+}
+
+std::string svg_of_one(const SolvedConfiguration& one) {
+  const auto number = static_cast<int>(one.solution->number_of(one.place).value_or(0));
+  return svg(*one.solution, {number, false});
+}
+
+/// Nothing where there is no picture: a notebook shows the text then.
+template <typename Solved>
+py::object picture(const Solved& solved, std::string (*svg)(const Solved&)) {
+  try {
+    return py::str(svg(solved));
+  } catch (const text::InputError&) {
+    return py::none();
+  }
+}
+
+std::string text_of(const SolvedScene& solved) {
+  const py::gil_scoped_release others_run;
+  return mechanism::report_text(solved.report(solved.values()));
+}
+
+std::string json_of(const SolvedScene& solved) {
+  const py::gil_scoped_release others_run;
+  return mechanism::report_json(solved.report(solved.values()));
+}
+
+void bind_family(py::module_& module) {
+  py::class_<SolvedFamily>(module, "Family",
+                           "A choice of earlier groups for which a later one moves freely, or "
+                           "cannot be assembled.")
+      .def_property_readonly(
+          "group", [](const SolvedFamily& of) { return of.family->group.place() + 1; },
+          "int: the number of the group, from 1.")
+      .def_property_readonly(
+          "mobility", [](const SolvedFamily& of) { return of.family->mobility; },
+          "int: where it was found assembled, or zero.")
+      .def_property_readonly(
+          "reason", [](const SolvedFamily& of) { return of.family->reason; },
+          "str: which joints leave it free.")
+      .def_property_readonly("links", placed_links,
+                             "dict: of the links that stand, arrays [x, y, theta].");
+}
+
+void bind_nearest(py::module_& module) {
+  py::class_<Nearest>(module, "Nearest",
+                      "How far a solution is from the scene's reference, in radians.")
+      .def_readonly("distance", &Nearest::distance,
+                    "float: root of the sum of the squares of the links' turns.")
+      .def_readonly("runner_up", &Nearest::runner_up,
+                    "float or None: the distance of the next configuration.")
+      .def_readonly("place", &Nearest::configuration,
+                    "int: the place of the nearest configuration in the solution, from 0.");
+}
+
+}  // namespace
+
+void bind_solution(py::module_& module) {
+  bind_family(module);
+  bind_nearest(module);
+  py::class_<SolvedConfiguration, RowsView, std::shared_ptr<SolvedConfiguration>>(
+      module, "Configuration", "One configuration of a solution.")
+      .def_property_readonly(
+          "number",
+          [](const SolvedConfiguration& one) { return one.solution->number_of(one.place); },
+          "int or None: its number, from 1, as the command counts; None if it is not known.")
+      .def_property_readonly(
+          "branches",
+          [](const SolvedConfiguration& one) -> std::optional<RowsView> {
+            const auto& rates = one.solution->branches[one.place];
+            return rates == nullptr ? std::nullopt : std::optional(RowsView{rates});
+          },
+          "States or None: rates of the motions through it, where several cross.")
+      .def("svg", svg_of_one,
+           "svg(self)\n--\n\nA picture of it, as the text of an SVG file; see Scene.svg.")
+      .def("_repr_svg_", [](const SolvedConfiguration& one) { return picture(one, svg_of_one); });
+  py::class_<SolvedScene, RowsView, SharedSolution>(
+      module, "Solution",
+      "Every configuration at one set of values. solution[0] is the first; links, joints and\n"
+      "outputs of the solution itself have all of them, along the first axis of every array.")
+      .def_property_readonly("status", status_of, "Status: what became of the values.")
+      .def_property_readonly(
+          "mobility", [](const SolvedScene& solved) { return solved.solution.mobility; },
+          "int: of the freest family, where there are families only.")
+      .def_property_readonly("reason", reason_of,
+                             "str: why there is no configuration; empty where there is one.")
+      .def_property_readonly("families", families_of, "tuple of Family: beside configurations.")
+      .def_property_readonly(
+          "left_out", [](const SolvedScene& solved) { return solved.solution.left_out; },
+          "int or None: configurations beyond limits; None if they were not counted.")
+      .def_property_readonly(
+          "dropped", [](const SolvedScene& solved) { return solved.solution.dropped; },
+          "int: choices of configurations for which a driver's law has no value.")
+      .def_property_readonly(
+          "drop_reason", [](const SolvedScene& solved) { return solved.solution.drop_reason; },
+          "str: what such a law says.")
+      .def_property_readonly("parameters", parameters_of,
+                             "dict: the values of all parameters, by their names.")
+      .def_property_readonly("nearest", nearest_of,
+                             "Nearest or None: to the scene's reference; SceneError without one.")
+      .def("__len__", [](const SolvedScene& solved) { return solved.rows->count(); })
+      .def("__getitem__", configuration_at, py::arg("place"), py::pos_only(),
+           "__getitem__(self, place, /)\n--\n\nThe configuration at a place, from 0.")
+      .def("svg", svg_of_all,
+           "svg(self)\n--\n\nA picture of it, as the text of an SVG file; see Scene.svg.")
+      .def("to_json", json_of,
+           "to_json(self)\n--\n\nThe text that `assur solve --format json` prints.")
+      .def("_repr_svg_", [](const SolvedScene& solved) { return picture(solved, svg_of_all); })
+      .def("__str__", text_of)
+      .def("__repr__", [](const SolvedScene& solved) {
+        const std::size_t count = solved.rows->count();
+        return "<assur.Solution: " + std::to_string(count) +
+               (count == 1 ? " configuration" : " configurations") + ", " +
+               std::to_string(solved.solution.families.size()) + " families>";
+      });
+}
+
+}  // namespace assur::python

@@ -1,0 +1,46 @@
+// Turns solutions into objects whose arrays look into rows of numbers.
+#pragma once
+
+#include <assur/mechanism/report.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "plan.hpp"
+#include "rows.hpp"
+
+namespace assur::python {
+
+/// All configurations at one set of values, or the one that was asked for.
+struct SolvedScene : RowsView {
+  /// What is solved for: all configurations, the one of a number, or the nearest to the reference.
+  enum class Asked : unsigned char { all, numbered, nearest };
+
+  /// Throws as Plan::solve and its like do, with the scene's file ahead.
+  SolvedScene(SharedPlan of, Replaced replaced_values, Asked what = Asked::all,
+              std::size_t number = 0);
+
+  SharedPlan planned;
+  Replaced replaced;
+  mechanism::Solution solution;
+  std::optional<mechanism::Nearest> nearest;
+  Asked asked;
+  std::size_t asked_number;
+  /// Rates of the motions through each configuration; null where there is one alone.
+  std::vector<std::shared_ptr<const Rows>> branches;
+
+  /// The values that were solved.
+  [[nodiscard]] mechanism::Values values() const { return planned->plan.values(replaced); }
+  /// What the command says of it.
+  [[nodiscard]] mechanism::Report report(const mechanism::Values& values) const;
+  /// Of the configuration in a row; none where it is not known.
+  [[nodiscard]] std::optional<std::size_t> number_of(std::size_t at) const;
+
+ private:
+  void solve(const mechanism::Values& values);
+  [[nodiscard]] std::shared_ptr<const Rows> rows_of(const mechanism::Spread& spread);
+};
+
+using SharedSolution = std::shared_ptr<SolvedScene>;
+
+}  // namespace assur::python

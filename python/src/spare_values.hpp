@@ -1,0 +1,67 @@
+// Turns the values of an earlier call into those of the next one, which saves most of their cost.
+#pragma once
+
+#include <algorithm>
+#include <assur/mechanism/plan.hpp>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::python {
+
+using Replaced = std::vector<std::pair<std::string, double>>;
+
+/// Values with the same parameters replaced as in an earlier call need not be made anew: what
+/// depends on these is evaluated again, and nothing else.
+class SpareValues {
+ public:
+  /// What `use` returns, which is called with values that have numbers in place of some parameters'
+  /// formulas. Threads that come together make values of their own.
+  template <typename Use>
+  auto with(const mechanism::Plan& plan, const Replaced& replaced, const Use& use) {
+    std::optional<Values> values = take(replaced);
+    if (values) {
+      values->of.set(indexed(plan, replaced));
+    } else {
+      values.emplace(Values{replaced, plan.values(replaced)});
+    }
+    auto result = use(std::as_const(values->of));
+    const std::scoped_lock lock(mutex_);
+    spare_ = std::move(values);
+    return result;
+  }
+
+ private:
+  struct Values {
+    Replaced replaced;
+    mechanism::Values of;
+  };
+
+  [[nodiscard]] std::optional<Values> take(const Replaced& replaced) {
+    const std::scoped_lock lock(mutex_);
+    const auto same_name = [](const auto& one, const auto& other) {
+      return one.first == other.first;
+    };
+    if (!spare_ || !std::ranges::equal(spare_->replaced, replaced, same_name)) {
+      return std::nullopt;
+    }
+    return std::exchange(spare_, std::nullopt);
+  }
+
+  [[nodiscard]] static std::vector<std::pair<mechanism::ParameterIndex, double>> indexed(
+      const mechanism::Plan& plan, const Replaced& replaced) {
+    std::vector<std::pair<mechanism::ParameterIndex, double>> values;
+    values.reserve(replaced.size());
+    for (const auto& [name, value] : replaced) {
+      values.emplace_back(plan.mechanism().parameter_named(name), value);
+    }
+    return values;
+  }
+
+  std::mutex mutex_;
+  std::optional<Values> spare_;
+};
+
+}  // namespace assur::python

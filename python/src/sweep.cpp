@@ -1,0 +1,204 @@
+// Turns a scene's sweep into rows for each branch, and rows for the events between them.
+#include <pybind11/stl.h>
+
+#include <assur/mechanism/sweep.hpp>
+#include <cstdint>
+#include <map>
+
+#include "arrays.hpp"
+#include "errors.hpp"
+#include "given.hpp"
+#include "long_call.hpp"
+#include "plan.hpp"
+
+namespace assur::python {
+
+namespace {
+
+/// Rows of one branch, or events, in the order of the sweep.
+struct SweptRows : RowsView {
+  std::vector<std::int32_t> step, configuration;
+  std::vector<double> parameter;
+  std::vector<std::string> event;
+};
+
+struct Branch : SweptRows {
+  int number = 0;
+  std::optional<double> ends_at;
+};
+
+struct Events : SweptRows {};
+
+struct SweptScene {
+  std::map<int, std::shared_ptr<Branch>> branches;
+  std::shared_ptr<Branch> unassigned;
+  std::shared_ptr<Events> events;
+  std::string parameter;
+};
+
+/// Collects what a sweep reports.
+class Collector {
+ public:
+  explicit Collector(const PlannedScene& planned) : planned_(planned) {
+    result_.events = empty<Events>();
+    result_.unassigned = empty<Branch>();
+  }
+
+  [[nodiscard]] mechanism::SweepObserver observer(LongCall& call) {
+    mechanism::SweepObserver observer;
+    observer.record = [this](const mechanism::SweepRecord& record) { add(record); };
+    observer.solved = [&call](double, const mechanism::Solution&) { call.go_on(); };
+    return observer;
+  }
+  /// What was collected; branches are in the order of their numbers.
+  [[nodiscard]] SweptScene result() && {
+    const auto& sweep = planned_.plan.request().sweep;
+    result_.parameter = planned_.plan.mechanism().parameters()[sweep->parameter].name;
+    return std::move(result_);
+  }
+
+ private:
+  template <typename Kind>
+  [[nodiscard]] std::shared_ptr<Kind> empty() {
+    auto rows = std::make_shared<Kind>();
+    growing_.push_back(std::make_shared<Rows>(planned_.plan, planned_.layout));
+    rows->rows = growing_.back();
+    rows_of_[rows.get()] = growing_.back().get();
+    return rows;
+  }
+
+  void add(const mechanism::SweepRecord& record) {
+    if (!record.event.empty()) {
+      append(record, *result_.events);
+      return;
+    }
+    if (record.branch == 0) {
+      append(record, *result_.unassigned);
+      return;
+    }
+    std::shared_ptr<Branch>& branch = result_.branches[record.branch];
+    if (branch == nullptr) {
+      branch = empty<Branch>();
+      branch->number = record.branch;
+    }
+    append(record, *branch);
+  }
+
+  void append(const mechanism::SweepRecord& record, SweptRows& to) {
+    rows_of_[&to]->add(*record.state, *record.spread);
+    to.step.push_back(record.step);
+    to.configuration.push_back(record.configuration);
+    to.parameter.push_back(record.parameter);
+    if (!record.event.empty()) {
+      to.event.push_back(record.event);
+    }
+  }
+
+  const PlannedScene& planned_;
+  SweptScene result_;
+  std::vector<std::shared_ptr<Rows>> growing_;
+  std::map<const SweptRows*, Rows*> rows_of_;
+};
+
+/// The sweep gives its own parameter its values.
+void expect_others(const PlannedScene& planned, const Replaced& replaced) {
+  const auto& sweep = planned.plan.request().sweep;
+  for (const auto& [name, value] : replaced) {
+    if (sweep && planned.plan.mechanism().parameters()[sweep->parameter].name == name) {
+      throw mechanism::MechanismError(
+          name, "the sweep gives '" + name + "' its values; leave this out, or change the sweep");
+    }
+  }
+}
+
+SweptScene swept(const PlannedScene& planned, const py::object& values,
+                 const py::kwargs& keywords) {
+  const auto replaced = numbers_of(planned.plan.mechanism(), given(values, keywords));
+  Collector collector(planned);
+  LongCall call;
+  in_scene(planned.scene->file, [&] {
+    expect_others(planned, replaced);
+    mechanism::sweep(planned.plan, planned.plan.values(replaced), collector.observer(call));
+  });
+  return std::move(collector).result();
+}
+
+std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, const py::object& of) {
+  const int number = place_number(of, "number");
+  Collector collector(planned);
+  std::optional<double> end;
+  {
+    LongCall call;
+    end = in_scene(planned.scene->file, [&] {
+      return mechanism::sweep_branch(planned.plan, static_cast<std::size_t>(number),
+                                     collector.observer(call));
+    });
+  }
+  SweptScene result = std::move(collector).result();
+  std::shared_ptr<Branch> branch =
+      result.branches.empty() ? result.unassigned : result.branches.begin()->second;
+  branch->number = number;
+  branch->ends_at = end;
+  return branch;
+}
+
+template <typename Kind, typename Number>
+auto all_of(std::vector<Number> SweptRows::*member) {
+  return
+      [member](const py::object& self) { return view_of(self.cast<const Kind&>().*member, self); };
+}
+
+/// What branches and events have in common.
+template <typename Kind>
+py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& module, const char* name,
+                                                              const char* doc) {
+  return py::class_<Kind, RowsView, std::shared_ptr<Kind>>(module, name, doc)
+      .def_property_readonly("step", all_of<Kind>(&SweptRows::step),
+                             "Array of shape (rows,): the number of the step, from 0; of an event\n"
+                             "the last step not beyond it.")
+      .def_property_readonly("parameter", all_of<Kind>(&SweptRows::parameter),
+                             "Array of shape (rows,): the value of the swept parameter.")
+      .def("__len__", [](const Kind& rows) { return rows.step.size(); });
+}
+
+void bind_rows(py::module_& module) {
+  swept_class<Branch>(module, "Branch",
+                      "One branch of a sweep: the first axis of every array has its rows.")
+      .def_readonly("number", &Branch::number,
+                    "int: of the branch, from 1; zero of what belongs to none, or is the nearest.")
+      .def_property_readonly(
+          "configuration", all_of<Branch>(&SweptRows::configuration),
+          "Array of shape (rows,): the number of the configuration at its step;\n"
+          "zero where that is not known.")
+      .def_readonly("ends_at", &Branch::ends_at,
+                    "float or None: where sweep_branch cannot follow it any further.");
+  swept_class<Events>(module, "Events", "The events of a sweep, a row for each.")
+      .def_property_readonly(
+          "event", [](const Events& events) { return py::tuple(py::cast(events.event)); },
+          "tuple of str: what happens and to which branches, as `fold 1 2`.");
+}
+
+}  // namespace
+
+void add_sweep(py::module_& module, PlanClass& plan) {
+  bind_rows(module);
+  py::class_<SweptScene>(module, "Sweep", "The branches of a sweep, and the events between them.")
+      .def_readonly("parameter", &SweptScene::parameter, "str: the name of what is swept.")
+      .def_readonly("branches", &SweptScene::branches, "dict of Branch: by their numbers, from 1.")
+      .def_readonly("unassigned", &SweptScene::unassigned,
+                    "Branch: configurations that belong to no branch.")
+      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and others.");
+  plan.def(
+          "sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
+          "sweep(self, values=None, /, **parameters)\n--\n\n"
+          "Every branch of the scene's sweep, as a Sweep, other parameters at the given values.\n\n"
+          "Raises SceneError where the scene has no sweep, and as solve does. Ctrl-C ends it.")
+      .def(
+          "sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
+          "sweep_branch(self, number, /)\n--\n\n"
+          "One branch alone, as a Branch, in the memory of its rows, however many others there\n"
+          "are: by its number at the first step, or for 0 the nearest to the scene's reference.\n\n"
+          "Raises SceneError where there is none, and as sweep does. Ctrl-C ends it.");
+}
+
+}  // namespace assur::python

@@ -1,0 +1,217 @@
+// Turns columns of assembled configurations of one model into columns of their sensitivities and
+// rates, several configurations at once.
+#pragma once
+
+#include <algorithm>
+#include <assur/columns.hpp>
+#include <assur/detail/batch/pack_columns.hpp>
+#include <assur/detail/batch/pack_verdicts.hpp>
+#include <assur/kinematics.hpp>
+#include <assur/numeric/pack.hpp>
+#include <cstddef>
+
+namespace assur {
+
+/// Many configurations: dimensions, inputs and unknowns of each.
+template <typename Model>
+struct BatchConfigurations {
+  Columns<const typename Model::template Dimensions<double>> dimensions;
+  Columns<const typename Model::template Inputs<double>> inputs;
+  Columns<const typename Model::template Configuration<double>> configurations;
+};
+
+/// The rates du/dt and d2u/dt2 of their inputs: that of input p of configuration i is at
+/// [p * stride + i].
+struct BatchRates {
+  const double* first = nullptr;
+  const double* second = nullptr;
+  std::size_t stride = 0;
+};
+
+/// Where sensitivities are to go: dq/dd and dq/du, entry (row, column) of configuration i at
+/// [(row + column * unknown_count) * stride + i], set where the status is ok or near_singular.
+struct BatchSensitivities {
+  Status* status = nullptr;
+  double* to_dimensions = nullptr;
+  double* to_inputs = nullptr;
+  std::size_t stride = 0;
+};
+
+/// Where rates are to go: dq/dt and d2q/dt2, that of unknown p of configuration i at
+/// [p * stride + i], set where the status is ok or near_singular.
+struct BatchMotion {
+  double* velocity = nullptr;
+  double* acceleration = nullptr;
+  std::size_t stride = 0;
+};
+
+namespace detail::batch {
+
+/// A matrix of packs, entry by entry.
+template <typename Pack, int Rows, int Columns>
+[[nodiscard]] Matrix<Pack, Rows, Columns> load_matrix(const double* from, std::size_t stride,
+                                                      std::size_t first) {
+  Matrix<Pack, Rows, Columns> matrix;
+  for (std::size_t place = 0; place < detail::size(Rows * Columns); ++place) {
+    matrix.data()[place] = Pack::load(from + place * stride + first);
+  }
+  return matrix;
+}
+template <typename Pack, int Rows, int Columns>
+void store_matrix(const Matrix<Pack, Rows, Columns>& matrix, double* to, std::size_t stride,
+                  std::size_t first) {
+  for (std::size_t place = 0; place < detail::size(Rows * Columns); ++place) {
+    matrix.data()[place].store(to + place * stride + first);
+  }
+}
+/// The same of one configuration.
+template <int Rows>
+[[nodiscard]] Vector<double, Rows> vector_of(const double* from, std::size_t stride,
+                                             std::size_t index) {
+  Vector<double, Rows> vector;
+  for (int row = 0; row < Rows; ++row) {
+    vector(row) = from[detail::size(row) * stride + index];
+  }
+  return vector;
+}
+template <int Rows, int Columns>
+void put_matrix(const Matrix<double, Rows, Columns>& matrix, double* to, std::size_t stride,
+                std::size_t index) {
+  for (std::size_t place = 0; place < detail::size(Rows * Columns); ++place) {
+    to[place * stride + index] = matrix.data()[place];
+  }
+}
+
+/// Looks at variables, or at the entries of a vector.
+template <typename Pack, template <typename> class Variables>
+void look_at(const Variables<Pack>& variables, FiniteNumbers<Pack>& numbers) {
+  for_each_number(variables, [&numbers](const Pack& number, std::size_t place) {
+    numbers.look_at(number, place);
+  });
+}
+template <typename Pack, int Rows>
+void look_at(const Vector<Pack, Rows>& vector, FiniteNumbers<Pack>& numbers) {
+  for (std::size_t row = 0; row < detail::size(Rows); ++row) {
+    numbers.look_at(vector.data()[row], row);
+  }
+}
+/// Where all of it is finite and a configuration is certainly regular.
+template <typename Model, typename Pack, typename... Rates>
+[[nodiscard]] auto are_certain(const typename Model::template Dimensions<Pack>& d,
+                               const typename Model::template Inputs<Pack>& u,
+                               const typename Model::template Configuration<Pack>& q,
+                               const Rates&... rates) {
+  FiniteNumbers<Pack> numbers;
+  look_at(d, numbers);
+  look_at(u, numbers);
+  look_at(q, numbers);
+  (look_at(rates, numbers), ...);
+  return numbers.all() & are_surely_regular<Model>(d, u, q, Pack(0));
+}
+
+/// Calls `several` with the first of each pack; it returns where configurations are to be looked at
+/// by themselves, for which `alone` is called. The last pack overlaps the one before.
+template <std::size_t Lanes, typename Several, typename Alone>
+void for_each_pack(std::size_t count, const Several& several, const Alone& alone) {
+  if (count < Lanes) {
+    for (std::size_t index = 0; index < count; ++index) {
+      alone(index);
+    }
+    return;
+  }
+  for (std::size_t done = 0; done < count; done += Lanes) {
+    const std::size_t first = (std::min)(done, count - Lanes);
+    unsigned left = several(first);
+    for (std::size_t index = first; left != 0; ++index, left >>= 1) {
+      if ((left & 1) != 0) {
+        alone(index);
+      }
+    }
+  }
+}
+
+}  // namespace detail::batch
+
+/// dq/dd and dq/du of `count` assembled configurations, with the statuses that `sensitivities`
+/// gives each. `Lanes` are computed at once; what is not certainly regular is looked at by itself.
+template <typename Model, std::size_t Lanes = numeric::native_lanes>
+void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
+                   const BatchSensitivities& result) {
+  using Pack = numeric::PackOf<double, Lanes>;
+  using namespace detail::batch;
+  for_each_pack<Lanes>(
+      count,
+      [&](std::size_t first) {
+        const auto d =
+            load_groups<typename Model::template Dimensions<Pack>>(given.dimensions, first);
+        const auto u = load_groups<typename Model::template Inputs<Pack>>(given.inputs, first);
+        const auto q =
+            load_groups<typename Model::template Configuration<Pack>>(given.configurations, first);
+        Sensitivities<Model, Pack> sensitive;
+        Model::sensitivities(d, u, q, sensitive.to_dimensions, sensitive.to_inputs);
+        store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
+        store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
+        std::fill_n(result.status + first, Lanes, Status::ok);
+        return (!are_certain<Model, Pack>(d, u, q)).bits();
+      },
+      [&](std::size_t index) {
+        Sensitivities<Model, double> sensitive;
+        result.status[index] = sensitivities<Model, double>(
+            group_of(given.dimensions, index), group_of(given.inputs, index),
+            group_of(given.configurations, index), sensitive);
+        if (is_solvable(result.status[index])) {
+          put_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, index);
+          put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
+        }
+      });
+}
+
+/// The same, and dq/dt and d2q/dt2 for the rates of the inputs, with the statuses that
+/// `sensitivities_and_motion` gives each.
+template <typename Model, std::size_t Lanes = numeric::native_lanes>
+void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model>& given,
+                              const BatchRates& rates, const BatchSensitivities& result,
+                              const BatchMotion& moving) {
+  using Pack = numeric::PackOf<double, Lanes>;
+  using namespace detail::batch;
+  for_each_pack<Lanes>(
+      count,
+      [&](std::size_t first) {
+        const auto d =
+            load_groups<typename Model::template Dimensions<Pack>>(given.dimensions, first);
+        const auto u = load_groups<typename Model::template Inputs<Pack>>(given.inputs, first);
+        const auto q =
+            load_groups<typename Model::template Configuration<Pack>>(given.configurations, first);
+        const auto u_rate =
+            load_matrix<Pack, Model::input_count, 1>(rates.first, rates.stride, first);
+        const auto u_second_rate =
+            load_matrix<Pack, Model::input_count, 1>(rates.second, rates.stride, first);
+        Sensitivities<Model, Pack> sensitive;
+        Motion<Model, Pack> motion;
+        Model::sensitivities_and_motion(d, u, q, u_rate, u_second_rate, sensitive.to_dimensions,
+                                        sensitive.to_inputs, motion.velocity, motion.acceleration);
+        store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
+        store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
+        store_matrix(motion.velocity, moving.velocity, moving.stride, first);
+        store_matrix(motion.acceleration, moving.acceleration, moving.stride, first);
+        std::fill_n(result.status + first, Lanes, Status::ok);
+        return (!are_certain<Model, Pack>(d, u, q, u_rate, u_second_rate)).bits();
+      },
+      [&](std::size_t index) {
+        Sensitivities<Model, double> sensitive;
+        Motion<Model, double> motion;
+        result.status[index] = sensitivities_and_motion<Model, double>(
+            group_of(given.dimensions, index), group_of(given.inputs, index),
+            group_of(given.configurations, index),
+            vector_of<Model::input_count>(rates.first, rates.stride, index),
+            vector_of<Model::input_count>(rates.second, rates.stride, index), sensitive, motion);
+        if (is_solvable(result.status[index])) {
+          put_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, index);
+          put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
+          put_matrix(motion.velocity, moving.velocity, moving.stride, index);
+          put_matrix(motion.acceleration, moving.acceleration, moving.stride, index);
+        }
+      });
+}
+
+}  // namespace assur

@@ -1,0 +1,42 @@
+// Turns the variables of many groups into columns of numbers, one group after the other.
+#pragma once
+
+#include <assur/detail/numbers.hpp>
+#include <cstddef>
+#include <type_traits>
+
+namespace assur {
+
+/// Variables of many groups as a structure of arrays: of group i, number p in the order of
+/// `members`, of a direction its cosine and then its sine, is data[p * stride + i]. `Variables` is
+/// a model's Dimensions, Inputs or Configuration, const where it is only read. A stride that is a
+/// multiple of 512 puts all numbers of a group into the same few lines of a processor's cache.
+template <typename Variables>
+struct Columns {
+  using Scalar = typename detail::ScalarOf<std::remove_const_t<Variables>>::Type;
+  static constexpr std::size_t count = detail::SortsOf<std::remove_const_t<Variables>>::count;
+
+  std::conditional_t<std::is_const_v<Variables>, const Scalar, Scalar>* data = nullptr;
+  std::size_t stride = 0;
+};
+
+/// The variables of one group.
+template <typename Variables>
+[[nodiscard]] std::remove_const_t<Variables> group_of(const Columns<Variables>& columns,
+                                                      std::size_t index) {
+  std::remove_const_t<Variables> group;
+  for (std::size_t place = 0; place < Columns<Variables>::count; ++place) {
+    detail::put_number(&group, place, columns.data[place * columns.stride + index]);
+  }
+  return group;
+}
+
+template <typename Variables>
+void put_group(const Columns<Variables>& columns, std::size_t index, const Variables& group) {
+  for (std::size_t place = 0; place < Columns<Variables>::count; ++place) {
+    columns.data[place * columns.stride + index] =
+        detail::number_at<typename Columns<Variables>::Scalar>(&group, place);
+  }
+}
+
+}  // namespace assur

@@ -1,0 +1,384 @@
+// Turns a block of groups whose final polynomial has more than two roots into all their
+// configurations, or tells which groups need a closer look.
+#pragma once
+
+#include <array>
+#include <assur/assemblies.hpp>
+#include <assur/detail/assembly_order.hpp>
+#include <assur/detail/batch/pack_arcs.hpp>
+#include <assur/detail/batch/pack_columns.hpp>
+#include <assur/detail/batch/pack_roots.hpp>
+#include <assur/detail/batch/pack_verdicts.hpp>
+#include <assur/detail/completion.hpp>
+#include <assur/detail/polish.hpp>
+#include <assur/detail/products.hpp>
+#include <assur/detail/small_step.hpp>
+#include <assur/numeric/magnitude.hpp>
+#include <assur/support/scale.hpp>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+
+namespace assur::detail::batch {
+
+/// The search in general position of up to `capacity` groups, as `GeneralSearch` does it of one: it
+/// vouches for a list where every root of the final polynomial is certainly simple and completes to
+/// a regular configuration that closes.
+template <typename Model, std::size_t Lanes>
+class GeneralBlock {
+  static constexpr std::size_t N = Model::polynomial_degree;
+  static constexpr std::size_t most_roots = size(Model::max_configurations);
+  using Pack = numeric::PackOf<double, Lanes>;
+  using Truth = decltype(Pack() < Pack());
+  template <typename Scalar>
+  using Dimensions = typename Model::template Dimensions<Scalar>;
+  template <typename Scalar>
+  using Inputs = typename Model::template Inputs<Scalar>;
+  template <typename Scalar>
+  using Configuration = typename Model::template Configuration<Scalar>;
+  using Places = std::array<std::size_t, Lanes>;
+
+ public:
+  static constexpr std::size_t capacity = 32;
+  static_assert(capacity % Lanes == 0, "a block is full of packs");
+
+  /// Searches so many groups from `first` on, as many as fill packs.
+  void solve(const Columns<const Dimensions<double>>& dimensions,
+             const Columns<const Inputs<double>>& inputs, std::size_t first, std::size_t count) {
+    arcs_.clear();
+    Magnitudes most;
+    for (std::size_t group = 0; group < count; group += Lanes) {
+      scale(load_groups<Dimensions<Pack>>(dimensions, first + group),
+            load_groups<Inputs<Pack>>(inputs, first + group), group, most);
+    }
+    const double error = error_of_coefficients(most);
+    for (std::size_t group = 0; group < count; group += Lanes) {
+      add_arcs(group, Pack(error));
+    }
+    arcs_.isolate([this](std::size_t group) { settled_[group] = false; });
+    for (std::size_t root = 0; root < arcs_.brackets().count; root += 2 * Lanes) {
+      find_roots(root);
+    }
+    for (std::size_t root = 0; root < arcs_.brackets().count; root += Lanes) {
+      complete_roots(root);
+    }
+  }
+
+  /// Whether the list of a group is whole.
+  [[nodiscard]] bool is_settled(std::size_t group) const { return settled_[group]; }
+  [[nodiscard]] std::size_t count(std::size_t group) const { return counts_[group]; }
+
+  /// Puts the configurations of a settled group in order. False if that needs a closer look.
+  [[nodiscard]] bool put_in_order(std::size_t group) {
+    const std::size_t count = counts_[group];
+    const std::array<std::size_t, most_roots> list = lists_[group];
+    std::array<std::size_t, most_roots> ranks{};
+    bool apart = true;
+    for (std::size_t one = 1; one < count; ++one) {
+      const double key = keys_[list[one]];
+      for (std::size_t other = 0; other < one; ++other) {
+        const bool is_after = keys_[list[other]] < key;
+        ranks[one] += is_after ? 1 : 0;
+        ranks[other] += is_after ? 0 : 1;
+        apart &= numeric::are_apart(key, keys_[list[other]]);
+      }
+    }
+    for (std::size_t place = 0; place < count; ++place) {
+      lists_[group][ranks[place]] = list[place];
+    }
+    return apart;
+  }
+  /// Puts one configuration of a group, in the unit of its inputs, into the columns of a batch.
+  void put(std::size_t group, std::size_t index, const Columns<Configuration<double>>& to,
+           std::size_t at) const {
+    constexpr auto lengths = SortsOf<Configuration<double>>::lengths;
+    const std::size_t root = lists_[group][index];
+    for (std::size_t place = 0; place < lengths.size(); ++place) {
+      to.data[place * to.stride + at] =
+          roots_[place][root] * (lengths[place] ? units_[group] : 1.0);
+    }
+  }
+
+ private:
+  /// The largest numbers of a block, which bound the rounding of all its polynomials.
+  struct Magnitudes {
+    Dimensions<Pack> dimensions{};
+    Inputs<Pack> inputs{};
+    Pack places = Pack(1);
+  };
+
+  /// Scales several groups so that their longest lengths are near one, and puts the first external
+  /// joint of each at the origin: what a configuration holds does not change with the place.
+  void scale(const Dimensions<Pack>& dimensions, const Inputs<Pack>& inputs, std::size_t group,
+             Magnitudes& most) {
+    const Pack own = sizes_of<Model, Pack>(dimensions, inputs);
+    const Pack places = longest_lengths(inputs);
+    // Beyond these, who looks at one group alone decides by what it is measured.
+    constexpr double longest_of_all = 0x1p400;
+    constexpr double farthest = 0x1p20;
+    const Truth in_range = (own < Pack(longest_of_all)) & (Pack(1 / longest_of_all) < own) &
+                           (places < Pack(farthest) * own) & are_finite_directions(dimensions) &
+                           are_finite_directions(inputs);
+    Pack scale(1);
+    const unsigned usable = in_range.bits();
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      settled_[group + lane] = (usable >> lane & 1) != 0;
+      counts_[group + lane] = 0;
+      scale.put(lane, settled_[group + lane] ? support::inverse_power_of_two(own[lane]) : 1);
+      units_[group + lane] = 1 / scale[lane];
+    }
+    const auto keep = [&](const Pack& number, Pack& largest, double* kept) {
+      number.store(kept);
+      largest = max EIGEN_NOT_A_MACRO(largest, select(in_range, abs(number), Pack(0)));
+    };
+    Pack* largest = &first_number(most.dimensions);
+    for_each_number(dimensions, [&](const Pack& number, std::size_t place) {
+      const bool is_length = SortsOf<Dimensions<double>>::lengths[place];
+      keep(is_length ? number * scale : number, largest[place], &dimensions_[place][group]);
+    });
+    largest = &first_number(most.inputs);
+    Direction<Pack> origin{Pack(0), Pack(0)};
+    bool is_placed = false;
+    for_each_number(inputs, [&](const Pack& number, std::size_t place) {
+      constexpr auto axes = axes_of_inputs();
+      if (axes[place] == 'y' && !is_placed) {
+        origin.sin = number;
+        is_placed = true;
+      }
+      if (axes[place] == 'x' && !is_placed) {
+        origin.cos = number;
+      }
+      const Pack moved = axes[place] == 'x'   ? number - origin.cos
+                         : axes[place] == 'y' ? number - origin.sin
+                                              : number;
+      keep(axes[place] != 0 ? moved * scale : number, largest[place], &inputs_[place][group]);
+    });
+    const Pack longest = max EIGEN_NOT_A_MACRO(Pack(1), places * scale);
+    keep(longest, most.places, &longest_[group]);
+  }
+  template <typename Variables>
+  [[nodiscard]] static Pack& first_number(Variables& variables) {
+    auto& first = std::get<0>(variables.members());
+    if constexpr (is_direction<std::decay_t<decltype(first)>>) {
+      return first.cos;
+    } else {
+      return first;
+    }
+  }
+  /// Of each number of the inputs, the axis along which it is a coordinate, or none.
+  [[nodiscard]] static constexpr auto axes_of_inputs() {
+    std::array<char, Columns<Inputs<double>>::count> axes{};
+    std::size_t place = 0;
+    for (const ModelVariable& input : Model::inputs) {
+      axes[place] = input.is_angle ? '\0' : input.name[0];
+      place += input.is_angle ? 2 : 1;
+    }
+    return axes;
+  }
+
+  /// How far rounding, of the variables too, may have moved a coefficient of the final polynomial
+  /// of any group that is no larger.
+  [[nodiscard]] static double error_of_coefficients(const Magnitudes& most) {
+    using numeric::Magnitude;
+    Dimensions<Magnitude> d;
+    Inputs<Magnitude> u;
+    const double longest = largest_in(most.places);
+    const auto put = [](auto& to, const auto& from, double units) {
+      for_each_number(from, [&](const Pack& number, std::size_t place) {
+        const double size = largest_in(number);
+        put_number(&to, place, Magnitude(size, units));
+      });
+    };
+    put(d, most.dimensions, Magnitude::given_units);
+    put(u, most.inputs, Magnitude::given_units * longest);
+    TrigonometricPolynomial<Magnitude, N> T;
+    Model::position_polynomial(d, u, T);
+    double error = 0;
+    for (std::size_t k = 0; k <= N; ++k) {
+      error = (std::max)({error, T.cosine[k].rounding(), T.sine[k].rounding()});
+    }
+    return error;
+  }
+  [[nodiscard]] static double largest_in(const Pack& pack) {
+    double largest = 0;
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      largest = (std::max)(largest, pack[lane]);
+    }
+    return largest;
+  }
+
+  /// Makes arcs of several final polynomials, the coefficients of which have such an error.
+  void add_arcs(std::size_t group, const Pack& error) {
+    TrigonometricPolynomial<Pack, N> T;
+    Model::position_polynomial(loaded<Dimensions<Pack>>(dimensions_, group),
+                               loaded<Inputs<Pack>>(inputs_, group), T);
+    numeric::Harmonics<Pack, N> harmonics;
+    Pack sum(0);
+    for (std::size_t k = 0; k <= N; ++k) {
+      harmonics[k].cosine = T.cosine[k];
+      harmonics[k].sine = k == 0 ? Pack(0) : T.sine[k];
+      sum = sum + abs(harmonics[k].cosine) + abs(harmonics[k].sine);
+    }
+    // As `numeric::transform_error` has it; far from overflow and underflow.
+    constexpr double u = std::numeric_limits<double>::epsilon() / 2;
+    const Truth usable = (sum < Pack(0x1p200)) & (Pack(0x1p-200) < sum);
+    const unsigned certain =
+        arcs_.add(harmonics,
+                  select(usable, error * Pack(1 + 1.4143 * N) + Pack(12 * u) * sum,
+                         Pack(std::numeric_limits<double>::infinity())),
+                  group);
+    (Pack(u) * sum).store(&noise_[group]);
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      settled_[group + lane] = settled_[group + lane] && (certain >> lane & 1) != 0;
+    }
+  }
+  template <typename Variables, std::size_t Count>
+  [[nodiscard]] static Variables loaded(const std::array<std::array<double, capacity>, Count>& kept,
+                                        std::size_t group) {
+    Variables result;
+    for_each_number(
+        result, [&](Pack& number, std::size_t place) { number = Pack::load(&kept[place][group]); });
+    return result;
+  }
+
+  template <typename Variables, std::size_t Count>
+  [[nodiscard]] static Variables gathered(
+      const std::array<std::array<double, capacity>, Count>& kept, const Places& at) {
+    Variables result;
+    for_each_number(result, [&](Pack& number, std::size_t place) {
+      number = Pack::gather(kept[place].data(), at);
+    });
+    return result;
+  }
+
+  /// Finds the roots in the brackets of two packs, so that the processor can overlap them.
+  void find_roots(std::size_t first) {
+    using Bracket = PackBracket<Pack, 2 * N + 1>;
+    Bracket one = bracket(first);
+    Bracket other = bracket(first + Lanes);
+    constexpr int most_steps = 24;
+    for (int step = 0; step < most_steps && (one.is_open() || other.is_open()); ++step) {
+      one.improve(step);
+      other.improve(step);
+    }
+    put_roots(one, first);
+    put_roots(other, first + Lanes);
+  }
+  [[nodiscard]] PackBracket<Pack, 2 * N + 1> bracket(std::size_t first) const {
+    const auto& brackets = arcs_.brackets();
+    std::array<Pack, 2 * N + 1> bernstein;
+    for (std::size_t i = 0; i <= 2 * N; ++i) {
+      bernstein[i] = Pack::load(&brackets.bernstein[i][first]);
+    }
+    Pack noise(0);
+    Pack wanted(0);
+    for (std::size_t lane = 0; lane < Lanes && first + lane < brackets.count; ++lane) {
+      noise.put(lane, noise_[brackets.owner[first + lane] / 4]);
+      wanted.put(lane, 1);
+    }
+    return {bernstein, noise, wanted > Pack(0)};
+  }
+  void put_roots(const PackBracket<Pack, 2 * N + 1>& bracket, std::size_t first) {
+    const Pack left = Pack::load(&arcs_.brackets().left[first]);
+    const Pack right = Pack::load(&arcs_.brackets().right[first]);
+    const Pack t = (left + right) * Pack(0.5) + (right - left) * Pack(0.5) * bracket.roots();
+    // Where no root was found in so many steps, nothing can be completed.
+    select(bracket.open(), Pack(std::numeric_limits<double>::quiet_NaN()), t).store(&found_[first]);
+  }
+
+  /// Completes several roots to configurations.
+  [[gnu::flatten]] void complete_roots(std::size_t first) {
+    const auto& brackets = arcs_.brackets();
+    const std::size_t count = (std::min)(Lanes, brackets.count - first);
+    Places groups;
+    Direction<Pack> centre;
+    Pack wanted(0);
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      const std::size_t owner = brackets.owner[first + (lane < count ? lane : 0)];
+      const std::size_t chart = owner % 4;
+      groups[lane] = owner / 4;
+      constexpr std::array<double, 4> cosine = {1, 0, -1, 0};
+      constexpr std::array<double, 4> sine = {0, 1, 0, -1};
+      centre.cos.put(lane, cosine[chart]);
+      centre.sin.put(lane, sine[chart]);
+      wanted.put(lane, lane < count ? 1 : 0);
+    }
+    const auto d = gathered<Dimensions<Pack>>(dimensions_, groups);
+    const auto u = gathered<Inputs<Pack>>(inputs_, groups);
+    Configuration<Pack> q;
+    first_of<Model>(q) = direction_on_chart(Pack::load(&found_[first]), centre);
+    const Truth complete = complete_simple<Model, Pack>(d, u, q);
+    const Pack longest = Pack::gather(longest_.data(), groups);
+    const unsigned kept = (complete & settles(d, u, longest, wanted > Pack(0), q)).bits();
+    for_each_number(
+        q, [&](const Pack& number, std::size_t place) { number.store(&roots_[place][first]); });
+    key_at<Model, 0, Pack>(d, u, q).store(&keys_[first]);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const std::size_t group = groups[lane];
+      if ((kept >> lane & 1) == 0 || counts_[group] == most_roots) {
+        settled_[group] = false;
+      } else {
+        lists_[group][counts_[group]++] = first + lane;
+      }
+    }
+  }
+
+  /// Where a configuration closes and is regular, after a Newton step if need be.
+  [[nodiscard]] static Truth settles(const Dimensions<Pack>& d, const Inputs<Pack>& u,
+                                     const Pack& longest, const Truth& wanted,
+                                     Configuration<Pack>& q) {
+    const Pack unsure = Pack(std::numeric_limits<double>::epsilon()) * longest;
+    Truth closed = closes<Model, Pack>(d, u, q, longest * longest);
+    if (!static_cast<bool>(closed | !wanted)) {
+      closed = closed | polishes(d, u, longest, q);
+    }
+    return closed & are_surely_regular<Model>(d, u, q, unsure);
+  }
+  /// As `polish` does it, with one step.
+  [[nodiscard, gnu::noinline]] static Truth polishes(const Dimensions<Pack>& d,
+                                                     const Inputs<Pack>& u, const Pack& longest,
+                                                     Configuration<Pack>& q) {
+    constexpr int size = Model::unknown_count;
+    Vector<Pack, size> f;
+    Model::residual(d, u, q, f);
+    const Pack miss = largest_of(f);
+    Matrix<Pack, size, size> inverse;
+    Model::inverse_jacobian(d, u, q, inverse);
+    Vector<Pack, size> step = product(inverse, f);
+    for (int index = 0; index < size; ++index) {
+      step(index) = -step(index);
+    }
+    Configuration<Pack> next = q;
+    nudge<Model, Pack>(next, step);
+    Model::residual(d, u, next, f);
+    const Pack next_miss = largest_of(f);
+    exchange_where(next_miss < miss, q, next);
+    const Pack left = select(next_miss < miss, next_miss, miss);
+    const Pack length = longest_lengths(q);
+    return (left <= Pack(polished_rounding(1.0)) * max EIGEN_NOT_A_MACRO(length, longest)) &
+           (length < Pack(farthest_configuration<double>));
+  }
+  template <int Size>
+  [[nodiscard]] static Pack largest_of(const Vector<Pack, Size>& f) {
+    Pack largest(0);
+    for (int index = 0; index < Size; ++index) {
+      largest = max EIGEN_NOT_A_MACRO(largest, abs(f(index)));
+    }
+    return largest;
+  }
+
+  ArcSearch<N, Lanes, capacity> arcs_;
+  template <std::size_t Count>
+  using Kept = std::array<std::array<double, capacity>, Count>;
+  Kept<Columns<Dimensions<double>>::count> dimensions_;
+  Kept<Columns<Inputs<double>>::count> inputs_;
+  std::array<double, capacity> units_, longest_, noise_;
+  std::array<bool, capacity> settled_;
+  std::array<std::size_t, capacity> counts_;
+  std::array<std::array<std::size_t, most_roots>, capacity> lists_;
+  static constexpr std::size_t room = 2 * N * capacity + 2 * Lanes;
+  std::array<std::array<double, room>, Columns<Configuration<double>>::count> roots_;
+  std::array<double, room> found_, keys_;
+};
+
+}  // namespace assur::detail::batch

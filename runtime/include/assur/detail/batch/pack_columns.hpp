@@ -1,0 +1,71 @@
+// Turns columns of numbers into packs, and packs into columns.
+#pragma once
+
+#include <assur/columns.hpp>
+#include <assur/variables.hpp>
+#include <cstddef>
+#include <type_traits>
+
+namespace assur::detail::batch {
+
+/// Calls `use` with every number of variables and its place: of a direction the cosine, then the
+/// sine.
+template <typename Variables, typename Use>
+void for_each_number(Variables& variables, Use use) {
+  std::size_t place = 0;
+  for_each_member(variables, [&](auto& member, std::size_t) {
+    if constexpr (is_direction<std::decay_t<decltype(member)>>) {
+      use(member.cos, place++);
+      use(member.sin, place++);
+    } else {
+      use(member, place++);
+    }
+  });
+}
+
+/// The variables of the groups from `first` on.
+template <typename Packed, typename Variables>
+[[nodiscard]] Packed load_groups(const Columns<Variables>& columns, std::size_t first) {
+  Packed packed;
+  for_each_number(packed, [&](auto& number, std::size_t place) {
+    number = std::decay_t<decltype(number)>::load(columns.data + place * columns.stride + first);
+  });
+  return packed;
+}
+
+template <typename Packed, typename Variables>
+void store_groups(const Packed& packed, const Columns<Variables>& columns, std::size_t first) {
+  for_each_number(packed, [&](const auto& number, std::size_t place) {
+    number.store(columns.data + place * columns.stride + first);
+  });
+}
+
+/// The variables of one lane, in another scalar if need be.
+template <typename One, typename Packed>
+[[nodiscard]] One group_in_lane(const Packed& packed, std::size_t lane) {
+  One group;
+  for_each_number(packed, [&](const auto& number, std::size_t place) {
+    put_number(&group, place, typename ScalarOf<One>::Type(number[lane]));
+  });
+  return group;
+}
+
+/// Exchanges two lists where something holds.
+template <typename Truth, typename Packed>
+void exchange_where(const Truth& holds, Packed& one, Packed& other) {
+  const auto exchange = [&holds](auto& first, auto& second) {
+    const auto kept = first;
+    first = select(holds, second, first);
+    second = select(holds, kept, second);
+  };
+  for_each_pair(one, other, [&exchange](auto& first, auto& second) {
+    if constexpr (is_direction<std::decay_t<decltype(first)>>) {
+      exchange(first.cos, second.cos);
+      exchange(first.sin, second.sin);
+    } else {
+      exchange(first, second);
+    }
+  });
+}
+
+}  // namespace assur::detail::batch

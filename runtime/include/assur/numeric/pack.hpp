@@ -1,0 +1,195 @@
+// Turns arithmetic on one number into the same arithmetic on several numbers at once.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <assur/numeric/precision.hpp>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace assur::numeric {
+
+/// Numbers as compilers have them side by side, with or without a unit for them in the processor,
+/// and as many integers of their size.
+template <typename Scalar, std::size_t Lanes>
+struct SideBySide {
+  typedef Scalar Type __attribute__((vector_size(Lanes * sizeof(Scalar))));
+  /// The same as they stand among others.
+  struct [[gnu::packed, gnu::may_alias]] Anywhere {
+    Type numbers;
+  };
+  using Integers = decltype(Type() < Type());
+};
+
+/// What holds (all bits set) or does not (none) of each number of a pack; of all, as a bool.
+template <typename Scalar, std::size_t Lanes>
+class PackTruth {
+  using Integers = typename SideBySide<Scalar, Lanes>::Integers;
+  Integers holds_{};
+
+ public:
+  PackTruth() = default;
+  explicit PackTruth(const Integers& holds) : holds_(holds) {}
+
+  [[nodiscard]] bool operator[](std::size_t lane) const { return holds_[lane] != 0; }
+  explicit operator bool() const {
+    if constexpr (Lanes == 2) {
+      return (holds_[0] & holds_[1]) != 0;
+    }
+    return bits() == (1u << Lanes) - 1;
+  }
+  /// Whether it holds of one of them at least.
+  [[nodiscard]] bool any() const { return bits() != 0; }
+  /// A bit for each of them, that of the first the lowest.
+  [[nodiscard]] unsigned bits() const {
+#if defined(__AVX512DQ__)
+    if constexpr (sizeof(Scalar) == 8 && Lanes == 8) {
+      return _mm512_movepi64_mask(reinterpret_cast<__m512i>(holds_));
+    }
+#endif
+#if defined(__AVX__)
+    if constexpr (sizeof(Scalar) == 8 && Lanes == 4) {
+      return static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(holds_)));
+    }
+#endif
+    unsigned result = 0;
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      result |= (holds_[lane] < 0 ? 1u : 0u) << lane;
+    }
+    return result;
+  }
+  /// Minus one where it holds, zero where it does not.
+  [[nodiscard]] const Integers& integers() const { return holds_; }
+
+  friend PackTruth operator&(const PackTruth& a, const PackTruth& b) {
+    return PackTruth(a.holds_ & b.holds_);
+  }
+  friend PackTruth operator|(const PackTruth& a, const PackTruth& b) {
+    return PackTruth(a.holds_ | b.holds_);
+  }
+  friend PackTruth operator!=(const PackTruth& a, const PackTruth& b) {
+    return PackTruth(a.holds_ ^ b.holds_);
+  }
+  friend PackTruth operator!(const PackTruth& a) { return PackTruth(~a.holds_); }
+};
+
+/// Several numbers, for what is computed alike of all. A comparison does not hold where one of them
+/// is no number.
+template <typename Scalar, std::size_t Lanes>
+class PackOf {
+  using Numbers = typename SideBySide<Scalar, Lanes>::Type;
+  using Anywhere = typename SideBySide<Scalar, Lanes>::Anywhere;
+  using Integers = typename SideBySide<Scalar, Lanes>::Integers;
+  using Truth = PackTruth<Scalar, Lanes>;
+  Numbers numbers_;
+
+  explicit PackOf(const Numbers& numbers) : numbers_(numbers) {}
+  template <std::size_t... Lane>
+  PackOf(Scalar one, std::index_sequence<Lane...>) : numbers_{(static_cast<void>(Lane), one)...} {}
+  template <std::size_t... Lane>
+  [[nodiscard]] static PackOf gather(const Scalar* from, const std::array<std::size_t, Lanes>& at,
+                                     std::index_sequence<Lane...>) {
+    return PackOf(Numbers{from[at[Lane]]...});
+  }
+
+ public:
+  static constexpr std::size_t lanes = Lanes;
+
+  PackOf() = default;
+  PackOf(Scalar one) : PackOf(one, std::make_index_sequence<Lanes>()) {}
+  PackOf(Scalar first, Scalar second) : numbers_{first, second} {
+    static_assert(Lanes == 2, "a pack of two has a first and a second");
+  }
+  /// A constant of generated code.
+  template <
+      typename Number,
+      std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
+  PackOf(Number one) : PackOf(static_cast<Scalar>(one)) {}
+
+  /// Numbers that stand one after the other.
+  [[nodiscard]] static PackOf load(const Scalar* from) {
+    return PackOf(Numbers(reinterpret_cast<const Anywhere*>(from)->numbers));
+  }
+  /// Numbers that stand anywhere among others.
+  [[nodiscard]] static PackOf gather(const Scalar* from, const std::array<std::size_t, Lanes>& at) {
+    return gather(from, at, std::make_index_sequence<Lanes>());
+  }
+  void store(Scalar* to) const { reinterpret_cast<Anywhere*>(to)->numbers = numbers_; }
+
+  [[nodiscard]] Scalar operator[](std::size_t lane) const { return numbers_[lane]; }
+  void put(std::size_t lane, Scalar number) { numbers_[lane] = number; }
+
+  friend PackOf operator+(const PackOf& a, const PackOf& b) {
+    return PackOf(a.numbers_ + b.numbers_);
+  }
+  friend PackOf operator-(const PackOf& a, const PackOf& b) {
+    return PackOf(a.numbers_ - b.numbers_);
+  }
+  friend PackOf operator-(const PackOf& a) { return PackOf(-a.numbers_); }
+  friend PackOf operator*(const PackOf& a, const PackOf& b) {
+    return PackOf(a.numbers_ * b.numbers_);
+  }
+  friend PackOf operator/(const PackOf& a, const PackOf& b) {
+    return PackOf(a.numbers_ / b.numbers_);
+  }
+  PackOf& operator+=(const PackOf& other) { return *this = *this + other; }
+
+  // Without a branch: which of them it is differs from lane to lane.
+  friend PackOf select(const Truth& holds, const PackOf& then, const PackOf& otherwise) {
+    return PackOf(holds.integers() ? then.numbers_ : otherwise.numbers_);
+  }
+  friend PackOf max EIGEN_NOT_A_MACRO(const PackOf& a, const PackOf& b) {
+    return PackOf(a.numbers_ < b.numbers_ ? b.numbers_ : a.numbers_);
+  }
+  friend PackOf min EIGEN_NOT_A_MACRO(const PackOf& a, const PackOf& b) {
+    return PackOf(b.numbers_ < a.numbers_ ? b.numbers_ : a.numbers_);
+  }
+  friend PackOf abs(const PackOf& a) {
+    const Numbers sign = PackOf(Scalar(-0.0)).numbers_;
+    return PackOf(reinterpret_cast<Numbers>(reinterpret_cast<Integers>(a.numbers_) &
+                                            ~reinterpret_cast<Integers>(sign)));
+  }
+  friend PackOf sqrt(const PackOf& a) {
+    Eigen::Array<Scalar, static_cast<int>(Lanes), 1> roots;
+    a.store(roots.data());
+    roots = roots.sqrt().eval();
+    return load(roots.data());
+  }
+
+  /// A bit for each number, set where it is below zero or minus zero.
+  [[nodiscard]] unsigned signs() const {
+    return Truth(reinterpret_cast<Integers>(numbers_)).bits();
+  }
+
+  friend Truth operator==(const PackOf& a, const PackOf& b) {
+    return Truth(a.numbers_ == b.numbers_);
+  }
+  friend Truth operator<(const PackOf& a, const PackOf& b) {
+    return Truth(a.numbers_ < b.numbers_);
+  }
+  friend Truth operator<=(const PackOf& a, const PackOf& b) {
+    return Truth(a.numbers_ <= b.numbers_);
+  }
+  friend Truth operator>(const PackOf& a, const PackOf& b) { return b < a; }
+};
+
+template <typename Scalar, std::size_t Lanes>
+struct PartOf<PackOf<Scalar, Lanes>> {
+  using Type = Scalar;
+};
+
+/// How many doubles the processor that a program is compiled for takes at once; two where it has no
+/// unit for that.
+#if defined(__AVX512F__)
+inline constexpr std::size_t native_lanes = 8;
+#elif defined(__AVX__)
+inline constexpr std::size_t native_lanes = 4;
+#else
+inline constexpr std::size_t native_lanes = 2;
+#endif
+
+/// No pack has more.
+inline constexpr std::size_t most_lanes = 8;
+
+}  // namespace assur::numeric
