@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/scene_file.hpp>
+#include <assur/text/input_file.hpp>
 #include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <filesystem>
@@ -16,6 +17,12 @@ namespace {
 
 using mechanism::Scene;
 
+/// A scene and the text that it was read from.
+struct Source {
+  std::string text;
+  Scene scene;
+};
+
 mechanism::Drawing standing(const Scene& scene, const DrawOptions& options) {
   return drawing_of(scene.mechanism, scene.request, {options.configuration, options.nearest});
 }
@@ -26,29 +33,31 @@ void expect_standing(const DrawOptions& options) {
   }
 }
 
-std::string svg(const Scene& scene, const DrawOptions& options) {
+std::string svg(const Source& source, const DrawOptions& options) {
+  const Scene& scene = source.scene;
   return drawing_svg(options.moving
                          ? moving_drawing_of(scene.mechanism, scene.request, options.configuration)
                          : standing(scene, options));
 }
 
-std::string dxf(const Scene& scene, const DrawOptions& options) {
+std::string dxf(const Source& source, const DrawOptions& options) {
   expect_standing(options);
-  return drawing_dxf(standing(scene, options));
+  return drawing_dxf(standing(source.scene, options));
 }
 
-std::string page(const Scene& scene, const DrawOptions& options) {
+std::string page(const Source& source, const DrawOptions& options) {
   expect_standing(options);
   if (options.configuration > 0 || options.nearest) {
     throw text::InputError("--configuration, --nearest: a page has all branches; leave this out");
   }
-  return drawing_page(scene.mechanism, scene.request);
+  return drawing_page(source.scene.mechanism, source.scene.request,
+                      mechanism::SceneText{source.text, options.settings});
 }
 
 /// A form of drawings, by the extension of its files.
 struct Form {
   const char* extension;
-  std::string (*text)(const Scene&, const DrawOptions&);
+  std::string (*text)(const Source&, const DrawOptions&);
 };
 
 constexpr std::array forms = {Form{".svg", svg}, Form{".html", page}, Form{".dxf", dxf}};
@@ -76,13 +85,14 @@ const Form& form_of(const std::filesystem::path& file) {
 void draw_scene(const DrawOptions& options) {
   const std::filesystem::path file = options.output;
   const Form& form = form_of(file);
-  const Scene scene = mechanism::read_scene(options.scene, options.settings);
+  const std::string read = text::read_input_file(options.scene);
+  const Source source = {read, mechanism::parse_scene(read, options.scene, options.settings)};
   try {
-    const std::string text = form.text(scene, options);
+    const std::string text = form.text(source, options);
     emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
   } catch (const mechanism::MechanismError& error) {
-    throw text::InputError(scene.file + ": " + error.what());
+    throw text::InputError(source.scene.file + ": " + error.what());
   }
 }
 

@@ -1,10 +1,14 @@
 // Turns the data of the page into branches that can be asked where they are at any place of the sweep.
-"use strict";
 
-/** What the page shows at some values of the mechanism's parameters: the data of `film.hpp`. Here it
- * is what the page was made with, whatever the values; a solver that solves anew stands in its place. */
-async function frames(values) {
-  return JSON.parse(document.getElementById("film").textContent);
+/** What the page was made with: the data of `film_json.hpp`. */
+function madeWith() {
+  const data = JSON.parse(document.getElementById("film").textContent);
+  for (const branch of data.branches) {
+    branch.points = numbersOf(branch.points);
+    branch.outputs = numbersOf(branch.outputs);
+    branch.spreads = numbersOf(branch.spreads);
+  }
+  return data;
 }
 
 /** Numbers of 32 bits out of base 64. */
@@ -13,10 +17,16 @@ function numbersOf(text) {
   return new Float32Array(bytes.buffer);
 }
 
+/** What a tenth of some numbers are above; 0 of none. */
+function nearlyLargest(numbers) {
+  numbers.sort((one, other) => one - other);
+  return numbers.length === 0 ? 0 : numbers[Math.floor(0.9 * (numbers.length - 1))];
+}
+
 /** Rows of numbers, one for each step. */
 class Rows {
-  constructor(text, count) {
-    this.numbers = numbersOf(text);
+  constructor(numbers, count) {
+    this.numbers = numbers;
     this.width = this.numbers.length / count;
     this.count = count;
   }
@@ -40,17 +50,20 @@ class Rows {
   }
 }
 
-/** A branch: where its points are, and its outputs as x, y, vx, vy, ax, ay each. */
+/** A branch: where its points are, its outputs as x, y, vx, vy, ax, ay each, and how they vary, as
+ * the variance of x, the covariance and the variance of y each, if they do. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
     this.points = new Rows(data.points, film.count);
     this.outputs = new Rows(data.outputs, film.count);
+    this.spreads = new Rows(data.spreads, film.count);
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
     this.way = this.wayOfOutputs();
     this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
+    this.widest = this.widestSpread();
   }
 
   /** The curves of all outputs, in the scene's coordinates. */
@@ -82,8 +95,20 @@ class Branch {
         lengths.push(length);
       }
     }
-    lengths.sort((one, other) => one - other);
-    return lengths.length === 0 ? 0 : lengths[Math.floor(0.9 * (lengths.length - 1))];
+    return nearlyLargest(lengths);
+  }
+
+  /** How far outputs vary, likewise. */
+  widestSpread() {
+    const deviations = [];
+    const { numbers } = this.spreads;
+    for (let place = 0; place < numbers.length; place += 3) {
+      const deviation = Math.sqrt(numbers[place] + numbers[place + 2]);
+      if (Number.isFinite(deviation)) {
+        deviations.push(deviation);
+      }
+    }
+    return nearlyLargest(deviations);
   }
 
   /** The ends of all that is seen of it: [least x, least y, greatest x, greatest y]. */
@@ -115,6 +140,17 @@ class Branch {
   }
 }
 
+/** By how much ellipses are drawn larger than they are, so that the widest takes a tenth of the
+ * picture or nearly: 1, 2 or 5 times a power of ten; 0 where nothing varies. */
+function magnification(widest, size) {
+  if (!(widest > 0)) {
+    return 0;
+  }
+  const most = 0.1 * size / widest;
+  const power = 10 ** Math.floor(Math.log10(most));
+  return [5, 2, 1].map((factor) => factor * power).find((one) => one <= most);
+}
+
 class Film {
   constructor(data) {
     Object.assign(this, data);
@@ -123,6 +159,10 @@ class Film {
     this.box = [0, 1, 2, 3].map((side) =>
       (side < 2 ? Math.min : Math.max)(...boxes.map((box) => box[side])));
     this.size = Math.hypot(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
+    for (const branch of this.branches) {
+      branch.magnification = magnification(branch.widest, this.size);
+    }
+    this.hasSpreads = this.branches.some((branch) => branch.magnification > 0);
     this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
   }
 

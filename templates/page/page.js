@@ -5,19 +5,32 @@ const sweepSeconds = 6;
 
 class Page {
   constructor(film) {
-    this.film = film;
-    this.stage = new Stage(this.element("stage"), film);
-    this.plot = new Plot(this.element("plot"), film);
+    this.stage = new Stage(this.element("stage"));
     this.chosen = film.chosen;
     this.place = 0;
     this.forwards = true;
     this.last = null;
     this.isPlaying = film.count > 1 && !matchMedia("(prefers-reduced-motion: reduce)").matches;
-    this.closed = film.branches.map((branch) => branch.isClosed(film.size));
-    this.addControls();
+    this.addQuantities(film);
+    this.use(film);
+    this.addSliders();
     this.listen();
     this.show();
     requestAnimationFrame((now) => this.tick(now));
+  }
+
+  /** Shows a film, at the place where another one was. */
+  use(film) {
+    const part = this.film && this.film.count > 1 ? this.place / (this.film.count - 1) : 0;
+    this.film = film;
+    this.place = part * (film.count - 1);
+    this.stage.film = film;
+    this.plot = new Plot(this.element("plot"), film);
+    this.closed = film.branches.map((branch) => branch.isClosed(film.size));
+    if (!film.branch(this.chosen)) {
+      this.chosen = film.chosen;
+    }
+    this.addControls();
   }
 
   element(name) {
@@ -27,39 +40,65 @@ class Page {
   get options() {
     const on = (name) => this.element(name).checked;
     return { chosen: this.chosen, all: on("all"), ways: on("ways"), names: on("names"),
-      velocity: on("velocity"), acceleration: on("acceleration") };
+      velocity: on("velocity"), acceleration: on("acceleration"), spread: on("spread") };
   }
 
   addControls() {
-    for (const branch of this.film.branches) {
+    const { film } = this;
+    this.element("branches").replaceChildren(...film.branches.map((branch) => {
       const button = document.createElement("button");
       button.type = "button";
       button.textContent = branch.number;
       button.style.borderBottomColor = `var(--c${branch.colour})`;
       button.addEventListener("click", () => this.choose(branch.number));
-      this.element("branches").append(button);
+      return button;
+    }));
+    if (film.left_out > 0) {
+      this.element("branches").append(`and ${film.left_out} more`);
     }
-    if (this.film.left_out > 0) {
-      this.element("branches").append(`and ${this.film.left_out} more`);
-    }
-    for (const event of this.film.events) {
+    this.element("marks").replaceChildren(...film.events.map((event) => {
       const mark = document.createElement("span");
       mark.className = event.event;
-      mark.style.left = `${100 * this.film.placeOf(event.parameter) / (this.film.count - 1)}%`;
-      mark.title = `${event.event} ${event.branches.join(" ")} at ${this.film.parameter} = ` +
+      mark.style.left = `${100 * film.placeOf(event.parameter) / (film.count - 1)}%`;
+      mark.title = `${event.event} ${event.branches.join(" ")} at ${film.parameter} = ` +
         shortNumber(event.parameter);
-      this.element("marks").append(mark);
-    }
-    this.element("place").max = this.film.count - 1;
-    const { hasRates } = this.film;
-    this.film.outputs.forEach((name, output) => {
+      return mark;
+    }));
+    this.element("place").max = film.count - 1;
+    this.hide(".spreads", !film.hasSpreads);
+  }
+
+  addQuantities(film) {
+    const { hasRates } = film;
+    film.outputs.forEach((name, output) => {
       for (const [quantity] of quantities.slice(0, hasRates ? quantities.length : 2)) {
         this.element("quantity").add(new Option(`${name}: ${quantity}`, `${output} ${quantity}`));
       }
     });
     this.hide(".rates", !hasRates);
-    this.hide(".moving, #time", this.film.count === 1);
-    this.hide("#plots", this.film.count === 1 || this.film.outputs.length === 0);
+    this.hide(".moving, #time", film.count === 1);
+    this.hide("#plots", film.count === 1 || film.outputs.length === 0);
+  }
+
+  addSliders() {
+    const { scene, unit } = this.film;
+    this.hide("#parameters", !scene);
+    if (!scene) {
+      return;
+    }
+    this.element("units").textContent =
+      `lengths in ${unit || "the scene's unit"}, angles in rad`;
+    const tell = (obstacle, works) => {
+      this.element("obstacle").textContent = obstacle && (works
+        ? `Not shown: ${obstacle}. The picture is that of the values before.`
+        : `This browser cannot solve the scene anew: ${obstacle}.`);
+      this.element("view").classList.toggle("behind", works && obstacle !== "");
+    };
+    this.sliders = new Sliders(this.element("sliders"), scene, (film) => {
+      this.use(film);
+      this.show();
+    }, tell);
+    this.element("reset").addEventListener("click", () => this.sliders.reset());
   }
 
   hide(selector, hidden) {
@@ -71,7 +110,7 @@ class Page {
     this.element("place").addEventListener("input", (event) => this.seek(Number(event.target.value)));
     this.element("plot").addEventListener("pointerdown", (event) =>
       this.seek(this.plot.placeAt(event.offsetX)));
-    for (const name of ["all", "ways", "names", "velocity", "acceleration", "quantity"]) {
+    for (const name of ["all", "ways", "names", "velocity", "acceleration", "spread", "quantity"]) {
       this.element(name).addEventListener("change", () => this.show());
     }
     new ResizeObserver(() => this.show()).observe(document.querySelector("main"));
@@ -83,7 +122,7 @@ class Page {
   }
 
   key(event) {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target.tagName === "SELECT") {
+    if (event.ctrlKey || event.altKey || event.metaKey || event.target.closest?.("select, #parameters")) {
       return;
     }
     const far = event.shiftKey ? 10 : 1;
@@ -162,6 +201,8 @@ class Page {
       button.setAttribute("aria-pressed", branch.number === this.chosen);
       button.classList.toggle("absent", branch.points.at(this.place) === null);
     });
+    this.element("magnified").textContent =
+      `${film.spread}, × ${shortNumber(film.branch(this.chosen).magnification)}`;
     this.tell();
   }
 
@@ -192,6 +233,4 @@ class Page {
   }
 }
 
-frames({}).then((data) => {
-  window.page = new Page(new Film(data));
-});
+window.page = new Page(new Film(madeWith()));

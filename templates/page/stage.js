@@ -30,13 +30,13 @@ function cleared(canvas) {
 }
 
 class Stage {
-  constructor(canvas, film) {
+  /** Its `film` is set before it draws, and may be set again. */
+  constructor(canvas) {
     this.canvas = canvas;
-    this.film = film;
     this.cornersOfNames = new Map();
   }
 
-  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration. */
+  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration, spread. */
   draw(place, options) {
     const context = cleared(this.canvas);
     this.context = context;
@@ -61,6 +61,7 @@ class Stage {
     this.ways(chosen, options);
     if (isThere) {
       this.links(points, chosen);
+      this.spreads(chosen, place, options);
       this.vectors(chosen, chosen.outputs.at(place), options);
       if (options.names) {
         this.names(points);
@@ -261,6 +262,34 @@ class Stage {
         this.context.lineWidth = 1.1 * this.unit;
         this.context.stroke();
       }
+    }
+  }
+
+  /** About each output the ellipse of its covariance, which a circle becomes by a root of it. */
+  spreads(branch, place, options) {
+    const rows = branch.spreads.at(place);
+    const outputs = branch.outputs.at(place);
+    if (!options.spread || rows === null || outputs === null) {
+      return;
+    }
+    const size = branch.magnification;
+    for (let output = 0; 3 * output < rows.length; ++output) {
+      const [xx, xy, yy] = rows.subarray(3 * output, 3 * output + 3);
+      const wide = Math.sqrt(xx);
+      const slant = wide > 0 ? xy / wide : 0;
+      const high = Math.sqrt(Math.max(yy - slant * slant, 0));
+      this.path(Array.from({ length: 72 }, (_, part) => {
+        const [cos, sin] = [Math.cos(part * Math.PI / 36), Math.sin(part * Math.PI / 36)];
+        return this.at(outputs[6 * output] + size * wide * cos,
+          outputs[6 * output + 1] + size * (slant * cos + high * sin));
+      }), true);
+      this.context.fillStyle = colour("c3");
+      this.context.strokeStyle = colour("c3");
+      this.context.globalAlpha = 0.25;
+      this.context.fill();
+      this.context.globalAlpha = 1;
+      this.context.lineWidth = 1.4 * this.unit;
+      this.context.stroke();
     }
   }
 

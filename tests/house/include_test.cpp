@@ -71,6 +71,7 @@ House house() {
                    {"Eigen", "nlohmann"}),
               part("draw", {"description", "models", "plan", "values", "solve", "follow"},
                    {"Eigen", "nlohmann"}),
+              part("page", {"draw"}, {"nlohmann"}),
 
               {"python/src", "assur::python", {mechanism, runtime, words}, {"Eigen", "pybind11"}},
 

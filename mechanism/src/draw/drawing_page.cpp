@@ -1,13 +1,13 @@
 // Turns a mechanism and its sweep into one HTML page that needs no other file.
-#include <array>
+#include <algorithm>
 #include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/plan.hpp>
 #include <bit>
 #include <cstdint>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "draw/drawing_text.hpp"
-#include "draw/film.hpp"
+#include "draw/film_json.hpp"
 #include "draw/palette.hpp"
 #include "draw/templates.hpp"
 
@@ -15,22 +15,22 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::size_t most_page_bytes = 999'999;
+/// For the page itself, its scripts and its shapes.
+constexpr std::size_t bytes_beside_numbers = 120'000;
+/// More does not make a page better.
+constexpr std::size_t most_number_bytes = 750'000;
+/// In base 64.
+constexpr double bytes_of_number = sizeof(float) * 4 / 3.0;
 
-/// What the frames of a page may take, so that the whole is below a megabyte.
-constexpr std::size_t most_film_bytes = 750'000;
-
-constexpr std::array symbol_names = {"bar",  "plate", "slot", "guide", "block",
-                                     "tube", "rod",   "pin",  "tracer"};
-
-/// Numbers of 32 bits, the low byte first, in base 64.
-std::string base_64(const std::vector<float>& numbers) {
+/// Numbers as 32 bits, the low byte first, in base 64.
+std::string base_64(const std::vector<double>& numbers) {
   constexpr const char* digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string text;
   std::uint32_t held = 0;
   unsigned bits = 0;
-  for (const float number : numbers) {
-    const auto word = std::bit_cast<std::uint32_t>(number);
+  for (const double number : numbers) {
+    const auto word = std::bit_cast<std::uint32_t>(static_cast<float>(number));
     for (unsigned shift = 0; shift < 32; shift += 8) {
       held = held << 8U | (word >> shift & 0xFFU);
       for (bits += 8; bits >= 6; bits -= 6) {
@@ -43,46 +43,6 @@ std::string base_64(const std::vector<float>& numbers) {
   }
   text.append((4 - text.size() % 4) % 4, '=');
   return text;
-}
-
-Json json_of(const Mechanism& mechanism, const Request& request, const Film& film) {
-  Json shapes = Json::array();
-  for (const Shape& shape : film.shapes) {
-    shapes.push_back({{"symbol", symbol_names[static_cast<std::size_t>(shape.symbol)]},
-                      {"link", shape.link},
-                      {"name", shape.name},
-                      {"fixed", shape.fixed},
-                      {"points", shape.points}});
-  }
-  Json branches = Json::array();
-  for (const FilmedBranch& branch : film.branches) {
-    branches.push_back({{"number", branch.number},
-                        {"points", base_64(branch.points)},
-                        {"outputs", base_64(branch.outputs)}});
-  }
-  Json events = Json::array();
-  for (const FilmedEvent& event : film.events) {
-    events.push_back(
-        {{"event", event.event}, {"branches", event.branches}, {"parameter", event.parameter}});
-  }
-  Json outputs = Json::array();
-  for (const Output& output : mechanism.outputs()) {
-    outputs.push_back(output.name);
-  }
-  return {{"title", mechanism.name()},
-          {"unit", mechanism.unit()},
-          {"parameter",
-           request.sweep ? mechanism.parameters()[request.sweep->parameter].name : std::string()},
-          {"from", film.from},
-          {"to", film.to},
-          {"count", film.count},
-          {"chosen", film.chosen},
-          {"left_out", film.left_out},
-          {"points", film.points},
-          {"shapes", std::move(shapes)},
-          {"outputs", std::move(outputs)},
-          {"branches", std::move(branches)},
-          {"events", std::move(events)}};
 }
 
 /// JSON inside an element of HTML: no text of it may end the element.
@@ -125,23 +85,63 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   return result + page.substr(done);
 }
 
+/// What the page solves anew, and the parameters that have values of their own: null where there
+/// are none but the one that is swept.
+Json solved_anew(const Mechanism& mechanism, const Request& request, const SceneText& scene) {
+  const Values values = Plan(mechanism, request).values();
+  Json parameters = Json::array();
+  for (std::size_t place = 0; place < mechanism.parameters().size(); ++place) {
+    const ParameterIndex index(place);
+    const Parameter& parameter = mechanism.parameters()[index];
+    const bool is_swept = request.sweep && request.sweep->parameter == index;
+    if (!is_swept && mechanism.numbers()[parameter.value].formula.parameters().empty()) {
+      parameters.push_back({{"name", parameter.name}, {"value", values.value_of(parameter.value)}});
+    }
+  }
+  if (parameters.empty()) {
+    return nullptr;
+  }
+  return {{"text", scene.text},
+          {"settings", scene.settings},
+          {"parameters", std::move(parameters)},
+          {"module", file_of_page("mechanism.wasm.lzma.base64")}};
+}
+
+std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene) {
+  const std::size_t taken = bytes_beside_numbers + inside_html(scene).size();
+  const std::size_t left = taken < most_page_bytes ? most_page_bytes - taken : 0;
+  const auto most_numbers = static_cast<std::size_t>(
+      static_cast<double>(std::min(left, most_number_bytes)) / bytes_of_number);
+  const Film film = film_of(mechanism, request, most_numbers);
+  Json data = film_json(mechanism, request, film, base_64);
+  data["scene"] = scene;
+  return filled(
+      file_of_page("page.html"),
+      {{"title", escaped(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
+       {"style", colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
+                     colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css")},
+       {"script", file_of_page("lzma.js") + file_of_page("solver.js") + file_of_page("film.js") +
+                      file_of_page("stage.js") + file_of_page("plot.js") +
+                      file_of_page("sliders.js") + file_of_page("page.js")},
+       {"film", inside_html(data)}});
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::draw
 
 namespace assur::mechanism {
 
-std::string drawing_page(const Mechanism& mechanism, const Request& request) {
+std::string drawing_page(const Mechanism& mechanism, const Request& request,
+                         const std::optional<SceneText>& scene) {
   using namespace draw;
-  const Film film = film_of(mechanism, request, most_film_bytes);
-  return filled(
-      file_of_page("page.html"),
-      {{"title", escaped(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
-       {"style", colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
-                     colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css")},
-       {"script", file_of_page("film.js") + file_of_page("stage.js") + file_of_page("plot.js") +
-                      file_of_page("page.js")},
-       {"film", inside_html(json_of(mechanism, request, film))}});
+  if (scene) {
+    std::string page = page_of(mechanism, request, solved_anew(mechanism, request, *scene));
+    if (page.size() <= most_page_bytes) {
+      return page;
+    }
+  }
+  return page_of(mechanism, request, nullptr);
 }
 
 }  // namespace assur::mechanism

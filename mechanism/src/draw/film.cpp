@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "draw/symbols.hpp"
 #include "draw/ways.hpp"
@@ -18,22 +19,49 @@ namespace {
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
 constexpr int output_numbers = 6;
+constexpr int spread_numbers = 3;
+/// Of more parameters no derivatives are taken: nobody waits so long for a picture.
+constexpr std::size_t most_derived = 200;
 
 /// A configuration at a step.
 struct Row {
   int step;
   LinkPoses poses;
-  std::vector<double> outputs;
+  std::vector<double> outputs, spreads;
 };
+
+bool varies(const Mechanism& mechanism, const Request& request) {
+  const auto& parameters = mechanism.parameters();
+  return request.want.sensitivity && parameters.size() <= most_derived &&
+         (request.covariance ||
+          std::any_of(parameters.begin(), parameters.end(),
+                      [](const Parameter& one) { return one.tolerance.exists(); }));
+}
+
+/// The covariance of a point whose parameters vary so.
+Eigen::Matrix2d covariance_of(const Point& point, const Spread& spread) {
+  const auto& first = point.follows.first;
+  if (spread.covariance.size() > 0) {
+    return first * spread.covariance * first.transpose();
+  }
+  const Eigen::MatrixXd deviations = first * spread.tolerances.asDiagonal();
+  return deviations * deviations.transpose();
+}
 
 class FilmMaker {
  public:
-  FilmMaker(const Mechanism& mechanism, const Request& request, int chosen)
-      : mechanism_(mechanism), request_(request), plan_(mechanism, request), asked_for_(chosen) {
+  /// `varied` is the request with its covariance, which takes no part in solving: an ellipse needs
+  /// no second derivatives.
+  FilmMaker(const Mechanism& mechanism, const Request& request, const Request& varied, int chosen)
+      : mechanism_(mechanism),
+        request_(request),
+        plan_(mechanism, request),
+        varied_(Plan(mechanism, varied).values()),
+        asked_for_(chosen) {
     film_.chosen = std::max(chosen, 1);
   }
 
-  Film made(std::size_t most_bytes) {
+  Film made(std::size_t most_numbers) {
     if (!request_.sweep) {
       record_configurations();
       return finished();
@@ -47,22 +75,22 @@ class FilmMaker {
     while (true) {
       record_sweep();
       Film film = finished();
-      const std::size_t bytes = bytes_of(film);
-      if (bytes <= most_bytes || film_.count <= 2) {
+      const std::size_t numbers = numbers_of(film);
+      if (numbers <= most_numbers || film_.count <= 2) {
         return film;
       }
-      const double part = static_cast<double>(most_bytes) / static_cast<double>(bytes);
+      const double part = static_cast<double>(most_numbers) / static_cast<double>(numbers);
       film_.count = std::max(static_cast<int>(part * (film_.count - 1)), 1) + 1;
     }
   }
 
  private:
-  static std::size_t bytes_of(const Film& film) {
+  static std::size_t numbers_of(const Film& film) {
     std::size_t numbers = 0;
     for (const FilmedBranch& branch : film.branches) {
-      numbers += branch.points.size() + branch.outputs.size();
+      numbers += branch.points.size() + branch.outputs.size() + branch.spreads.size();
     }
-    return numbers * sizeof(float) * 4 / 3;  // in base 64
+    return numbers;
   }
 
   void record_configurations() {
@@ -86,6 +114,7 @@ class FilmMaker {
     choose(plan);
     (void)sweep(plan, {[&](const SweepRecord& row) {
                          if (row.event.empty()) {
+                           vary_at(row.parameter);
                            record(row.branch, row.step, *row.state);
                          } else {
                            const auto [kind, branches] = parts_of_event(row.event);
@@ -106,8 +135,15 @@ class FilmMaker {
     film_.chosen = nearest ? static_cast<int>(nearest->configuration) + 1 : 1;
   }
 
+  void vary_at(double parameter) {
+    if (request_.want.sensitivity && varied_at_ != parameter) {
+      varied_.set(request_.sweep->parameter, parameter);
+      varied_at_ = parameter;
+    }
+  }
+
   void record(int branch, int step, const Configuration& configuration) {
-    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}};
+    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     const double rates = configuration.rates_known ? 1 : unknown;
     for (const Point& point : configuration.outputs) {
@@ -119,6 +155,12 @@ class FilmMaker {
                                                : Eigen::Vector2d::Constant(unknown);
       for (const Eigen::Vector2d& part : {point.position, velocity, acceleration}) {
         row.outputs.insert(row.outputs.end(), {part.x(), part.y()});
+      }
+      if (request_.want.sensitivity) {
+        const Eigen::Matrix2d covariance = covariance_of(point, varied_.spread());
+        for (const double part : {covariance(0, 0), covariance(0, 1), covariance(1, 1)}) {
+          row.spreads.push_back(configuration.derivatives_known ? part : unknown);
+        }
       }
     }
     auto [reaches, is_new] = reaches_.try_emplace(branch, mechanism_.joints().size());
@@ -170,20 +212,24 @@ class FilmMaker {
                                        double size) const {
     const auto steps = static_cast<std::size_t>(film_.count);
     const std::size_t outputs = output_numbers * plan_.mechanism().outputs().size();
-    const float absent = std::numeric_limits<float>::quiet_NaN();
-    FilmedBranch branch{number, std::vector<float>(2 * steps * points.size(), absent),
-                        std::vector<float>(steps * outputs, absent)};
+    const std::size_t spreads =
+        request_.want.sensitivity ? spread_numbers * plan_.mechanism().outputs().size() : 0;
+    const double absent = std::numeric_limits<double>::quiet_NaN();
+    FilmedBranch branch{number, std::vector<double>(2 * steps * points.size(), absent),
+                        std::vector<double>(steps * outputs, absent),
+                        std::vector<double>(steps * spreads, absent)};
     for (const Row& row : rows) {
       const auto step = static_cast<std::size_t>(row.step);
       for (std::size_t point = 0; point < points.size(); ++point) {
         const Eigen::Vector2d at =
             position(points[point], mechanism_, frames[step], row.poses, reaches_.at(number), size);
-        branch.points[2 * (step * points.size() + point)] = static_cast<float>(at.x());
-        branch.points[2 * (step * points.size() + point) + 1] = static_cast<float>(at.y());
+        branch.points[2 * (step * points.size() + point)] = at.x();
+        branch.points[2 * (step * points.size() + point) + 1] = at.y();
       }
-      for (std::size_t place = 0; place < outputs; ++place) {
-        branch.outputs[step * outputs + place] = static_cast<float>(row.outputs[place]);
-      }
+      std::copy(row.outputs.begin(), row.outputs.end(),
+                branch.outputs.begin() + static_cast<std::ptrdiff_t>(step * outputs));
+      std::copy(row.spreads.begin(), row.spreads.end(),
+                branch.spreads.begin() + static_cast<std::ptrdiff_t>(step * spreads));
     }
     return branch;
   }
@@ -191,7 +237,9 @@ class FilmMaker {
   const Mechanism& mechanism_;
   const Request& request_;
   Plan plan_;
-  int asked_for_;  ///< the branch that is to be looked at; 0 where none is named
+  Values varied_;
+  std::optional<double> varied_at_;  ///< the value of the swept parameter there
+  int asked_for_;                    ///< the branch that is to be looked at; 0 where none is named
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;
@@ -199,12 +247,13 @@ class FilmMaker {
 
 }  // namespace
 
-Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_bytes,
+Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_numbers,
              int chosen) {
-  Request rates = request;
-  rates.want.sensitivity = false;
-  rates.covariance.reset();
-  return FilmMaker(mechanism, rates, chosen).made(most_bytes);
+  Request shown = request;
+  shown.want.sensitivity = varies(mechanism, request);
+  shown.covariance.reset();
+  return FilmMaker(mechanism, shown, shown.want.sensitivity ? request : shown, chosen)
+      .made(most_numbers);
 }
 
 }  // namespace assur::mechanism::draw

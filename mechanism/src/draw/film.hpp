@@ -8,9 +8,12 @@ namespace assur::mechanism::draw {
 /// A branch of the sweep, step by step. Steps at which it is not, and rates that are not known, are
 /// NaN.
 struct FilmedBranch {
-  int number;                  ///< as in `assur solve --format csv`
-  std::vector<float> points;   ///< for each step x and y of each point of the shapes
-  std::vector<float> outputs;  ///< for each step x, y, vx, vy, ax, ay of each output
+  int number;                   ///< as in `assur solve --format csv`
+  std::vector<double> points;   ///< for each step x and y of each point of the shapes
+  std::vector<double> outputs;  ///< for each step x, y, vx, vy, ax, ay of each output
+  /// For each step the variances of x and y of each output and, between them, their covariance;
+  /// empty where nothing varies.
+  std::vector<double> spreads;
 };
 
 struct FilmedEvent {
@@ -31,11 +34,13 @@ struct Film {
 };
 
 /// The branches of the sweep, at steps that hold those of the scene, unless that takes more than
-/// `most_bytes`; without a sweep, the configurations. There are `most_drawn` of them at most, and
+/// `most_numbers`; without a sweep, the configurations. There are `most_drawn` of them at most, and
 /// always the chosen one: by its number, or for 0 the one nearest to the reference, or else the
-/// first. Throws MechanismError as `sweep` does, and
-/// where there is no configuration at any step.
+/// first. Spreads come of the request's covariance or, without one, of the tolerances, each the
+/// deviation of its parameter, so that their roots are the `rss`; they are there where
+/// sensitivities are wanted. Throws MechanismError as `sweep` does, and where there is no
+/// configuration at any step.
 [[nodiscard]] Film film_of(const Mechanism& mechanism, const Request& request,
-                           std::size_t most_bytes, int chosen = 0);
+                           std::size_t most_numbers, int chosen = 0);
 
 }  // namespace assur::mechanism::draw

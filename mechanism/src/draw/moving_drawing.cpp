@@ -12,10 +12,10 @@ namespace {
 constexpr double seconds_of_sweep = 4;
 /// Between two moments points move straight.
 constexpr std::size_t most_moments = 72;
-constexpr std::size_t most_film = 200'000'000;
+constexpr std::size_t most_numbers = 40'000'000;
 constexpr std::size_t numbers_of_output = 6;
 
-Eigen::Vector2d pair_at(const std::vector<float>& numbers, std::size_t place) {
+Eigen::Vector2d pair_at(const std::vector<double>& numbers, std::size_t place) {
   return {numbers[place], numbers[place + 1]};
 }
 
@@ -55,7 +55,9 @@ Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, in
   if (!request.sweep || request.sweep->count < 2) {
     throw MechanismError("sweep", "what moves needs a sweep of two steps at least");
   }
-  Film film = film_of(mechanism, request, most_film, branch);
+  Request still = request;  // nothing of it tells how points vary
+  still.want.sensitivity = false;
+  Film film = film_of(mechanism, still, most_numbers, branch);
   const FilmedBranch& filmed = branch_of(film, branch > 0 ? branch : film.chosen);
   Drawing drawing;
   drawing.title = mechanism.name();

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <sstream>
 
 namespace assur::mechanism::draw {
 
@@ -161,16 +161,14 @@ class WayFollower {
 }  // namespace
 
 std::pair<std::string, std::vector<int>> parts_of_event(const std::string& event) {
-  std::istringstream words(event);
-  std::string kind;
-  words >> kind;
   std::vector<int> branches;
-  for (std::string word; words >> word;) {
-    if (std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
+  for (std::size_t at = event.find(' '); at != std::string::npos; at = event.find(' ', at + 1)) {
+    const std::string word = event.substr(at + 1, event.find(' ', at + 1) - at - 1);
+    if (!word.empty() && std::isdigit(static_cast<unsigned char>(word[0])) != 0) {
       branches.push_back(std::stoi(word));
     }
   }
-  return {kind, branches};
+  return {event.substr(0, event.find(' ')), branches};
 }
 
 Ways ways_of(const Mechanism& mechanism, const Request& request,

@@ -153,6 +153,89 @@ TEST(PageWithoutASweep, HasTheConfigurationsAtOneStep) {
   EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed of a unit turn upwards
 }
 
+/// The crank with a swept angle: its length has a value of its own, twice the length has not.
+constexpr const char* crank = R"({"name": "A crank",
+  "parameters": {"length": "1+1", "twice": "2*length", "phi": 0},
+  "links": {"ground": {"A": [0, 0]}, "crank": {"A": [0, 0], "B": ["twice", 0]}},
+  "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]}},
+  "drivers": {"A": {"position": "phi"}}, "outputs": {"B": "crank.B"},
+  "sweep": {"parameter": "phi", "from": 0, "to": 1, "count": 5}})";
+
+TEST(PageOfASceneText, HasSlidersForWhatHasAValueOfItsOwn) {
+  const mechanism::SceneText source = {crank, {"length=3"}};
+  const Scene scene = mechanism::parse_scene(source.text, "crank", source.settings);
+  const std::string page = drawing_page(scene.mechanism, scene.request, source);
+  EXPECT_LT(page.size(), 1'000'000U);
+  const Json solved = data_of(page)["scene"];
+  EXPECT_EQ(solved["parameters"], Json::parse(R"([{"name": "length", "value": 3.0}])"));
+  EXPECT_EQ(solved["text"], crank);
+  EXPECT_EQ(solved["settings"], Json::parse(R"(["length=3"])"));
+  EXPECT_GT(solved["module"].get<std::string>().size(), 100'000U);
+  EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request))["scene"].is_null());
+}
+
+TEST(PageOfASceneText, HasNoSlidersWhereItWouldBeLargerThanAMegabyte) {
+  const mechanism::SceneText source = {crank + std::string(400'000, ' '), {}};
+  const Scene scene = mechanism::parse_scene(source.text, "crank");
+  const std::string page = drawing_page(scene.mechanism, scene.request, source);
+  EXPECT_LT(page.size(), 1'000'000U);
+  const Json data = data_of(page);
+  EXPECT_TRUE(data["scene"].is_null());
+  EXPECT_EQ(data["count"], 181);
+}
+
+TEST(PageOfASceneText, HasNoSlidersWhereNothingButTheSweptAngleHasAValue) {
+  const std::string own = R"("length": "1+1", "twice": "2*length", )";
+  std::string text = crank;
+  text.erase(text.find(own), own.size());
+  text.replace(text.find(R"("twice")"), 7, "4");
+  const Scene scene = mechanism::parse_scene(text, "crank");
+  const mechanism::SceneText source = {text, {}};
+  EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request, source))["scene"].is_null());
+}
+
+/// B = 2 length (cos phi, sin phi).
+Eigen::Matrix2d covariance_of_crank(double phi, const Eigen::Matrix2d& of_length_and_phi) {
+  constexpr double length = 2;
+  Eigen::Matrix2d derivatives;
+  derivatives << 2 * std::cos(phi), -2 * length * std::sin(phi), 2 * std::sin(phi),
+      2 * length * std::cos(phi);
+  return derivatives * of_length_and_phi * derivatives.transpose();
+}
+
+void expect_spreads(const std::string& text, const Eigen::Matrix2d& of_length_and_phi) {
+  const Scene scene = mechanism::parse_scene(text, "crank");
+  const Json data = data_of(drawing_page(scene.mechanism, scene.request));
+  const std::vector<float> spreads = numbers_of(data["branches"][0]["spreads"]);
+  const auto count = data["count"].get<std::size_t>();
+  ASSERT_EQ(spreads.size(), 3 * count);
+  for (std::size_t step = 0; step < count; ++step) {
+    const double phi = static_cast<double>(step) / static_cast<double>(count - 1);
+    const Eigen::Matrix2d expected = covariance_of_crank(phi, of_length_and_phi);
+    EXPECT_NEAR(spreads[3 * step], expected(0, 0), 1e-7);
+    EXPECT_NEAR(spreads[3 * step + 1], expected(0, 1), 1e-7);
+    EXPECT_NEAR(spreads[3 * step + 2], expected(1, 1), 1e-7);
+  }
+}
+
+TEST(PageOfWhatVaries, HasTheCovarianceOfItsOutputs) {
+  std::string text = crank;
+  text.insert(text.rfind('}'), R"(, "covariance": {"parameters": ["length", "phi"],
+    "matrix": [[0.01, 0.001], [0.001, 0.0004]]})");
+  Eigen::Matrix2d matrix;
+  matrix << 0.01, 0.001, 0.001, 0.0004;
+  expect_spreads(text, matrix);
+}
+
+TEST(PageOfWhatVaries, TakesTolerancesForDeviations) {
+  std::string text = crank;
+  const std::string own = R"("1+1")";
+  text.replace(text.find(own), own.size(), R"({"value": 2, "tolerance": "0.1"})");
+  Eigen::Matrix2d matrix;
+  matrix << 0.01, 0, 0, 0;
+  expect_spreads(text, matrix);
+}
+
 TEST(PageOfNothing, IsRefused) {
   Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_coupler_curve.json",
                                       {"coupler=1", "rocker=1"});

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/mechanism/request.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -100,9 +101,18 @@ inline constexpr std::size_t most_drawn = 24;
 /// each configuration, for its pins, for each output's way, and for dead centres.
 [[nodiscard]] std::string drawing_dxf(const Drawing& drawing);
 
+/// A scene file that a page can solve anew.
+struct SceneText {
+  std::string text;
+  std::vector<std::string> settings;  ///< of parameters, as `parse_scene` takes them
+};
+
 /// One HTML page below a megabyte that needs no other file and no network: it animates all branches
-/// of the request's sweep, or shows all configurations where it has none. Throws MechanismError as
-/// `drawing_of` does, and where no step of the sweep has a configuration.
-[[nodiscard]] std::string drawing_page(const Mechanism& mechanism, const Request& request);
+/// of the request's sweep, or shows all configurations where it has none. With the text of the
+/// scene that the mechanism and the request were read from, it has sliders that solve the scene for
+/// other values of its parameters, unless that would make it larger than a megabyte. Throws
+/// MechanismError as `drawing_of` does, and where no step of the sweep has a configuration.
+[[nodiscard]] std::string drawing_page(const Mechanism& mechanism, const Request& request,
+                                       const std::optional<SceneText>& scene = std::nullopt);
 
 }  // namespace assur::mechanism

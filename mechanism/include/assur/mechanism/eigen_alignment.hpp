@@ -13,6 +13,8 @@ template <int Bytes>
 struct LibraryForEigenAlignment {
   static const bool exists;
 };
+template <>
+const bool LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
 
 /// Refers to it from every file that includes a header of the library.
 inline const bool eigen_alignments_agree =

@@ -1,0 +1,18 @@
+// Turns the frames of an animation into the JSON that a page reads.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "draw/film.hpp"
+
+namespace assur::mechanism::draw {
+
+using Json = nlohmann::ordered_json;
+
+/// Title, unit, sweep, shapes, outputs, events and branches; `told` says what stands for the
+/// numbers of a branch: themselves, or where they are.
+[[nodiscard]] Json film_json(const Mechanism& mechanism, const Request& request, const Film& film,
+                             const std::function<Json(const std::vector<double>&)>& told);
+
+}  // namespace assur::mechanism::draw

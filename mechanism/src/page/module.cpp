@@ -1,0 +1,58 @@
+// Turns a scene and values of its parameters into the frames of a page, inside the page itself.
+#include <assur/mechanism/scene_file.hpp>
+
+#include "draw/film_json.hpp"
+
+namespace assur::mechanism::page {
+
+namespace {
+
+/// A film of more numbers does not fit into the memory of a small computer.
+constexpr std::size_t most_numbers = 8'000'000;
+
+/// The page writes its question here.
+std::string question;
+/// Of the last question; the page reads it before it asks the next one.
+std::string answer;
+draw::Film film;
+
+/// Where numbers are, and how many.
+draw::Json in_memory(const std::vector<double>& numbers) {
+  return {reinterpret_cast<std::uintptr_t>(numbers.data()), numbers.size()};
+}
+
+draw::Json solved(const draw::Json& asked) {
+  const Scene scene = parse_scene(asked.at("text"), "scene", asked.at("settings"));
+  film = draw::film_of(scene.mechanism, scene.request, most_numbers);
+  return draw::film_json(scene.mechanism, scene.request, film, in_memory);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Room for a question of so many bytes: JSON in UTF-8, `text` of a scene file and `settings` as
+/// `parse_scene` takes them.
+[[clang::export_name("question")]] char* question_of(std::size_t bytes) {
+  question.resize(bytes);
+  return question.data();
+}
+
+/// Answers the question with a film as JSON, whose numbers are `[address, count]`, and returns
+/// true; or with a line that says why there is none.
+[[clang::export_name("solve")]] bool solve() {
+  try {
+    const draw::Json told = solved(draw::Json::parse(question));
+    answer = told.dump(-1, ' ', false, draw::Json::error_handler_t::replace);
+    return true;
+  } catch (const std::exception& error) {
+    answer = error.what();
+    return false;
+  }
+}
+
+[[clang::export_name("answer")]] const char* text_of_answer() { return answer.data(); }
+[[clang::export_name("answer_bytes")]] std::size_t bytes_of_answer() { return answer.size(); }
+}
+
+}  // namespace assur::mechanism::page

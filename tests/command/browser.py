@@ -1,0 +1,101 @@
+"""Turns questions in JavaScript into answers of a page in Chromium, without a head, over the pipe of
+its debugging protocol."""
+
+import fcntl
+import json
+import os
+import subprocess
+
+
+class Browser:
+    """A browser with one page; `errors` holds what the page's console complained of."""
+
+    def __init__(self, program, folder):
+        to_browser, self._to = os.pipe()
+        self._from, from_browser = os.pipe()
+
+        def place():
+            # The browser reads file 3 and writes file 4, and neither may be overwritten before.
+            ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (to_browser, from_browser)]
+            for end, number in zip(ends, (3, 4)):
+                os.dup2(end, number)
+
+        self._process = subprocess.Popen(
+            [program, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+             f"--user-data-dir={folder}", "--remote-debugging-pipe", "about:blank"],
+            preexec_fn=place, close_fds=False, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(to_browser)
+        os.close(from_browser)
+        self._held = b""
+        self._count = 0
+        self.errors = []
+        target = next(one for one in self._ask("Target.getTargets")["targetInfos"]
+                      if one["type"] == "page")
+        self._session = self._ask("Target.attachToTarget", targetId=target["targetId"],
+                                  flatten=True)["sessionId"]
+        for domain in ("Page", "Runtime", "Log"):
+            self._ask(domain + ".enable")
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._session = None
+        self._ask("Browser.close")
+        self._process.wait(timeout=30)
+
+    _session = None
+
+    def _read(self):
+        while b"\0" not in self._held:
+            part = os.read(self._from, 1 << 20)
+            if not part:
+                raise EOFError("the browser has gone")
+            self._held += part
+        message, _, self._held = self._held.partition(b"\0")
+        return json.loads(message)
+
+    def _note(self, event):
+        what, told = event.get("method"), event.get("params", {})
+        if what == "Runtime.exceptionThrown":
+            self.errors.append(told["exceptionDetails"].get("exception", {}).get("description", "?"))
+        elif what == "Log.entryAdded" and told["entry"]["level"] in ("error", "warning"):
+            self.errors.append(told["entry"]["text"])
+        elif what == "Runtime.consoleAPICalled" and told["type"] in ("error", "warning", "assert"):
+            self.errors.append(str(told["args"]))
+        return what
+
+    def _ask(self, what, **told):
+        self._count += 1
+        question = {"id": self._count, "method": what, "params": told}
+        if self._session:
+            question["sessionId"] = self._session
+        os.write(self._to, json.dumps(question).encode() + b"\0")
+        while True:
+            answer = self._read()
+            self._note(answer)
+            if answer.get("id") == self._count:
+                if "error" in answer:
+                    raise RuntimeError(f"{what}: {answer['error']['message']}")
+                return answer["result"]
+
+    def open(self, address, width=1280, height=800, dark=False):
+        self._ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
+                  deviceScaleFactor=1, mobile=False)
+        self._ask("Emulation.setEmulatedMedia", features=[
+            {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+        self._ask("Page.navigate", url=address)
+        while self._note(self._read()) != "Page.loadEventFired":
+            pass
+
+    def value(self, expression):
+        """What an expression is, or what its promise becomes."""
+        told = self._ask("Runtime.evaluate", expression=expression, awaitPromise=True,
+                         returnByValue=True)
+        if "exceptionDetails" in told:
+            raise RuntimeError(told["exceptionDetails"]["exception"].get("description"))
+        return told["result"].get("value")
+
+    def picture(self):
+        """What the whole page looks like: PNG in base 64."""
+        return self._ask("Page.captureScreenshot", captureBeyondViewport=True)["data"]
