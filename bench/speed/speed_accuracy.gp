@@ -34,8 +34,8 @@ do for [figure = 1:2] {
   panels = 0
   do for [task = 1:tasks] { panels = panels + (figure == 1 || summary(titles[task])) }
   rows = (panels + 1) / 2
-  head = 82.0
-  each = 290.0
+  head = 96.0
+  each = 302.0
   height = head + each * rows
   set terminal svg size 900,height font "Helvetica,13" background "white"
   set output directory . (figure == 1 ? "/speed_accuracy.svg" : "/speed_summary.svg")
@@ -69,11 +69,11 @@ do for [figure = 1:2] {
       set xrange [10**first:10**(last + 0.95 * (last - first))]
       set yrange [LOW_min:HIGH_max]
       set xtics 10**ceil(first), 10, 10**floor(last)
-      top = 1 - (head + each * (place / 2) + 34) / height
+      top = 1 - (head + each * (place / 2) + 38) / height
       set lmargin at screen 0.055 + 0.5 * (place % 2)
       set rmargin at screen 0.497 + 0.5 * (place % 2)
       set tmargin at screen top
-      set bmargin at screen top - (each - 66) / height
+      set bmargin at screen top - (each - 78) / height
       set label 40 titles[task] at graph 0, 1.14 font ",14"
       set label 41 "largest relative error" at graph 0, 1.04 font ",11" textcolor rgb "#707070"
       set label 42 "ns" at graph 1, -0.04 right font ",11" textcolor rgb "#707070"
