@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <memory>
@@ -12,7 +13,11 @@
 
 namespace assur::python {
 
-using SharedScene = std::shared_ptr<mechanism::Scene>;
+/// A scene, and the text that it was read from, which a page solves anew.
+struct ReadScene : mechanism::Scene {
+  mechanism::SceneText source;
+};
+using SharedScene = std::shared_ptr<ReadScene>;
 
 /// A plan, the scene that it is of, and the layouts of rows: of a configuration, and of the rates
 /// of the motions through one.

@@ -3,6 +3,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <assur/mechanism/scene_file.hpp>
+#include <assur/text/input_file.hpp>
 
 #include "bindings.hpp"
 #include "drawing.hpp"
@@ -14,13 +15,19 @@ namespace assur::python {
 
 namespace {
 
-using mechanism::Scene;
+using Scene = ReadScene;
+
+SharedScene scene_of(const std::string& text, const std::string& file,
+                     const std::vector<std::string>& settings) {
+  return std::make_shared<Scene>(
+      Scene{mechanism::parse_scene(text, file, settings), {text, settings}});
+}
 
 SharedScene read(const std::filesystem::path& file, const py::object& values,
                  const py::kwargs& keywords) {
   const std::vector<std::string> settings = settings_of(given(values, keywords));
   const py::gil_scoped_release others_run;
-  return std::make_shared<Scene>(mechanism::read_scene(file, settings));
+  return scene_of(text::read_input_file(file), file.string(), settings);
 }
 
 /// The JSON text of a dictionary, in which NumPy's numbers and arrays may stand.
@@ -51,7 +58,7 @@ SharedScene parse(const py::object& scene, const py::object& values, const py::k
   const std::vector<std::string> settings = settings_of(given(values, keywords));
   const std::string text = json_text_of(scene);
   const py::gil_scoped_release others_run;
-  return std::make_shared<Scene>(mechanism::parse_scene(text, "scene", settings));
+  return scene_of(text, "scene", settings);
 }
 
 std::string svg_of_scene(const Scene& scene, const py::object& configuration, bool nearest) {
@@ -80,8 +87,9 @@ std::string dxf(const Scene& scene, const py::object& configuration, bool neares
 
 std::string page(const Scene& scene) {
   const py::gil_scoped_release others_run;
-  return in_scene(scene.file,
-                  [&] { return mechanism::drawing_page(scene.mechanism, scene.request); });
+  return in_scene(scene.file, [&] {
+    return mechanism::drawing_page(scene.mechanism, scene.request, scene.source);
+  });
 }
 
 /// Nothing where there is no picture: a notebook shows the text then.
