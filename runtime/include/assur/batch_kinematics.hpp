@@ -109,6 +109,30 @@ template <typename Model, typename Pack, typename... Rates>
   return numbers.all() & are_surely_regular<Model>(d, u, q, Pack(0));
 }
 
+/// What is given of the configurations that fill a pack.
+template <typename Model, typename Pack>
+struct GivenPack {
+  GivenPack(const BatchConfigurations<Model>& given, std::size_t first)
+      : d(load_groups<typename Model::template Dimensions<Pack>>(given.dimensions, first)),
+        u(load_groups<typename Model::template Inputs<Pack>>(given.inputs, first)),
+        q(load_groups<typename Model::template Configuration<Pack>>(given.configurations, first)) {}
+  typename Model::template Dimensions<Pack> d;
+  typename Model::template Inputs<Pack> u;
+  typename Model::template Configuration<Pack> q;
+};
+template <typename Model, typename Pack>
+void store_sensitivities(const Sensitivities<Model, Pack>& sensitive,
+                         const BatchSensitivities& result, std::size_t first) {
+  store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
+  store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
+}
+template <typename Model>
+void put_sensitivities(const Sensitivities<Model, double>& sensitive,
+                       const BatchSensitivities& result, std::size_t index) {
+  put_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, index);
+  put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
+}
+
 /// Calls `several` with the first of each pack; it returns where configurations are to be looked at
 /// by themselves, for which `alone` is called. The last pack overlaps the one before.
 template <std::size_t Lanes, typename Several, typename Alone>
@@ -142,17 +166,12 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
   for_each_pack<Lanes>(
       count,
       [&](std::size_t first) {
-        const auto d =
-            load_groups<typename Model::template Dimensions<Pack>>(given.dimensions, first);
-        const auto u = load_groups<typename Model::template Inputs<Pack>>(given.inputs, first);
-        const auto q =
-            load_groups<typename Model::template Configuration<Pack>>(given.configurations, first);
+        const GivenPack<Model, Pack> at(given, first);
         Sensitivities<Model, Pack> sensitive;
-        Model::sensitivities(d, u, q, sensitive.to_dimensions, sensitive.to_inputs);
-        store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
-        store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
+        Model::sensitivities(at.d, at.u, at.q, sensitive.to_dimensions, sensitive.to_inputs);
+        store_sensitivities(sensitive, result, first);
         std::fill_n(result.status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(d, u, q)).bits();
+        return (!are_certain<Model, Pack>(at.d, at.u, at.q)).bits();
       },
       [&](std::size_t index) {
         Sensitivities<Model, double> sensitive;
@@ -160,8 +179,7 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
             group_of(given.dimensions, index), group_of(given.inputs, index),
             group_of(given.configurations, index), sensitive);
         if (is_solvable(result.status[index])) {
-          put_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, index);
-          put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
+          put_sensitivities(sensitive, result, index);
         }
       });
 }
@@ -177,25 +195,21 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
   for_each_pack<Lanes>(
       count,
       [&](std::size_t first) {
-        const auto d =
-            load_groups<typename Model::template Dimensions<Pack>>(given.dimensions, first);
-        const auto u = load_groups<typename Model::template Inputs<Pack>>(given.inputs, first);
-        const auto q =
-            load_groups<typename Model::template Configuration<Pack>>(given.configurations, first);
+        const GivenPack<Model, Pack> at(given, first);
         const auto u_rate =
             load_matrix<Pack, Model::input_count, 1>(rates.first, rates.stride, first);
         const auto u_second_rate =
             load_matrix<Pack, Model::input_count, 1>(rates.second, rates.stride, first);
         Sensitivities<Model, Pack> sensitive;
         Motion<Model, Pack> motion;
-        Model::sensitivities_and_motion(d, u, q, u_rate, u_second_rate, sensitive.to_dimensions,
-                                        sensitive.to_inputs, motion.velocity, motion.acceleration);
-        store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
-        store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
+        Model::sensitivities_and_motion(at.d, at.u, at.q, u_rate, u_second_rate,
+                                        sensitive.to_dimensions, sensitive.to_inputs,
+                                        motion.velocity, motion.acceleration);
+        store_sensitivities(sensitive, result, first);
         store_matrix(motion.velocity, moving.velocity, moving.stride, first);
         store_matrix(motion.acceleration, moving.acceleration, moving.stride, first);
         std::fill_n(result.status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(d, u, q, u_rate, u_second_rate)).bits();
+        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u_rate, u_second_rate)).bits();
       },
       [&](std::size_t index) {
         Sensitivities<Model, double> sensitive;
@@ -206,8 +220,7 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
             vector_of<Model::input_count>(rates.first, rates.stride, index),
             vector_of<Model::input_count>(rates.second, rates.stride, index), sensitive, motion);
         if (is_solvable(result.status[index])) {
-          put_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, index);
-          put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
+          put_sensitivities(sensitive, result, index);
           put_matrix(motion.velocity, moving.velocity, moving.stride, index);
           put_matrix(motion.acceleration, moving.acceleration, moving.stride, index);
         }
