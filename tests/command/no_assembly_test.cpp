@@ -46,6 +46,18 @@ double number_after(const std::string& text, const std::string& words) {
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
 }
 
+/// A rocker that a pin of three links holds, with a link of no other joint but that.
+TEST(NoAssembly, NamesAPinOfThreeLinksOnce) {
+  Json scene = four_bar(3);
+  scene["links"]["coupler"] = {{"B", {0, 0}}};
+  scene["links"]["rocker"] = {{"D", {0, 0}}, {"B", {1, 0}}};
+  scene["joints"].erase("C");
+  scene["joints"]["B"]["between"] = {"crank.B", "coupler.B", "rocker.B"};
+  scene["drivers"] = {{"A", {{"position", "phi"}}}};
+  const std::string answer = solved(scene, "text").output;
+  EXPECT_EQ(answer.find("B, B"), std::string::npos) << answer;
+}
+
 /// The four-bar closes, and a dyad on its coupler is too short in both of its configurations.
 TEST(NoAssembly, NamesTheGroupTheGapAndTheConfigurationsBeforeIt) {
   Json scene = four_bar(3);
