@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/followed_parts.hpp>
-#include <assur/numeric/order.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "branch_order.hpp"
 #include "group_branches.hpp"
+#include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
@@ -37,7 +39,9 @@ class BranchWalk {
   BranchWalk(const Values& values, const PlacedLinks& placed, const Configuration& configuration,
              const Motions& motions)
       : motions_(motions),
-        values_(values),
+        settled_(motions.in_time && !values.plan().structure.reading.empty() ? std::optional(values)
+                                                                             : std::nullopt),
+        values_(settled_ ? *settled_ : values),
         structure_(values.plan().structure),
         placed_(placed),
         configuration_(configuration),
@@ -47,17 +51,62 @@ class BranchWalk {
 
   std::vector<Configuration> run() {
     links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
+    is_known_ = settled_ || std::ranges::all_of(motions_.drivers, is_finite);
     descend(0);
     return std::move(found_);
   }
+  /// Whether what moves the groups was known on all branches.
+  [[nodiscard]] bool is_known() const { return is_known_; }
 
  private:
   void move_carried_links(std::size_t groups_before) {
+    auto reading = std::ranges::lower_bound(structure_.reading, groups_before, {},
+                                            &ReadingDriver::groups_before);
+    const auto settle_what_reads = [&](std::size_t links) {
+      for (; settled_ && reading != structure_.reading.end() &&
+             reading->groups_before == groups_before && reading->links_before <= links;
+           ++reading) {
+        settle(reading->driver);
+      }
+    };
     for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      settle_what_reads(place);
       if (structure_.carried[place].groups_before == groups_before) {
         move_carried_link(place);
       }
     }
+    settle_what_reads(structure_.carried.size());
+  }
+
+  /// Of a driver whose law reads where links are, which have their motions on this branch.
+  void settle(DriverIndex driver) {
+    const Mechanism& mechanism = values_.plan().mechanism;
+    const auto coordinate = [&](JointIndex joint) {
+      const DriverIndex other = mechanism.driver_of(joint);
+      models::Series moving = other.exists()
+                                  ? motions_.drivers[other]
+                                  : moving_coordinate({links_, slides_, configuration_}, joint);
+      moving.c[0] = other.exists() ? values_.motion(other).position.value() : moving.c[0];
+      return moving;
+    };
+    models::Series motion = moving_law(values_, driver, coordinate);
+    motion.c[0] = 0;
+    motions_.drivers[driver] = motion;
+    is_known_ = is_known_ && is_finite(motion);
+    settled_->settle(driver, [&](JointIndex joint) {
+      const models::Series moving = coordinate(joint);
+      return JointMotion{values_.constant(moving.value()), moving.rate(), moving.second_rate()};
+    });
+  }
+
+  static bool is_finite(const models::Series& motion) {
+    return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
+  }
+  /// How a singular group shapes others is not known, nor how a driver changes a link whose
+  /// features hardly define its frame.
+  [[nodiscard]] static bool is_known(const Values::GroupNumbers& numbers) {
+    return precision_of_shape(numbers.firmness).second_rates_known && numbers.d_rate.allFinite() &&
+           numbers.d_second_rate.allFinite();
   }
 
   void move_carried_link(std::size_t place) {
@@ -134,6 +183,10 @@ class BranchWalk {
     }
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
+    is_known_ = is_known_ && is_known(numbers);
+    if (!is_known_) {
+      return;
+    }
     put_base(group);
     const models::FlatSeries u = inputs(numbers);
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
@@ -150,10 +203,9 @@ class BranchWalk {
       const std::size_t before = slides_.size();
       for (const values::MeasuredSlide& slide : numbers.slides) {
         const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
-        const bool shifts = motions_.in_time;
-        slides_.push_back(
-            {slide.joint, slide.sense * (moved.rate() + (shifts ? slide.shift_rate : 0)),
-             slide.sense * (moved.second_rate() + (shifts ? slide.shift_second_rate : 0))});
+        const models::Series shift =
+            motions_.in_time ? models::moving(0, slide.shift_rate, slide.shift_second_rate) : 0;
+        slides_.push_back({slide.joint, slide.sense * (moved + shift)});
       }
       descend(depth + 1);
       slides_.resize(before);
@@ -224,20 +276,16 @@ class BranchWalk {
     for (const MovingSlide& moving : slides_) {
       for (SlideState& slide : result.slides) {
         if (slide.joint == moving.joint) {
-          slide.velocity = moving.velocity;
-          slide.acceleration = moving.acceleration;
+          slide.velocity = moving.moved.rate();
+          slide.acceleration = moving.moved.second_rate();
         }
       }
     }
   }
 
-  struct MovingSlide {
-    JointIndex joint;
-    double velocity, acceleration;
-  };
-
-  const Motions& motions_;
-  const Values& values_;
+  Motions motions_;
+  std::optional<Values> settled_;  ///< where laws read links
+  const Values& values_;           ///< one or the other
   const Structure& structure_;
   const PlacedLinks& placed_;
   const Configuration& configuration_;
@@ -246,48 +294,8 @@ class BranchWalk {
   bool has_relative_groups_;
   std::vector<MovingSlide> slides_;
   std::vector<Configuration> found_;
+  bool is_known_ = true;
 };
-
-/// What an order of branches that does not depend on the listing can rely on, by the names of links
-/// and slides: angular velocities, velocities of slides, and their accelerations.
-using Rates = std::array<std::vector<double>, 4>;
-
-Rates rates_of(const Configuration& configuration, const NamedParts& parts) {
-  Rates rates;
-  for (const LinkIndex link : parts.links) {
-    rates[0].push_back(configuration.links[link].velocity(2));
-    rates[2].push_back(configuration.links[link].acceleration(2));
-  }
-  for (const NamedSlide& named : parts.slides) {
-    for (const SlideState& slide : configuration.slides) {
-      if (slide.joint == named.joint) {
-        rates[1].push_back(named.sense * slide.velocity);
-        rates[3].push_back(named.sense * slide.acceleration);
-      }
-    }
-  }
-  return rates;
-}
-
-/// By the first rates that differ by more than rounding leaves of the largest.
-bool goes_before(const Rates& one, const Rates& other) {
-  constexpr double rounding = 1e-4;
-  for (std::size_t kind = 0; kind < one.size(); ++kind) {
-    double largest = 0;
-    for (const std::vector<double>* of : {&one[kind], &other[kind]}) {
-      for (const double rate : *of) {
-        largest = std::max(largest, std::abs(rate));
-      }
-    }
-    for (std::size_t place = 0; place < one[kind].size(); ++place) {
-      const double difference = one[kind][place] - other[kind][place];
-      if (std::abs(difference) > rounding * largest) {
-        return difference < 0;
-      }
-    }
-  }
-  return false;
-}
 
 /// Where the first order determines velocities to two digits, but not what follows from it.
 void forget_accelerations(const PlanData& plan, Configuration& configuration) {
@@ -321,25 +329,11 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
   return motions;
 }
 
-/// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
-/// nor is how such a group shapes others, nor how a driver changes a link whose features hardly
-/// define its frame.
-bool are_known(const Motions& motions, const Values& values, const PlacedLinks& placed) {
-  for (const ReadingDriver& reading : values.plan().structure.reading) {
-    if (reading.groups_before > 0 &&
-        !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known) {
-      return false;
-    }
-  }
-  for (const GroupIndex group : values.plan().structure.groups.keys()) {
-    const Values::GroupNumbers& numbers = values.numbers_of(group);
-    if (!precision_of_shape(numbers.firmness).second_rates_known || !numbers.d_rate.allFinite() ||
-        !numbers.d_second_rate.allFinite()) {
-      return false;
-    }
-  }
-  return std::ranges::all_of(motions.drivers, [](const models::Series& motion) {
-    return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
+/// Whether a law reads links of a group whose rates are not known.
+bool reads_unknown(const Values& values, const PlacedLinks& placed) {
+  return std::ranges::any_of(values.plan().structure.reading, [&](const ReadingDriver& reading) {
+    return reading.groups_before > 0 &&
+           !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known;
   });
 }
 
@@ -387,23 +381,23 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   if (!moves_drivers_alone(values, column)) {
     return;
   }
-  const Motions motions = along_parameter(values, column);
-  if (!are_known(motions, values, placed)) {
+  if (reads_unknown(values, placed)) {
     return;
   }
-  const std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
-  if (found.size() == 1) {
+  BranchWalk walk(values, placed, configuration, along_parameter(values, column));
+  const std::vector<Configuration> found = walk.run();
+  if (walk.is_known() && found.size() == 1) {
     take_derivatives(found.front(), column, configuration);
     configuration.path_known = true;
   }
 }
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
-  const Motions motions = in_time(values);
-  if (!are_known(motions, values, placed)) {
+  BranchWalk walk(values, placed, configuration, in_time(values));
+  std::vector<Configuration> found = walk.run();
+  if (!walk.is_known()) {
     return;
   }
-  std::vector<Configuration> found = BranchWalk(values, placed, configuration, motions).run();
   // What the constraints that were left out stop is no motion of the mechanism.
   std::erase_if(
       found, [&](const Configuration& branch) { return !moves_redundantly(values, branch.links); });
@@ -415,20 +409,7 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     forget_accelerations(values.plan(), configuration);
     return;
   }
-  const NamedParts& parts = values.plan().named_parts;
-  std::vector<Rates> rates;
-  rates.reserve(found.size());
-  for (const Configuration& branch : found) {
-    rates.push_back(rates_of(branch, parts));
-  }
-  // What is equal but for rounding is no order that a faster sort could rely on.
-  numeric::insertion_sort(
-      found.size(),
-      [&](std::size_t one, std::size_t other) { return goes_before(rates[one], rates[other]); },
-      [&](std::size_t one, std::size_t other) {
-        std::swap(found[one], found[other]);
-        std::swap(rates[one], rates[other]);
-      });
+  put_in_order(values.plan().named_parts, found);
   configuration.branches = std::move(found);
 }
 
