@@ -23,9 +23,9 @@ struct RunPermission {
   running::RunLimits limits;
 };
 
-/// Reads and audits one file; docs/audit_format.md tells its form. Other files that it names are
-/// found from its own directory, scenes by `scenes`. Throws InputError with the place of what
-/// cannot be used; a printed formula that cannot be read is a finding.
+/// Reads and audits one file; docs/reference/audit_format.md tells its form. Other files that it
+/// names are found from its own directory, scenes by `scenes`. Throws InputError with the place of
+/// what cannot be used; a printed formula that cannot be read is a finding.
 [[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
                                      const RunPermission& run = {});
 /// The same from text; `file` is its name in messages. Without `scenes` it may name none.

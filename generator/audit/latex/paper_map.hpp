@@ -15,7 +15,7 @@ using generator::latex::DisplayCommand;
 using generator::latex::Notations;
 using generator::latex::Tokens;
 
-/// What the paper's equations are read by. docs/audit_format.md tells the form of its file.
+/// What the paper's equations are read by; docs/reference/audit_format.md tells its file's form.
 class PaperMap {
  public:
   /// Throws InputError.

@@ -31,7 +31,7 @@ struct Track {
 ///
 /// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
 /// change to a branch that this one could meet would show in the sign of det J; that other branches
-/// are far enough away is experience, not proof: docs/performance.md counts.
+/// are far enough away is experience, not proof: docs/reports/performance.md counts.
 template <typename Model, typename Scalar = double, typename Path>
 [[nodiscard]] Track<Model, Scalar> track(const typename Model::template Dimensions<Scalar>& d,
                                          const Path& path, std::common_type_t<Scalar> from,

@@ -25,7 +25,7 @@ def test_cells(notebook, monkeypatch):
 
 def test_the_page(monkeypatch):
     monkeypatch.chdir(SOURCE)
-    page = (SOURCE / "docs/python.md").read_text()
+    page = (SOURCE / "docs/guide/python.md").read_text()
     code = page.split("```python\n")[1].split("```")[0]
     names = {}
     exec(compile(code.replace("100_000", "1_000"), "python.md", "exec"), names)

@@ -47,7 +47,7 @@ struct Trace {
 
 /// A singular configuration on a branch of the sweep.
 struct Mark {
-  std::string event;                    ///< `fold`, `crossing`: see docs/sweeps.md
+  std::string event;                    ///< `fold`, `crossing`: see docs/guide/sweeps.md
   double parameter;                     ///< the swept parameter's value
   std::vector<int> configurations;      ///< whose branches meet there
   std::vector<Eigen::Vector2d> points;  ///< where the outputs are

@@ -85,7 +85,7 @@ struct Output {
 ///
 /// Lengths share one unit; angles are radians. The link named `ground`, if there is any, is the
 /// fixed frame. A number may be given as a number or as an expression in parameters that have been
-/// declared (docs/scenes.md).
+/// declared (docs/guide/scenes.md).
 class Mechanism {
  public:
   /// A number as the caller has it: a number, or the text of an expression.

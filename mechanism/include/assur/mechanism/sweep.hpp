@@ -13,7 +13,7 @@ struct SweepRecord {
   int step;           ///< of an event: the last one not beyond it
   int configuration;  ///< its number among the solution's at this step; 0 for an event
   int branch;         ///< from 1 in order of appearance; 0 for an event
-  std::string event;  ///< empty for a configuration; `fold 1 2`: see docs/sweeps.md
+  std::string event;  ///< empty for a configuration; `fold 1 2`: see docs/guide/sweeps.md
   double parameter;   ///< the swept parameter's value
   const Spread* spread;
   const Configuration* state;

@@ -1,6 +1,6 @@
-# Turns the CSV of the third-class six-bar's sweep into the figures of docs/zhauyt_2017.md:
+# Turns the CSV of the third-class six-bar's sweep into the figures of docs/reports/zhauyt_2017.md:
 #   assur solve examples/zhauyt_2017_six_bar.json --format csv > six_bar.csv
-#   gnuplot -e "csv='six_bar.csv'" docs/zhauyt_2017.gnuplot
+#   gnuplot -e "csv='six_bar.csv'" docs/reports/zhauyt_2017.gnuplot
 # Branch 2 is the one whose output dwells. The paper's figures 2 to 8 are named in the titles.
 select(columns) = sprintf("< awk -F, 'NR==1 {for (i=1; i<=NF; i++) c[$i]=i; next} \
   $c[\"branch\"]==2 {n = split(\"%s\", k, \" \"); for (i=1; i<=n; i++) printf \"%%s \", $c[k[i]]; print \"\"}' %s", columns, csv)
@@ -11,7 +11,7 @@ set key off
 blue = "#1f5fa8"; red = "#b5481d"; grey = "#777777"
 
 set terminal svg size 900,680 font "sans,13" background "white"
-set output "docs/zhauyt_2017_rates.svg"
+set output "docs/reports/zhauyt_2017_rates.svg"
 set multiplot layout 2,2 margins 0.08,0.98,0.09,0.93 spacing 0.10,0.17
 set xrange [0:360]
 set xtics 60
@@ -28,7 +28,7 @@ plot select("phi M.a_normal") using (deg($1)):(abs($2)) with lines lw 2 lc rgb b
 unset multiplot
 
 set terminal svg size 900,880 font "sans,13" background "white"
-set output "docs/zhauyt_2017_hodographs.svg"
+set output "docs/reports/zhauyt_2017_hodographs.svg"
 set multiplot layout 2,1 margins 0.08,0.97,0.08,0.95 spacing 0.1,0.13
 set size ratio -1
 set xtics auto
@@ -52,7 +52,7 @@ unset multiplot
 set offsets
 
 set terminal svg size 900,420 font "sans,13" background "white"
-set output "docs/zhauyt_2017_errors.svg"
+set output "docs/reports/zhauyt_2017_errors.svg"
 set size noratio
 set key outside right top
 set title "error of M [mm] (fig. 8)"
@@ -66,7 +66,7 @@ plot select("phi M.worst_case_x") using (deg($1)):2 with lines lw 2 lc rgb blue 
      select("phi M.rss_x") using (deg($1)):2 with lines dt 2 lc rgb blue title "rss x", \
      select("phi M.rss_y") using (deg($1)):2 with lines dt 2 lc rgb red title "rss y"
 
-set output "docs/zhauyt_2017_output.svg"
+set output "docs/reports/zhauyt_2017_output.svg"
 set title "output link DG [deg]: dwell of 146 deg within half a degree"
 set key off
 set yrange [*:*]

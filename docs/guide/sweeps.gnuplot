@@ -1,7 +1,7 @@
-# Turns the CSV of a sweep of the worked mechanism into docs/sweeps.svg:
-#   assur solve sweep.json --format csv > sweep.csv && gnuplot -e "csv='sweep.csv'" docs/sweeps.gnuplot
+# Turns the CSV of a sweep of the worked mechanism into docs/guide/sweeps.svg:
+#   assur solve sweep.json --format csv > sweep.csv && gnuplot -e "csv='sweep.csv'" docs/guide/sweeps.gnuplot
 set terminal svg size 900,480 font "sans,13" background "white"
-set output "docs/sweeps.svg"
+set output "docs/guide/sweeps.svg"
 set key outside right top
 set xlabel "crank angle phi [deg]"
 set ylabel "lever joint D, y [mm]"
