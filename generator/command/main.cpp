@@ -20,6 +20,7 @@
 #include "command/emit.hpp"
 #include "command/output.hpp"
 #include "command/ranks.hpp"
+#include "command/remarks.hpp"
 #include "command/solve.hpp"
 #include "document/render.hpp"
 
@@ -131,8 +132,6 @@ void add_computing_options(CLI::App& command, CampaignOptions& options,
   command
       .add_option("--threads", options.threads, "number of threads (default: one for each core)")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", options.quiet,
-                   "print no progress bar and no remarks on standard error");
 }
 
 int run(int argc, char** argv) {
@@ -311,6 +310,11 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
+
+  for (CLI::App* each : app.get_subcommands(nullptr)) {
+    each->add_flag_callback("--quiet", silence_remarks,
+                            "no progress bar and no remarks on standard error; errors alone");
+  }
 
   try {
     app.parse(argc, argv);

@@ -3,12 +3,12 @@
 #include <assur/mechanism/error.hpp>
 #include <assur/text/error.hpp>
 #include <cmath>
-#include <iostream>
 
 #include "campaign/grid_summary.hpp"
 #include "campaign/partial_file.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -87,7 +87,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
     settings = " --set " + axis->name + "=" + campaign::number_text(value) + settings;
     rest /= axis->count;
   }
-  std::cerr << refused << " cells are refused; assur solve" << settings
+  remarks() << refused << " cells are refused; assur solve" << settings
             << " tells why of the first\n";
 }
 
@@ -117,9 +117,7 @@ void map(const MapOptions& options, CampaignScene& scene) {
   if (!files.picture.empty()) {
     campaign::write_whole(files.picture, campaign::grid_picture(summary));
   }
-  if (!options.quiet) {
-    tell_refused_cells(summary);
-  }
+  tell_refused_cells(summary);
   print(options.format == "json" ? campaign::grid_json(summary) : campaign::grid_text(summary));
 }
 

@@ -6,12 +6,12 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 #include <utility>
 
 #include "command/output.hpp"
 #include "command/progress.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -48,7 +48,7 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
   const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
   if (degenerate && options.format == "csv") {
-    std::cerr << "degenerate: " << solution.reason << '\n';
+    remarks() << "degenerate: " << solution.reason << '\n';
   }
   print(options.format == "csv"    ? csv_header(plan) + csv_rows(report)
         : options.format == "json" ? report_json(report)
@@ -133,7 +133,7 @@ class StretchTeller {
     }
     const int count = step_ - first_;
     const std::string& name = plan_.mechanism().parameters()[plan_.request().sweep->parameter].name;
-    std::cerr << what_
+    remarks() << what_
               << (count == 1 ? " at " + name + " = " + short_number(from_)
                              : " from " + name + " = " + short_number(from_) + " to " +
                                    short_number(to_) + " (" + std::to_string(count) + " steps)")
@@ -204,7 +204,7 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(static_cast<std::uint64_t>(range.count));
+  ProgressBar bar;
   bool degenerate = false;
   int last_branch = 0;
   bool has_row = false;
@@ -232,7 +232,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done));
+    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
     if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
@@ -243,9 +243,10 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   expect_branch(options, branches, "branch");
   print(text);
   if (options.branch > 0 && !has_row) {
-    std::cerr << "branch " << options.branch
+    remarks() << "branch " << options.branch
               << " has no row: at every step it is beyond the limits of joints, or breaks "
-                 "redundant constraints\n";
+                 "redundant constraints
+";
   }
   return degenerate;
 }
@@ -255,7 +256,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(static_cast<std::uint64_t>(range.count));
+  ProgressBar bar;
   bool degenerate = false;
   std::string text = csv_header(plan);
   StretchTeller stretches(plan);
@@ -265,7 +266,7 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done));
+    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
     if (done > 1) {
       print(text);
       text.clear();
@@ -276,7 +277,7 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   stretches.finish();
   print(text);
   if (end) {
-    std::cerr << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
+    remarks() << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
               << " = " << short_number(*end) << ": it folds there, or comes too close to another\n";
   }
   return degenerate;

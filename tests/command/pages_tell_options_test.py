@@ -1,5 +1,6 @@
 # Turns `assur --help` and docs/reference/command.md into a verdict: the page has a section for each
-# subcommand, whose table names its options, all of them and no others.
+# subcommand, whose table names its options, all of them and no others; those that all of them share
+# are told above.
 import pathlib
 import re
 import subprocess
@@ -19,9 +20,15 @@ def main(command, page):
     failures = []
     if set(sections) - {"Exit statuses"} != set(subcommands):
         failures.append(f"sections {sorted(sections)}, subcommands {sorted(subcommands)}")
-    options = 0
+    options_of = {
+        name: set(re.findall(r"^ +(?:-h,)?(--[\w-]+)", printed(command, name), re.M)) - {"--help"}
+        for name in subcommands}
+    shared = set.intersection(*options_of.values())
+    failures += [f"{option} is not told above the sections"
+                 for option in shared if f"`{option}`" not in text.partition("\n## ")[0]]
+    options = len(shared)
     for name in subcommands:
-        known = set(re.findall(r"^ +(?:-h,)?(--[\w-]+)", printed(command, name), re.M)) - {"--help"}
+        known = options_of[name] - shared
         told = re.findall(r"^\| `(--[\w-]+)", sections.get(name, ""), re.M)
         options += len(known)
         if sorted(told) != sorted(known):

@@ -20,6 +20,22 @@ enum class AssemblyStatus : unsigned char {
   unresolved
 };
 
+[[nodiscard]] constexpr const char* to_string(AssemblyStatus status) {
+  switch (status) {
+    case AssemblyStatus::ok:
+      return "ok";
+    case AssemblyStatus::degenerate:
+      return "degenerate";
+    case AssemblyStatus::not_finite:
+      return "not finite";
+    case AssemblyStatus::unsound_arithmetic:
+      return "unsound arithmetic";
+    case AssemblyStatus::unresolved:
+      return "unresolved";
+  }
+  return "unknown";
+}
+
 /// What is to be done where float does not tell how many configurations there are. In double there
 /// is no such place: a search in special position settles the list.
 enum class Unresolved : unsigned char {
