@@ -245,8 +245,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   if (options.branch > 0 && !has_row) {
     remarks() << "branch " << options.branch
               << " has no row: at every step it is beyond the limits of joints, or breaks "
-                 "redundant constraints
-";
+                 "redundant constraints\n";
   }
   return degenerate;
 }
