@@ -79,7 +79,8 @@ class CsvReader : public TableReader {
     description_ = Description::read(written, name_);
     const std::vector<std::string> names = names_in_csv_head(line_);
     if (names.size() != description_.columns.size()) {
-      throw text::InputError(name_ + ": its columns and their names are not as many");
+      throw text::InputError(name_ +
+                             ": the number of columns differs from the number of their names");
     }
     for (std::size_t column = 0; column < names.size(); ++column) {
       description_.columns[column].name = names[column];
@@ -114,7 +115,7 @@ class CsvReader : public TableReader {
     for (std::size_t column = 0; column < description_.columns.size(); ++column) {
       if (column > 0) {
         if (at == end || *at != ',') {
-          refuse("it has not as many cells as there are columns");
+          refuse("it has fewer cells than there are columns");
         }
         ++at;
       }
@@ -132,7 +133,7 @@ class CsvReader : public TableReader {
     if (kind == Column::Kind::outcome) {
       const auto* const word = std::ranges::find(mechanism::outcome_words, cell);
       if (word == mechanism::outcome_words.end()) {
-        refuse("'" + std::string(cell) + "' is no outcome");
+        refuse("'" + std::string(cell) + "' is not an outcome");
       }
       return static_cast<double>(word - mechanism::outcome_words.begin());
     }
@@ -142,7 +143,7 @@ class CsvReader : public TableReader {
     double number = 0;
     const auto [at, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
     if (error != std::errc() || at != cell.data() + cell.size() || !std::isfinite(number)) {
-      refuse("'" + std::string(cell) + "' is no number");
+      refuse("'" + std::string(cell) + "' is not a number");
     }
     return number;
   }

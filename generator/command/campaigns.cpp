@@ -89,7 +89,7 @@ CampaignFiles files_of(const CampaignOptions& options) {
   }
   if (!campaign::shard_of(options.shard, "--shard").is_whole()) {
     throw text::InputError(files.picture.string() +
-                           ": a shard alone has no picture; merge all of them with one");
+                           ": a single shard has no picture; draw it when the shards are merged");
   }
   campaign::expect_new(files.picture, options.force);
   return files;

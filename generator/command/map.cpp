@@ -48,9 +48,10 @@ std::vector<WrittenAxis> written_axes(const std::string& over, mechanism::Mechan
                                                ? std::vector<std::string>()
                                                : parts_between(part.substr(equals + 1), ':');
     if (range.size() != 3) {
-      throw mechanism::MechanismError("--over", "'" + part +
-                                                    "' is no axis; expected NAME=FROM:TO:COUNT, "
-                                                    "such as phi=0:2*pi:361");
+      throw mechanism::MechanismError("--over",
+                                      "'" + part +
+                                          "' is not an axis; expected NAME=FROM:TO:COUNT, "
+                                          "such as phi=0:2*pi:361");
     }
     axes.push_back({mechanism.parameter_named(name, "--over"),
                     mechanism.add_number(range[0], where), mechanism.add_number(range[1], where),

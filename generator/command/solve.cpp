@@ -169,8 +169,9 @@ class StretchTeller {
     const std::string reason = plan_.obstacle(values);
     if (reason.empty()) {  // there, it can be assembled alone
       return plan_.structure().reading.empty()
-                 ? ": at " + short_number(place) + ", the links reach but for rounding"
-                 : ": angles that laws read are counted on from the first step; alone, with angles "
+                 ? ": at " + short_number(place) + ", the links reach to within rounding"
+                 : ": angles that laws read count whole turns from the first step; by itself, with "
+                   "angles "
                    "in (-pi, pi], it can be assembled at " +
                        short_number(place);
     }
@@ -185,7 +186,7 @@ class StretchTeller {
   double from_ = 0, to_ = 0;
 };
 
-/// A value that a sweep replaces is none of its parameters'.
+/// A value that a sweep replaces is not one of its parameters'.
 void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& options) {
   const std::string& parameter =
       plan.mechanism().parameters()[plan.request().sweep->parameter].name;
@@ -243,8 +244,8 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   print(text);
   if (options.branch > 0 && !has_row) {
     remarks() << "branch " << options.branch
-              << " has no row: it is beyond the limits of joints, or breaks constraints that are "
-                 "too many, at every step\n";
+              << " has no row: at every step it is beyond the limits of joints, or breaks "
+                 "redundant constraints\n";
   }
   return degenerate;
 }

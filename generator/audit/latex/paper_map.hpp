@@ -43,7 +43,7 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
-  /// Throws AuditSyntaxError where the map skips an equation that is none of these.
+  /// Throws AuditSyntaxError where the map skips an equation that is not one of these.
   void expect_skipped(const std::set<std::string>& labels) const;
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);

@@ -170,8 +170,8 @@ template <typename Scalar>
 }
 
 /// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links. The
-/// dimensions are set where the status is ok. singular: the forms have not as many dimensions as
-/// the model, because a link has no normal form or is of another model.
+/// dimensions are set where the status is ok. singular: the forms do not have as many dimensions
+/// as the model, because a link has no normal form or is of another model.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status fill_dimensions(
     const std::array<NormalForm<Scalar>, detail::size(Model::link_count)>& links,

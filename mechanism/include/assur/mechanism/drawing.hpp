@@ -38,9 +38,9 @@ struct Stance {
   std::vector<Eigen::Vector2d> points;
 };
 
-/// The way of an output along one branch of the sweep.
+/// The path of an output along one branch of the sweep.
 struct Trace {
-  int configuration;  ///< that the branch goes through; 0 where that is not known
+  int configuration;  ///< through which the branch passes; 0 where that is not known
   std::string output;
   std::vector<Eigen::Vector2d> points;
 };
@@ -71,14 +71,14 @@ struct Drawing {
 
 /// Which configurations are drawn.
 struct DrawingChoice {
-  int configuration = 0;  ///< one alone, by its number; 0 for all
-  bool nearest = false;   ///< the one nearest to the request's reference alone
+  int configuration = 0;  ///< only this one, by its number; 0 for all
+  bool nearest = false;   ///< only the one nearest to the request's reference
 };
 
-/// So many configurations are drawn at most.
+/// The largest number of configurations that are drawn.
 inline constexpr std::size_t most_drawn = 24;
 
-/// Solves the mechanism at its own values and draws its configurations, with the ways of the
+/// Solves the mechanism at its own values and draws its configurations, with the paths of the
 /// outputs over the request's sweep. Where all are drawn, the one nearest to the request's
 /// reference is emphasised, or else the first. Throws MechanismError where there is no
 /// configuration, or none of that number, and as `Plan` and `sweep` do.
