@@ -106,13 +106,10 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
   return worst;
 }
 
-bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
-                       Status regularity, bool rates_known) {
-  return gap_of_redundant(values, links, regularity) == 0 &&
-         (!rates_known ||
-          std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-            return goes_on(values, links, placed(values, links, joint));
-          }));
+bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
+  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+    return goes_on(values, links, placed(values, links, joint));
+  });
 }
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {

@@ -10,17 +10,15 @@
 
 namespace assur::mechanism::solve {
 
-/// Whether the redundant joints of a plan hold to rounding, or to the tolerance that the request
-/// states, and whether their rates do where these are known.
-[[nodiscard]] bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
-                                     Status regularity, bool rates_known);
+/// Whether the rates of the redundant joints of a plan hold to rounding, where all rates are known.
+[[nodiscard]] bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
 
 /// Whether they hold along one of several motions through a configuration in which they do: to
 /// first and second order, for at a change point all motions agree to first order.
 [[nodiscard]] bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
 
-/// By how much the worst of them fails to close, in the scene's unit; zero where all do, to
-/// rounding or to the tolerance.
+/// By how much the worst redundant joint fails to close, in the scene's unit; zero where all do, to
+/// rounding or to the tolerance that the request states.
 [[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                                       Status regularity);
 
