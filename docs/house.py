@@ -1,5 +1,6 @@
-"""Turns the build's own targets into the tables of the house in design.md: each folder with its
-floor, what it turns into what, by the first comment of its CMakeLists.txt, and what it links.
+"""Turns the build's own targets into the house in design.md, a drawing and tables: each folder
+with its floor, what it turns into what, by the first comment of its CMakeLists.txt, and what it
+links.
 
 house.py TARGETS SOURCE [--write]: TARGETS has a line per target, its name, its folder and the
 targets that it links, separated by tabs; SOURCE is the project. Without --write it compares."""
@@ -56,18 +57,41 @@ def sentence(source, folder):
     return found[1]
 
 
-def tables(links, source):
+def rooms(links, prefix):
+    """The folders behind a door, with their floors above its lowest: the highest first."""
     floor_of = floors(links)
+    folders = [folder for folder in links if folder.startswith(prefix)]
+    lowest = min(floor_of[folder] for folder in folders)
+    return sorted(((floor_of[folder] - lowest, folder) for folder in folders),
+                  key=lambda room: (-room[0], room[1]))
+
+
+def drawing(links):
+    columns = []
     for door, prefix in DOORS:
-        rows = sorted((folder for folder in links if folder.startswith(prefix)),
-                      key=lambda folder: (-floor_of[folder], folder))
-        lowest = min(floor_of[folder] for folder in rows)
+        storeys = {}
+        for floor, folder in rooms(links, prefix):
+            storeys.setdefault(floor, []).append(folder.removeprefix(prefix))
+        columns.append((door, storeys))
+    (left, first), (right, second) = columns
+    names = {floor: "   ".join(first.get(floor, [])) for floor in range(max(first) + 1)}
+    width = max(map(len, names.values())) + 6
+    yield "```"
+    yield f"floor   {left:<{width}}{right}".rstrip()
+    for floor in range(max(names), -1, -1):
+        yield f"{floor:>5}   {names[floor]:<{width}}{'   '.join(second.get(floor, []))}".rstrip()
+    yield "```"
+    yield ""
+
+
+def tables(links, source):
+    for door, prefix in DOORS:
         yield f"| floor | `{prefix}` | turns | links |"
         yield "|---|---|---|---|"
-        for folder in rows:
+        for floor, folder in rooms(links, prefix):
             nearest = sorted(links[folder] - below(links, links[folder]))
             names = ", ".join("`" + one.removeprefix(prefix) + "`" for one in nearest)
-            yield (f"| {floor_of[folder] - lowest} | `{folder.removeprefix(prefix)}` | "
+            yield (f"| {floor} | `{folder.removeprefix(prefix)}` | "
                    f"{sentence(source, folder)} | {names} |")
         if door == DOORS[0][0]:
             yield ""
@@ -77,8 +101,11 @@ def main(targets, source, *options):
     source = pathlib.Path(source)
     page = source / "docs/method/design.md"
     text = page.read_text()
-    drawn = "\n".join(tables(read_targets(targets), source))
+    links = read_targets(targets)
+    drawn = "\n".join([*drawing(links), *tables(links, source)])
     begin, end = "<!-- house -->\n", "\n<!-- end of house -->"
+    if text.count(begin) != 1 or text.count(end) != 1:
+        raise SystemExit(f"{page}: the house stands between two comments, once each")
     head, _, rest = text.partition(begin)
     stands, _, tail = rest.partition(end)
     if options == ("--write",):

@@ -28,7 +28,7 @@ struct BatchRates {
   std::size_t stride = 0;
 };
 
-/// Where sensitivities are to go: dq/dd and dq/du, entry (row, column) of configuration i at
+/// Receives sensitivities: dq/dd and dq/du, entry (row, column) of configuration i at
 /// [(row + column * unknown_count) * stride + i], set where the status is ok or near_singular.
 struct BatchSensitivities {
   Status* status = nullptr;
@@ -37,7 +37,7 @@ struct BatchSensitivities {
   std::size_t stride = 0;
 };
 
-/// Where rates are to go: dq/dt and d2q/dt2, that of unknown p of configuration i at
+/// Receives rates: dq/dt and d2q/dt2, that of unknown p of configuration i at
 /// [p * stride + i], set where the status is ok or near_singular.
 struct BatchMotion {
   double* velocity = nullptr;
@@ -156,8 +156,8 @@ void for_each_pack(std::size_t count, const Several& several, const Alone& alone
 
 }  // namespace detail::batch
 
-/// dq/dd and dq/du of `count` assembled configurations, with the statuses that `sensitivities`
-/// gives each. `Lanes` are computed at once; what is not certainly regular is looked at by itself.
+/// Computes dq/dd and dq/du of `count` assembled configurations, with the status that
+/// `sensitivities` gives each. `Lanes` are computed at once, doubtful ones one by one.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
                    const BatchSensitivities& result) {
@@ -184,7 +184,7 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
       });
 }
 
-/// The same, and dq/dt and d2q/dt2 for the rates of the inputs, with the statuses that
+/// Also computes dq/dt and d2q/dt2 for the rates of the inputs, with the status that
 /// `sensitivities_and_motion` gives each.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model>& given,

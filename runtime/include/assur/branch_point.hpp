@@ -20,7 +20,7 @@ struct InputMotion {
 template <typename Model, typename Scalar = double>
 struct BranchPoint {
   /// ok, or near_singular where the derivatives may keep fewer digits than `regularity` promises;
-  /// with any other there are none, and nothing can be tracked from here.
+  /// with any other status there are no derivatives, and nothing can be tracked from here.
   Status status = Status::singular;
   typename Model::template Configuration<Scalar> q;
   Motion<Model, Scalar> motion;  ///< set where the status is ok or near_singular

@@ -52,8 +52,8 @@ struct NormalForm {
 
 /// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
 /// measured: the first line's angle and offset or the first point's place, and where there are no
-/// two of these, the second line's offset or the second point's direction. singular, and nothing is
-/// set: there are not two or three joints.
+/// two of these, the second line's offset or the second point's direction. The status is singular,
+/// and nothing is set, unless there are two or three joints.
 template <typename Scalar>
 [[nodiscard]] Status measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features,
                                       std::size_t joints, NormalForm<Scalar>& result) {
