@@ -156,16 +156,6 @@ std::optional<CrossingEstimate> crossing_at_width(SnapshotSolver& solver,
   return estimate;
 }
 
-/// Whether one configuration stands at a place, and not two to either side of it, or none: its
-/// closures tell an opening that is lost in the rounding of the branches.
-bool is_one(const Snapshot& set, const Eigen::VectorXd& place) {
-  constexpr double close = 1e-5;
-  const auto count = std::ranges::count_if(set.points, [&](const ConfigurationPoint& point) {
-    return (point.at - place).norm() < close;
-  });
-  return count == 1 || set.solution.status == SolutionStatus::degenerate;
-}
-
 }  // namespace
 
 Eigen::VectorXd ConfigurationBundle::middle() const {
@@ -176,9 +166,17 @@ Eigen::VectorXd ConfigurationBundle::middle() const {
   return sum / static_cast<double>(count());
 }
 
+bool is_one(const Snapshot& set, const Eigen::VectorXd& place) {
+  constexpr double close = 1e-5;
+  const auto count = std::ranges::count_if(set.points, [&](const ConfigurationPoint& point) {
+    return (point.at - place).norm() < close;
+  });
+  return count == 1 || set.solution.status == SolutionStatus::degenerate;
+}
+
 std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
                                              const ConfigurationBundle& left,
-                                             const ConfigurationBundle& right, double limit) {
+                                             const ConfigurationBundle& right) {
   const CrossingLines lines(left, right);
   double fastest = 0;
   double slowest = std::numeric_limits<double>::infinity();
@@ -212,7 +210,7 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
                                      std::abs(estimate->parameter - last->parameter),
                                      estimate->opening / spread, rounding / (fastest * spread)});
       if (error < least) {
-        in_vain = opening < limit ? 0 : in_vain;
+        in_vain = opening < crossing_limit ? 0 : in_vain;
         least = error;
         best = estimate;
       }
@@ -221,7 +219,7 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
   }
   // A length that rounding has changed opens branches that cross steeply by more.
   const double steepness = std::max(1.0, fastest / slowest);
-  if (!best || !(opening < steepness * limit) ||
+  if (!best || !(opening < steepness * crossing_limit) ||
       !is_one(*solver.at(best->parameter), best->place)) {
     return std::nullopt;
   }

@@ -17,9 +17,6 @@ namespace {
 
 using Events = std::vector<SingularEvent>;
 
-/// The square of a gap between branches that pass one another. What is below this is a change of
-/// the lengths by rounding.
-constexpr double crossing_limit = 1e-13;
 /// Sizes from which on a branch may be on its way to infinity.
 constexpr double far_away = 50;
 
@@ -135,9 +132,8 @@ class Explanation {
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
       const auto [before, after] = bundles_of(left, right, bundle);
-      const auto found = change_sides(before, after)
-                             ? locate_crossing(solver_, before, after, crossing_limit)
-                             : std::nullopt;
+      const auto found =
+          change_sides(before, after) ? locate_crossing(solver_, before, after) : std::nullopt;
       if (!found && crossings_only_) {
         return false;
       }

@@ -22,7 +22,7 @@ constexpr int least_intervals = 512;
 constexpr double beside = 1e-5;
 /// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
 /// or the end of a short sweep: what is close to a change point is not a matter of the steps.
-constexpr double farthest_beside = 0.1;
+constexpr double farthest_beside = 0.25;
 
 class Sweeper {
  public:
