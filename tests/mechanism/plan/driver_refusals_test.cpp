@@ -49,7 +49,7 @@ TEST(Laws, ThatReadOneAnotherInACircleAreNamed) {
   scene["drivers"]["G"]["position"] = "joint(E)";
   EXPECT_EQ(message_of(scene),
             "scene: drivers.A.position: the laws of the joints A, G, E read one another in a "
-            "circle; let one of them read none of the others");
+            "circle; let one of them not read the others");
   EXPECT_EQ(message_with_law("E", "1 + joint(E)"),
             "scene: drivers.E.position: the law reads its own joint; let it read another one");
 }
@@ -134,7 +134,7 @@ TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
 TEST(Joints, WithBothEndsOnOneLinkAreNamed) {
   Json scene = robot();
   scene["joints"]["E"]["between"] = {"coupler.E", "coupler.C"};
-  EXPECT_EQ(message_of(scene), "scene: joints.E.between: link 'coupler' stands twice in one joint");
+  EXPECT_EQ(message_of(scene), "scene: joints.E.between: link 'coupler' occurs twice in one joint");
 }
 
 std::string message_with_limits(const Json& limits) {

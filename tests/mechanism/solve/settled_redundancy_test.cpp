@@ -76,6 +76,7 @@ TEST(SettledRedundancy, OfCranksOfWhichTwoAreInLineAreRegular) {
         bars.json()["links"]["third"]["G"] = {of_third, 0};
         bars.json()["drivers"]["A"]["acceleration"] = 3;
         bars.json()["want"] = {"position", "velocity", "acceleration", "sensitivity"};
+        bars.json()["covariance"] = {{"parameters", {"phi"}}, {"matrix", Json::array({{1}})}};
         const Solved found = solved(bars.json());
         ASSERT_EQ(found.configurations().size(), 1U);
         const Configuration& only = found.configurations()[0];
@@ -95,6 +96,10 @@ TEST(SettledRedundancy, OfCranksOfWhichTwoAreInLineAreRegular) {
           const auto of_long = only.output("G").follows.first.col(1);
           EXPECT_NEAR(of_long.x(), std::cos(phi), 1e-12);
           EXPECT_NEAR(of_long.y(), std::sin(phi), 1e-12);
+          const Eigen::MatrixXd& second = only.output("G").follows.second[0];
+          EXPECT_NEAR(second(0, 0), -1.5 * std::cos(phi), 1e-9);
+          EXPECT_NEAR(second(0, 1), -std::sin(phi), 1e-9);
+          EXPECT_NEAR(second(1, 1), 0, 1e-9);
         }
       }
     }
