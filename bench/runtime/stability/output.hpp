@@ -70,7 +70,7 @@ template <typename AnyRow>
   return families;
 }
 
-/// Two files a family. Errors, a block a method: distance, kappa, error. No error is drawn where
+/// Two files per family. Errors, a block per method: distance, kappa, error. No error is drawn where
 /// more than half of the members failed: the rest would make the method look good. Failures:
 /// distance, number of the method, and gnuplot's point type, a cross for wrong or a ring for
 /// refused.
