@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "one_by_one.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
@@ -71,6 +73,8 @@ void BranchTracker::advance(const SnapshotPointer& set) {
   if (const SnapshotPointer middle = between(set)) {
     advance(middle);
     advance(set);
+  } else if (auto followed = explained_one_by_one(solver_, current_, set)) {
+    adopt(set, followed->to_right, std::move(followed->crossings));
   } else {
     give_up(set, matching);
   }

@@ -7,35 +7,18 @@
 #include <limits>
 #include <tuple>
 
+#include "crossing_location.hpp"
+#include "escape_location.hpp"
+#include "meeting_pairs.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
 
 using Events = std::vector<SingularEvent>;
 
-/// The square of a gap between branches that pass one another. What is below this is a change of
-/// the lengths by rounding.
-constexpr double crossing_limit = 1e-13;
-/// A third branch within a fold: the pair must be as close, and the third as near to its middle.
-constexpr double through_separation = 2e-3;
-constexpr double through_offset = 0.02;
 /// Sizes from which on a branch may be on its way to infinity.
 constexpr double far_away = 50;
-
-/// The side of an interval where the configurations in question exist, and its other end.
-struct Side {
-  SnapshotPointer near;
-  double end;
-  bool is_left;
-
-  [[nodiscard]] double reach() const { return end - near->parameter; }
-  /// Whether an estimate lies within the interval. It may overshoot a little; the located value
-  /// may not.
-  [[nodiscard]] bool reaches(double distance, double slack) const {
-    const double part = distance / reach();
-    return part > 0 && part < 1 + slack;
-  }
-};
 
 class Explanation {
  public:
@@ -115,52 +98,6 @@ class Explanation {
   [[nodiscard]] Events& events() { return events_; }
 
  private:
-  /// Two branches shortly before they meet move towards each other, and their middle hardly moves.
-  [[nodiscard]] static bool head_on(const ConfigurationPair& pair) {
-    const Eigen::VectorXd& one = pair.first().slope;
-    const Eigen::VectorXd& other = pair.second().slope;
-    return (one + other).norm() < 0.05 * (one.norm() + other.norm());
-  }
-
-  /// The pair that is to meet next: the closest of those that run head-on, or else the closest.
-  /// Where several pairs meet in one configuration, the closest belong to different ones.
-  static std::pair<PointIndex, PointIndex> meeting(const Side& side,
-                                                   const std::vector<PointIndex>& among) {
-    std::pair<PointIndex, PointIndex> best{among[0], among[1]};
-    double least = std::numeric_limits<double>::infinity();
-    bool best_is_head_on = false;
-    for (const PointIndex one : among) {
-      for (const PointIndex other : among) {
-        if (!(one < other)) {
-          continue;
-        }
-        const ConfigurationPair pair{side.near, one, other};
-        const bool is_head_on = head_on(pair) && side.reaches(pair.distance_to_fold(), 0.1);
-        const double distance = pair.separation();
-        if (is_head_on == best_is_head_on ? distance < least : is_head_on) {
-          least = distance;
-          best = {one, other};
-          best_is_head_on = is_head_on;
-        }
-      }
-    }
-    return best;
-  }
-
-  /// Whether a branch meets another one of `alone` in the middle of the pair.
-  [[nodiscard]] static bool meets_there(PointIndex point, const ConfigurationPair& pair,
-                                        const std::vector<PointIndex>& alone) {
-    const auto is_alone = [&](PointIndex index) {
-      return std::find(alone.begin(), alone.end(), index) != alone.end();
-    };
-    return is_alone(point) && std::any_of(alone.begin(), alone.end(), [&](PointIndex other) {
-             const ConfigurationPair there{pair.set, point, other};
-             const Eigen::VectorXd offset =
-                 (there.first().at + there.second().at - pair.first().at - pair.second().at) / 2;
-             return other != point && head_on(there) && offset.norm() < 0.1 * there.separation();
-           });
-  }
-
   [[nodiscard]] PointIndex on_left(PointIndex right) const {
     for (const PointIndex left : matching_.to_right.keys()) {
       if (matching_.to_right[left] == right) {
@@ -168,33 +105,6 @@ class Explanation {
       }
     }
     return {};
-  }
-
-  /// No other configuration is near the pair or where it will meet, but perhaps one right between.
-  [[nodiscard]] static bool is_apart_from_others(const ConfigurationPair& pair, double distance,
-                                                 const std::vector<PointIndex>& alone,
-                                                 PointIndex& through) {
-    const double separation = pair.separation();
-    const Eigen::VectorXd middle = (pair.first().at + pair.second().at) / 2;
-    const Eigen::VectorXd middle_slope = (pair.first().slope + pair.second().slope) / 2;
-    for (const PointIndex other : pair.set->points.keys()) {
-      if (other == pair.one || other == pair.other) {
-        continue;
-      }
-      const ConfigurationPoint& point = pair.set->points[other];
-      const Eigen::VectorXd offset = point.at - middle;
-      const Eigen::VectorXd later = offset + distance * (point.slope - middle_slope);
-      if ((offset.norm() > 2 * separation && later.norm() > separation) ||
-          (head_on(pair) && meets_there(other, pair, alone))) {
-        continue;
-      }
-      if (through.exists() || separation > through_separation ||
-          offset.norm() > through_offset * separation) {
-        return false;
-      }
-      through = other;
-    }
-    return true;
   }
 
   [[nodiscard]] bool explain_escape(const Side& side, PointIndex index) {
@@ -222,9 +132,8 @@ class Explanation {
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
       const auto [before, after] = bundles_of(left, right, bundle);
-      const auto found = change_sides(before, after)
-                             ? locate_crossing(solver_, before, after, crossing_limit)
-                             : std::nullopt;
+      const auto found =
+          change_sides(before, after) ? locate_crossing(solver_, before, after) : std::nullopt;
       if (!found && crossings_only_) {
         return false;
       }

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "branch_tracker.hpp"
+#include "event_text.hpp"
 #include "passage.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
@@ -21,36 +22,7 @@ constexpr int least_intervals = 512;
 constexpr double beside = 1e-5;
 /// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
 /// or the end of a short sweep: what is close to a change point is not a matter of the steps.
-constexpr double farthest_beside = 0.1;
-
-std::string listed(const std::vector<int>& numbers) {
-  std::string text;
-  for (const int number : numbers) {
-    text += " " + std::to_string(number);
-  }
-  return text;
-}
-
-std::string event_text(const BranchEvent& event) {
-  const std::string on = event.through > 0 ? " on " + std::to_string(event.through) : "";
-  switch (event.kind) {
-    case EventKind::fold:
-      return "fold" + listed(event.ended) + on;
-    case EventKind::birth:
-      return "birth" + listed(event.begun) + on;
-    case EventKind::crossing:
-      return "crossing" + listed(event.ended);
-    case EventKind::escape:
-      return "escape" + listed(event.ended);
-    case EventKind::arrival:
-      return "arrival" + listed(event.begun);
-    case EventKind::degenerate:
-      return "degenerate" + listed(event.ended) + " /" + listed(event.begun);
-    case EventKind::unresolved:
-      return "unresolved" + listed(event.ended) + " /" + listed(event.begun);
-  }
-  return "";
-}
+constexpr double farthest_beside = 0.25;
 
 class Sweeper {
  public:
@@ -371,27 +343,6 @@ class Sweeper {
 };
 
 }  // namespace
-
-SweepObserver expect_sweep(const Plan& plan, const Values& values, SweepObserver observer) {
-  if (!plan.request().sweep) {
-    throw MechanismError("sweep", "the request has no sweep");
-  }
-  plan.expect_usable(values);
-  const Sweep& range = *plan.request().sweep;
-  if (!std::isfinite(values.value_of(range.to) - values.value_of(range.from))) {
-    throw MechanismError("sweep", "the range from 'from' to 'to' is not finite");
-  }
-  if (!observer.record) {
-    observer.record = [](const SweepRecord&) {};
-  }
-  if (!observer.solved) {
-    observer.solved = [](double, const Solution&) {};
-  }
-  if (!observer.progress) {
-    observer.progress = [](int) {};
-  }
-  return observer;
-}
 
 }  // namespace assur::mechanism::follow
 

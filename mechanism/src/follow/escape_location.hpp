@@ -1,0 +1,17 @@
+// Turns a configuration that runs to infinity into the value at which it is there.
+#pragma once
+
+#include <optional>
+
+#include "event_location.hpp"
+
+namespace assur::mechanism::follow {
+
+/// Where a configuration of a set runs to infinity: the zero of 1 / (w . X), w its direction.
+[[nodiscard]] std::optional<EventLocation> locate_escape(SnapshotSolver& solver,
+                                                         const SnapshotPointer& near,
+                                                         PointIndex index);
+/// The first estimate of the same, as a distance from a point.
+[[nodiscard]] double distance_to_escape(const ConfigurationPoint& point);
+
+}  // namespace assur::mechanism::follow

@@ -1,0 +1,30 @@
+// Turns two configurations that meet further on into the fold where they do.
+#pragma once
+
+#include <optional>
+
+#include "event_location.hpp"
+
+namespace assur::mechanism::follow {
+
+/// Two configurations of one set.
+struct ConfigurationPair {
+  SnapshotPointer set;
+  PointIndex one, other;
+
+  [[nodiscard]] const ConfigurationPoint& first() const;
+  [[nodiscard]] const ConfigurationPoint& second() const;
+  [[nodiscard]] Eigen::VectorXd apart() const { return second().at - first().at; }
+  [[nodiscard]] double separation() const { return apart().norm(); }
+  /// To the fold, if there is one near: the squared separation is linear in the parameter there.
+  [[nodiscard]] double distance_to_fold() const;
+};
+
+/// Follows a pair to the fold where it meets. Along the branch through a fold both the parameter
+/// and the configuration are analytic in g = dp / d(v . X), v the direction between the two; each
+/// configuration near it gives one exact g, and the fold is at g = 0. `through` tells that a third
+/// branch passes there, so that the Jacobian loses digits sooner.
+[[nodiscard]] std::optional<EventLocation> locate_fold(SnapshotSolver& solver,
+                                                       const ConfigurationPair& near, bool through);
+
+}  // namespace assur::mechanism::follow

@@ -1,0 +1,36 @@
+// Turns configurations that have no match across an interval into pairs that meet in it.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "fold_location.hpp"
+
+namespace assur::mechanism::follow {
+
+/// The side of an interval where the configurations in question exist, and its other end.
+struct Side {
+  SnapshotPointer near;
+  double end;
+  bool is_left;
+
+  [[nodiscard]] double reach() const { return end - near->parameter; }
+  /// Whether an estimate lies within the interval. It may overshoot a little; the located value
+  /// may not.
+  [[nodiscard]] bool reaches(double distance, double slack) const {
+    const double part = distance / reach();
+    return part > 0 && part < 1 + slack;
+  }
+};
+
+/// The pair that is to meet next: the closest of those that run head-on, or else the closest.
+/// Where several pairs meet in one configuration, the closest belong to different ones.
+[[nodiscard]] std::pair<PointIndex, PointIndex> meeting(const Side& side,
+                                                        const std::vector<PointIndex>& among);
+
+/// No other configuration is near the pair or where it will meet, but perhaps one right between,
+/// `through`, or those among `alone` that meet where it does.
+[[nodiscard]] bool is_apart_from_others(const ConfigurationPair& pair, double distance,
+                                        const std::vector<PointIndex>& alone, PointIndex& through);
+
+}  // namespace assur::mechanism::follow

@@ -1,0 +1,247 @@
+#include "branch_walk.hpp"
+
+#include <cmath>
+
+#include "group_branches.hpp"
+#include "plan/plan_data.hpp"
+#include "precision.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+/// A frame that stands in another one, as it moves there.
+Pose<models::Series> as_it_moves(const Frame& frame) {
+  const auto coordinate = [&](double value, Eigen::Index row) {
+    return models::moving(value, frame.velocity(row), frame.acceleration(row));
+  };
+  return {coordinate(frame.pose.x, 0), coordinate(frame.pose.y, 1),
+          turning(frame.pose.direction, coordinate(0, 2))};
+}
+
+/// Walks depth first through the motions of the groups, as solving walks through configurations.
+class BranchWalk {
+ public:
+  BranchWalk(const Values& values, const PlacedLinks& placed, const Configuration& configuration,
+             const Motions& motions)
+      : motions_(motions),
+        values_(values),
+        structure_(values.plan().structure),
+        placed_(placed),
+        configuration_(configuration),
+        links_(structure_.linkage.links.size()),
+        carried_(structure_.carried.size()),
+        has_relative_groups_(structure_.has_relative_groups()) {}
+
+  std::vector<Configuration> run() {
+    links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
+    descend(0);
+    return std::move(found_);
+  }
+
+ private:
+  void move_carried_links(std::size_t groups_before) {
+    for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      if (structure_.carried[place].groups_before == groups_before) {
+        move_carried_link(place);
+      }
+    }
+  }
+
+  void move_carried_link(std::size_t place) {
+    const CarriedLink& link = structure_.carried[place];
+    if (link.group.exists()) {
+      links_[link.to] = composed(links_[link.from], carried_[place]);
+      return;
+    }
+    const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
+    const models::Series& motion = motions_.drivers[link.driver];
+    const models::Series moved = joint.first == link.from ? motion : -motion;
+    // About the joint's place on the placed link, from where the moved link stands.
+    const Pose<models::Series> base =
+        composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
+    const Pose<models::Series> step = joint.prismatic
+                                          ? Pose<models::Series>{moved, 0, {1, 0}}
+                                          : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
+    // Where the moved link's own feature moves on it, or what carries it stands elsewhere while a
+    // group is solved relative to that, it is not enough to turn the link.
+    links_[link.to] =
+        has_relative_groups_ || (motions_.in_time && is_moving(values_.carried_frame(place)))
+            ? composed(composed(composed(base, standing(link, joint)), step),
+                       placed_in(values_.carried_frame(place)))
+            : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
+  }
+
+  /// As solving does: on the axes of the ground, with what it carries.
+  void put_base(GroupIndex group) {
+    if (structure_.groups[group].base.exists()) {
+      links_[structure_.groups[group].base] = models::at_rest({0, 0, {1, 0}});
+      for (const std::size_t place : structure_.carried_by_base(group)) {
+        move_carried_link(place);
+      }
+    }
+  }
+  void keep_carried(GroupIndex group) {
+    for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      if (structure_.carried[place].group == group) {
+        carried_[place] = links_[structure_.carried[place].to];
+      }
+    }
+  }
+
+  [[nodiscard]] Pose<models::Series> placed_in(const Frame& frame) const {
+    return motions_.in_time ? as_it_moves(frame) : models::at_rest(frame.pose);
+  }
+  static bool is_moving(const Frame& frame) {
+    return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
+  }
+  /// The driven joint where the driver has it, at t = 0.
+  [[nodiscard]] Pose<models::Series> standing(const CarriedLink& link,
+                                              const ElementaryJoint& joint) const {
+    const double position = values_.motion(link.driver).position.value();
+    const double by = joint.first == link.from ? position : -position;
+    return models::at_rest(joint.prismatic ? Pose<double>{by, 0, {1, 0}}
+                                           : Pose<double>{0, 0, {std::cos(by), std::sin(by)}});
+  }
+
+  /// A pose in a frame that moves, at t = 0.
+  static Pose<models::Series> seen_from(const Pose<models::Series>& frame,
+                                        const Pose<double>& pose) {
+    const Direction<double> back{frame.direction.cos.value(), -frame.direction.sin.value()};
+    const double x = pose.x - frame.x.value();
+    const double y = pose.y - frame.y.value();
+    return models::at_rest(
+        {back.cos * x - back.sin * y, back.sin * x + back.cos * y, turned(pose.direction, back)});
+  }
+
+  void descend(std::size_t depth) {
+    move_carried_links(depth);
+    if (depth == structure_.groups.size()) {
+      list();
+      return;
+    }
+    const GroupIndex group(depth);
+    const Values::GroupNumbers& numbers = values_.numbers_of(group);
+    put_base(group);
+    const models::FlatSeries u = inputs(numbers);
+    const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
+    const PlacedGroup& here = placed_.groups[group];
+    // A group behind a singular one stands as firmly as that does: it was settled to rounding.
+    // Behind others it is displaced by less, or they would have had no branches.
+    const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
+    for (const GroupBranch& branch :
+         branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
+      for (std::size_t link = 0; link < numbers.links.size(); ++link) {
+        links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
+      }
+      keep_carried(group);
+      const std::size_t before = slides_.size();
+      for (const values::MeasuredSlide& slide : numbers.slides) {
+        const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
+        const bool shifts = motions_.in_time;
+        slides_.push_back(
+            {slide.joint, slide.sense * (moved.rate() + (shifts ? slide.shift_rate : 0)),
+             slide.sense * (moved.second_rate() + (shifts ? slide.shift_second_rate : 0))});
+      }
+      descend(depth + 1);
+      slides_.resize(before);
+    }
+  }
+
+  [[nodiscard]] models::FlatSeries inputs(const Values::GroupNumbers& numbers) const {
+    models::FlatSeries u;
+    auto* to = u.data();
+    for (const values::HeldJoint& joint : numbers.held) {
+      const Pose<models::Series> place =
+          composed(links_[joint.base], placed_in(values_.frame(joint.feature)));
+      *to++ = place.x;
+      *to++ = place.y;
+      if (joint.prismatic) {
+        *to++ = place.direction.cos;
+        *to++ = place.direction.sin;
+      }
+    }
+    return u;
+  }
+
+  [[nodiscard]] models::FlatSeries dimensions(const GroupModel& model,
+                                              const Values::GroupNumbers& numbers) const {
+    models::FlatSeries d;
+    for (std::size_t place = 0; place < d.size(); ++place) {
+      d[place] = numbers.d[place];
+    }
+    if (!motions_.in_time || numbers.d_rate.size() == 0) {
+      return d;
+    }
+    std::size_t place = 0;
+    for (std::size_t row = 0; row < model.dimension_count; ++row) {
+      const auto at = static_cast<Eigen::Index>(row);
+      const auto part = [&](double value) {
+        return models::moving(value, numbers.d_rate(at), numbers.d_second_rate(at));
+      };
+      if (numbers.is_angle[row]) {
+        const Direction<models::Series> direction =
+            turning({numbers.d[place], numbers.d[place + 1]}, part(0));
+        d[place++] = direction.cos;
+        d[place++] = direction.sin;
+      } else {
+        d[place] = part(numbers.d[place]);
+        ++place;
+      }
+    }
+    return d;
+  }
+
+  void list() {
+    Configuration& result = found_.emplace_back(configuration_);
+    result.rates_known = true;
+    const Mechanism& mechanism = values_.plan().mechanism;
+    for (const LinkIndex link : mechanism.links().keys()) {
+      const Pose<models::Series>& pose = links_[link];
+      result.links[link].velocity << pose.x.rate(), pose.y.rate(), turning_rate(pose.direction);
+      result.links[link].acceleration << pose.x.second_rate(), pose.y.second_rate(),
+          second_turning_rate(pose.direction);
+    }
+    for (const OutputIndex output : mechanism.outputs().keys()) {
+      const FeatureIndex point = mechanism.outputs()[output].point;
+      const Pose<models::Series> place =
+          composed(links_[mechanism.features()[point].link], placed_in(values_.frame(point)));
+      result.outputs[output].velocity << place.x.rate(), place.y.rate();
+      result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
+    }
+    for (const MovingSlide& moving : slides_) {
+      for (SlideState& slide : result.slides) {
+        if (slide.joint == moving.joint) {
+          slide.velocity = moving.velocity;
+          slide.acceleration = moving.acceleration;
+        }
+      }
+    }
+  }
+
+  struct MovingSlide {
+    JointIndex joint;
+    double velocity, acceleration;
+  };
+
+  const Motions& motions_;
+  const Values& values_;
+  const Structure& structure_;
+  const PlacedLinks& placed_;
+  const Configuration& configuration_;
+  Table<LinkIndex, Pose<models::Series>> links_;
+  std::vector<Pose<models::Series>> carried_;  ///< links of groups, in the frames of their bases
+  bool has_relative_groups_;
+  std::vector<MovingSlide> slides_;
+  std::vector<Configuration> found_;
+};
+
+}  // namespace
+
+std::vector<Configuration> motions_through(const Values& values, const PlacedLinks& placed,
+                                           const Configuration& configuration,
+                                           const Motions& motions) {
+  return BranchWalk(values, placed, configuration, motions).run();
+}
+
+}  // namespace assur::mechanism::solve
