@@ -102,8 +102,7 @@ std::string short_number(double number) {
   return text.data();
 }
 
-/// Tells each stretch of steps without configurations once, at its end: from where to where, and
-/// why.
+/// Tells each stretch of steps without configurations once, from where to where, and why.
 class StretchTeller {
  public:
   explicit StretchTeller(const mechanism::Plan& plan) : plan_(plan), values_(plan) {}
@@ -127,17 +126,24 @@ class StretchTeller {
     ++step_;
   }
 
+  /// Prints of the stretches those that have ended.
+  void tell() {
+    remarks() << text_;
+    text_.clear();
+  }
+
+  /// Ends the one that is open.
   void finish() {
     if (what_.empty()) {
       return;
     }
     const int count = step_ - first_;
     const std::string& name = plan_.mechanism().parameters()[plan_.request().sweep->parameter].name;
-    remarks() << what_
-              << (count == 1 ? " at " + name + " = " + short_number(from_)
-                             : " from " + name + " = " + short_number(from_) + " to " +
-                                   short_number(to_) + " (" + std::to_string(count) + " steps)")
-              << reason_of_stretch(count) << '\n';
+    text_ += what_ +
+             (count == 1 ? " at " + name + " = " + short_number(from_)
+                         : " from " + name + " = " + short_number(from_) + " to " +
+                               short_number(to_) + " (" + std::to_string(count) + " steps)") +
+             reason_of_stretch(count) + '\n';
     what_.clear();
     breaches_.clear();
   }
@@ -181,6 +187,7 @@ class StretchTeller {
   const mechanism::Plan& plan_;
   SweptValues values_;
   std::string what_, reason_;  ///< of the stretch that is open; nothing where there is none
+  std::string text_;           ///< of those that have ended
   std::vector<mechanism::LimitBreach> breaches_;  ///< in it
   int step_ = 0, first_ = 0;
   double from_ = 0, to_ = 0;
@@ -236,12 +243,14 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
+      stretches.tell();
     }
   };
   const int branches = sweep(plan, {record, judge, step_done});
-  stretches.finish();
   expect_branch(options, branches, "branch");
   print(text);
+  stretches.finish();
+  stretches.tell();
   if (options.branch > 0 && !has_row) {
     remarks() << "branch " << options.branch
               << " has no row: at every step it is beyond the limits of joints, or breaks "
@@ -269,12 +278,14 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
     if (done > 1) {
       print(text);
       text.clear();
+      stretches.tell();
     }
   };
   const auto end =
       sweep_branch(plan, static_cast<std::size_t>(options.branch), {record, judge, step_done});
-  stretches.finish();
   print(text);
+  stretches.finish();
+  stretches.tell();
   if (end) {
     remarks() << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
               << " = " << short_number(*end) << ": it folds there, or comes too close to another\n";

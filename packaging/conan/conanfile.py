@@ -12,7 +12,7 @@ from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
 from conan.tools.files import copy
 
 _ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
-_SOURCES = ("CMakeLists.txt", "LICENSE", "README.md", "bench/*", "cmake/*", "generated/*",
+_SOURCES = ("CMakeLists.txt", "LICENSE", "README.md", "cmake/*", "generated/*",
             "mechanism/*", "packaging/*", "runtime/*", "templates/*")
 
 

@@ -337,6 +337,44 @@ TEST(BadArguments, SuggestWhatWasMeant) {
   }
 }
 
+/// A cylinder whose ends meet: it has no direction, be its length a driver's or a parameter's.
+Json cylinder(const Json& position) {
+  Json scene;
+  const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+  scene["parameters"]["long"] = 0;
+  scene["links"]["ground"] = {{"A", {0, 0}}, {"Q", {3, 0}}};
+  scene["links"]["crank"] = {{"A", {0, 0}}, {"P", {3, 0}}};
+  scene["links"]["tube"] = {{"Q", {0, 0}}, {"axis", axis}};
+  scene["links"]["rod"] = {{"P", {0, 0}}, {"axis", axis}};
+  const auto pin = [](const char* one, const char* other) {
+    return Json{{"type", "revolute"}, {"between", Json::array({one, other})}};
+  };
+  scene["joints"] = {
+      {"A", pin("ground.A", "crank.A")},
+      {"Q", pin("ground.Q", "tube.Q")},
+      {"P", pin("rod.P", "crank.P")},
+      {"S", {{"type", "prismatic"}, {"between", Json::array({"tube.axis", "rod.axis"})}}}};
+  scene["drivers"]["S"]["position"] = position;
+  return scene;
+}
+
+TEST(BadArguments, EmissionOfALengthThatIsZero) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  const std::string file = directory.write("cylinder.json", cylinder(0).dump()).string();
+  expect_one_line(run_assur("emit --scene " + file + " --output " + root),
+                  "a length that depends on drivers.S.position is zero at the scene's own numbers");
+}
+
+/// What a sweep has to say of its steps is not told of a branch that it does not have.
+TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
+  const TemporaryDirectory directory;
+  Json scene = cylinder("long");
+  scene["sweep"] = {{"parameter", "long"}, {"from", 0}, {"to", 0}, {"count", 3}};
+  const std::string file = directory.write("cylinder.json", scene.dump()).string();
+  expect_one_line(run_assur("solve --format csv --branch 3 " + file), "no branch 3; there are 0");
+}
+
 TEST(BadArguments, SettingThatASweepOverrides) {
   const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
   expect_one_line(

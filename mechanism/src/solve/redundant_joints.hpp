@@ -5,6 +5,7 @@
 #include <assur/mechanism/frame.hpp>
 #include <assur/mechanism/values.hpp>
 #include <assur/status.hpp>
+#include <string>
 
 #include "plan/plan_data.hpp"
 
@@ -26,7 +27,12 @@ namespace assur::mechanism::solve {
 /// zero, they close at its own numbers alone.
 [[nodiscard]] OverConstrained refusal_of_redundant(const PlanData& plan, double gap);
 
-/// What is said where the mechanism has no configuration without them either.
-[[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan);
+/// What is said where they hold, but not where the drivers have gone on: if it can be assembled
+/// there without them, they lock it.
+[[nodiscard]] OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles);
+
+/// What is said where the mechanism has no configuration without them either, for a reason.
+[[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan,
+                                                       const std::string& reason);
 
 }  // namespace assur::mechanism::solve

@@ -319,7 +319,23 @@ TEST(RedundantJoints, SayWhereNothingCanBeAssembledWithoutThem) {
   bars.json()["links"]["ground"]["D"] = {40, 0};
   bars.json()["links"]["ground"]["F"] = {20, 0};
   EXPECT_EQ(message_of(bars.json()),
-            std::string(too_many) + "; without constraints of C it cannot be assembled either");
+            std::string(too_many) +
+                "; without constraints of C it cannot be assembled either: group 1 (dyad RRR: "
+                "coupler, third): the joints B, F, G fail to close by 15.4 at least");
+}
+
+/// The cranks hold one another, and a dyad on their coupler is what cannot reach.
+TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
+  Bars bars = five_bars(2, 1.5);
+  bars.point("ground", "H", 30, 0).point("coupler", "K", 5, 1);
+  bars.point("arm", "K", 0, 0).point("arm", "M", 1, 0);
+  bars.point("lever", "H", 0, 0).point("lever", "M", 2, 0);
+  bars.join("K", {"coupler.K", "arm.K"}).join("M", {"arm.M", "lever.M"});
+  bars.join("H", {"ground.H", "lever.H"});
+  EXPECT_NE(message_of(bars.json())
+                .find("it cannot be assembled either: group 3 (dyad RRR: arm, lever): the joints "
+                      "H, K, M fail to close by 21 at least"),
+            std::string::npos);
 }
 
 /// A law that reads one of the joints, or limits of one, leave the others to be left out.
