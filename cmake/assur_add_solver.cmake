@@ -42,8 +42,8 @@ function(assur_add_solver target)
     set(generator $<TARGET_FILE:assur::assur>)
     set(generator_dependency assur::assur $<TARGET_FILE:assur::assur>)
   else()
-    message(FATAL_ERROR "assur_add_solver: no generator that runs here; build assur with "
-      "ASSUR_BUILD_GENERATOR, or set ASSUR_GENERATOR_EXECUTABLE to the command assur")
+    message(FATAL_ERROR "assur_add_solver: no generator that runs here; install the command "
+      "assur, build it with ASSUR_BUILD_GENERATOR, or set ASSUR_GENERATOR_EXECUTABLE to it")
   endif()
   get_filename_component(stem ${scene} NAME)
   string(REGEX REPLACE "\\.[^.]*$" "" stem ${stem})

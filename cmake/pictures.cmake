@@ -1,5 +1,5 @@
-# Turns the examples into the pictures of docs/ and the README that `assur draw` makes.
-# cmake -DASSUR=build/assur -DEXAMPLES=examples -DOUTPUT=docs -DWORK=build/pictures -P pictures.cmake
+# Turns the examples into the pictures of docs/guide and the README that `assur draw` makes.
+# cmake -DASSUR=build/assur -DEXAMPLES=examples -DOUTPUT=docs/guide -DWORK=build/pictures -P pictures.cmake
 file(MAKE_DIRECTORY ${WORK})
 
 function(draw scene file)

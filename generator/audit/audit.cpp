@@ -37,11 +37,15 @@ bool AuditReport::agrees() const {
 }
 
 AuditReport audit_text(const std::string& text, const std::string& file, const SceneReader& scenes,
-                       const RunPermission& run) {
+                       const RunPermission& run, const text::Progress& progress) {
   const std::vector<closures::Statement> statements = closures::parse_statements(text, file);
   Auditor auditor(file, scenes, run, turned_closures(statements, file));
+  std::uint64_t done = 0;
   for (const closures::Statement& statement : statements) {
     auditor.read(statement);
+    if (progress) {
+      progress(++done, statements.size());
+    }
   }
   AuditReport report = auditor.report();
   if (report.statements.empty()) {
@@ -51,9 +55,9 @@ AuditReport audit_text(const std::string& text, const std::string& file, const S
   return report;
 }
 
-AuditReport audit_file(const std::string& file, const SceneReader& scenes,
-                       const RunPermission& run) {
-  return audit_text(text::read_input_file(file), file, scenes, run);
+AuditReport audit_file(const std::string& file, const SceneReader& scenes, const RunPermission& run,
+                       const text::Progress& progress) {
+  return audit_text(text::read_input_file(file), file, scenes, run, progress);
 }
 
 }  // namespace assur::generator::audit

@@ -1,6 +1,7 @@
 // Turns audit files into reports: what a source prints against what the derivation says.
 #pragma once
 
+#include <assur/text/progress.hpp>
 #include <functional>
 #include <map>
 #include <string>
@@ -23,13 +24,16 @@ struct RunPermission {
   running::RunLimits limits;
 };
 
-/// Reads and audits one file; docs/audit_format.md tells its form. Other files that it names are
-/// found from its own directory, scenes by `scenes`. Throws InputError with the place of what
-/// cannot be used; a printed formula that cannot be read is a finding.
+/// Reads and audits one file; docs/reference/audit_format.md tells its form. Other files that it
+/// names are found from its own directory, scenes by `scenes`. Throws InputError with the place of
+/// what cannot be used; a printed formula that cannot be read is a finding. Progress
+/// counts statements.
 [[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
-                                     const RunPermission& run = {});
+                                     const RunPermission& run = {},
+                                     const text::Progress& progress = {});
 /// The same from text; `file` is its name in messages. Without `scenes` it may name none.
 [[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file,
-                                     const SceneReader& scenes = {}, const RunPermission& run = {});
+                                     const SceneReader& scenes = {}, const RunPermission& run = {},
+                                     const text::Progress& progress = {});
 
 }  // namespace assur::generator::audit

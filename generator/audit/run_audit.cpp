@@ -59,10 +59,9 @@ class ProgramAudit {
  private:
   /// At how many points, under which conditions, and what that is worth.
   [[nodiscard]] std::string remark() const {
-    std::string text =
-        "computed at " + std::to_string(asked_.size()) +
-        (drawing_.assembled() ? " assembled" : "") + " rational points" +
-        (drawing_.assembled() == expected_.on_closures ? "" : ", none of them assembled");
+    std::string text = "computed at " + std::to_string(asked_.size()) +
+                       (drawing_.assembled() ? " assembled" : "") + " rational points" +
+                       (drawing_.assembled() == expected_.on_closures ? "" : ", not assembled");
     for (const closures::PlacedText& condition : run_.where) {
       text += (&condition == &run_.where[0] ? " where " : " and ") + condition.text + " > 0";
     }

@@ -20,7 +20,7 @@ double number(const PlacedText& text, double least, double most) {
   const char* const end = text.text.data() + text.text.size();
   const auto [last, error] = std::from_chars(text.text.data(), end, value);
   if (error != std::errc() || last != end || !(value >= least && value <= most)) {
-    throw FormulaError("'" + text.text + "' is no number that can stand here", text.place);
+    throw FormulaError("'" + text.text + "' is not a number that can stand here", text.place);
   }
   return value;
 }

@@ -135,7 +135,7 @@ class Guesser {
       const std::string text = closures::formula_text(term);
       if (holds(derived_ - term)) return "the term " + text + " is missing";
       if (holds(derived_ - 2 * term)) return "the term " + text + " has the wrong sign";
-      if (holds(derived_ + term)) return "the term " + text + " stands twice";
+      if (holds(derived_ + term)) return "the term " + text + " occurs twice";
       if (holds(derived_ - term / 2)) return "the term " + text + " lacks a factor 2";
     }
     return "";

@@ -1,7 +1,6 @@
 #include "campaign/csv_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/text/error.hpp>
 #include <charconv>
 #include <cmath>
@@ -15,31 +14,22 @@ namespace {
 
 using mechanism::Column;
 
-void add_number(double number, std::string& text) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number + 0.0).ptr;
-  text.append(digits.data(), end);
-}
+/// No cell is wider: numbers take 24 letters at most.
+constexpr std::size_t widest_cell = 32;
+static_assert(std::ranges::all_of(mechanism::outcome_words,
+                                  [](std::string_view word) { return word.size() < widest_cell; }));
 
-void add_cell(Column::Kind kind, double number, std::string& text) {
+/// Writes a cell where there is room for the widest, and gives its end.
+char* put_cell(Column::Kind kind, double number, char* at) {
   switch (kind) {
-    case Column::Kind::whole: {
-      std::array<char, 24> digits{};
-      const auto end = std::to_chars(digits.data(), digits.data() + digits.size(),
-                                     static_cast<std::int64_t>(number))
-                           .ptr;
-      text.append(digits.data(), end);
-      break;
-    }
+    case Column::Kind::whole:
+      return std::to_chars(at, at + widest_cell, static_cast<std::int64_t>(number)).ptr;
     case Column::Kind::outcome:
-      text += mechanism::outcome_words[static_cast<std::size_t>(number)];
-      break;
+      return std::ranges::copy(mechanism::outcome_words[static_cast<std::size_t>(number)], at).out;
     case Column::Kind::real:
-      if (std::isfinite(number)) {
-        add_number(number, text);
-      }
       break;
   }
+  return std::isfinite(number) ? std::to_chars(at, at + widest_cell, number + 0.0).ptr : at;
 }
 
 class CsvWriter : public TableWriter {
@@ -79,7 +69,8 @@ class CsvReader : public TableReader {
     description_ = Description::read(written, name_);
     const std::vector<std::string> names = names_in_csv_head(line_);
     if (names.size() != description_.columns.size()) {
-      throw text::InputError(name_ + ": its columns and their names are not as many");
+      throw text::InputError(name_ +
+                             ": the number of columns differs from the number of their names");
     }
     for (std::size_t column = 0; column < names.size(); ++column) {
       description_.columns[column].name = names[column];
@@ -114,7 +105,7 @@ class CsvReader : public TableReader {
     for (std::size_t column = 0; column < description_.columns.size(); ++column) {
       if (column > 0) {
         if (at == end || *at != ',') {
-          refuse("it has not as many cells as there are columns");
+          refuse("it has fewer cells than there are columns");
         }
         ++at;
       }
@@ -132,7 +123,7 @@ class CsvReader : public TableReader {
     if (kind == Column::Kind::outcome) {
       const auto* const word = std::ranges::find(mechanism::outcome_words, cell);
       if (word == mechanism::outcome_words.end()) {
-        refuse("'" + std::string(cell) + "' is no outcome");
+        refuse("'" + std::string(cell) + "' is not an outcome");
       }
       return static_cast<double>(word - mechanism::outcome_words.begin());
     }
@@ -142,7 +133,7 @@ class CsvReader : public TableReader {
     double number = 0;
     const auto [at, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
     if (error != std::errc() || at != cell.data() + cell.size() || !std::isfinite(number)) {
-      refuse("'" + std::string(cell) + "' is no number");
+      refuse("'" + std::string(cell) + "' is not a number");
     }
     return number;
   }
@@ -192,17 +183,16 @@ std::vector<std::string> names_in_csv_head(const std::string& line) {
 }
 
 std::string csv_lines(const std::vector<Column>& columns, const std::vector<double>& rows) {
-  std::string text;
-  text.reserve(rows.size() * 20);
-  for (std::size_t at = 0; at < rows.size(); at += columns.size()) {
-    for (std::size_t column = 0; column < columns.size(); ++column) {
-      if (column > 0) {
-        text += ',';
-      }
-      add_cell(columns[column].kind, rows[at + column], text);
+  std::string text(rows.size() * (widest_cell + 1), '\0');
+  char* at = text.data();
+  for (auto row = rows.begin(); row != rows.end();) {
+    for (const Column& column : columns) {
+      at = put_cell(column.kind, *row++, at);
+      *at++ = ',';
     }
-    text += '\n';
+    at[-1] = '\n';
   }
+  text.resize(static_cast<std::size_t>(at - text.data()));
   return text;
 }
 

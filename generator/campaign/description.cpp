@@ -35,8 +35,9 @@ Shard shard_of(const std::string& text, const std::string& option) {
   const Shard shard{whole_number(text.substr(0, slash)),
                     has_both ? whole_number(text.substr(slash + 1)) : 0};
   if (shard.number < 1 || shard.number > shard.count || shard.count > most_shards) {
-    throw text::InputError(option + ": '" + text +
-                           "' is no part; expected I/N with 1 <= I <= N <= 1000000, such as 1/8");
+    throw text::InputError(
+        option + ": '" + text +
+        "' is not a part; expected I/N with 1 <= I <= N <= 1000000, such as 1/8");
   }
   return shard;
 }
@@ -98,7 +99,7 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
                               const std::string& where) {
   Description result;
   const auto refuse = [&where](const std::string& what) {
-    throw text::InputError(where + ": " + what + ": it is no table of a campaign");
+    throw text::InputError(where + ": " + what + ": it is not a table of a campaign");
   };
   for (const auto& [name, text] : written) {
     if (name == "items") {

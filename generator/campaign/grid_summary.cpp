@@ -55,7 +55,7 @@ GridSummary::GridSummary(Description description, const std::string& where)
   if (axes_.empty() || items != description_.items || items > mechanism::most_cells ||
       description_.columns.size() < before_outputs ||
       description_.columns[before_outputs - 1].kind != mechanism::Column::Kind::outcome) {
-    throw text::InputError(where + ": it is no table of a map: its axes do not fit its cells");
+    throw text::InputError(where + ": it is not a table of a map: its axes do not fit its cells");
   }
   const auto [first, last] =
       mechanism::part_of(items, description_.shard.number, description_.shard.count);

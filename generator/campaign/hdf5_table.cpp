@@ -246,7 +246,7 @@ class Hdf5Reader : public TableReader {
 
  private:
   [[noreturn]] void refuse() const {
-    throw text::InputError(name_ + ": it is no table of a campaign in HDF5, or not whole");
+    throw text::InputError(name_ + ": it is not a complete table of a campaign in HDF5");
   }
   [[nodiscard]] hid_t expected(hid_t result) const {
     if (result < 0) {

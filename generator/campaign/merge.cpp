@@ -44,7 +44,7 @@ ShardFiles shard_files(const std::vector<std::filesystem::path>& files) {
       first = description;
     }
     if (const std::string why = difference(description, *first); !why.empty()) {
-      throw text::InputError(file.string() + ": it is no part of the same campaign as " +
+      throw text::InputError(file.string() + ": it is not a part of the same campaign as " +
                              files.front().string() + ": " + why);
     }
     if (description.shard.count != first->shard.count) {

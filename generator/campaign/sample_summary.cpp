@@ -143,7 +143,7 @@ SampleSummary::SampleSummary(Description description, const std::string& where)
     : description_(std::move(description)) {
   if (description_.columns.size() < columns_before_outputs ||
       description_.columns[1].kind != mechanism::Column::Kind::outcome) {
-    throw text::InputError(where + ": it is no table of a sample: its columns are others");
+    throw text::InputError(where + ": it is not a table of a sample: its columns differ");
   }
   const std::size_t numbers = description_.columns.size() - columns_before_outputs;
   const std::vector<double> nominal = description_.numbers_of("nominal");
@@ -154,7 +154,7 @@ SampleSummary::SampleSummary(Description description, const std::string& where)
   for (const auto* list : {&nominal, &worst_case, &rss, &mean_shift}) {
     if (list->size() != numbers || covariance.size() != numbers / 2 * 3) {
       throw text::InputError(where +
-                             ": it is no table of a sample: numbers of its outputs are missing");
+                             ": it is not a table of a sample: numbers of its outputs are missing");
     }
   }
   for (std::size_t output = 0; output < numbers / 2; ++output) {

@@ -48,7 +48,7 @@ class SampleSummary {
   std::array<std::uint64_t, mechanism::outcome_words.size()> counts_{}, first_{};
 };
 
-/// What a sample's description has beside the columns; see docs/campaigns.md.
+/// What a sample's description has beside the columns; see docs/guide/campaigns.md.
 void describe_nominal(const std::vector<mechanism::NominalPoint>& points, Description& description);
 
 /// For people, and as JSON.

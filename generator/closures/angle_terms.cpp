@@ -32,7 +32,7 @@ void add_terms(const GiNaC::ex& angle, int factor, const ClosureSystem& system, 
   }
   if (base.is_equal(1) || !multiple.is_integer() || abs(multiple) > max_multiple) {
     throw NotAlgebraic("the angle '" + formula_text(expanded) +
-                       "' is no whole multiple of one declared; declare an angle for it");
+                       "' is not a whole multiple of a declared angle; declare an angle for it");
   }
   const int count = multiple.to_int();
   const GiNaC::ex* definition = system.definition_of(base);

@@ -145,7 +145,7 @@ equations::Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
     factor *= quarter_turns ? 2 : 1;
     if (!factor.is_integer() || abs(factor) > max_multiple) {
       throw NotAlgebraic("the angle " + formula_text(term) +
-                         " is no whole multiple of one declared");
+                         " is not a whole multiple of a declared angle");
     }
     const equations::Vector2 step =
         quarter_turns ? equations::Vector2{0, 1} : direction_of_term(base);

@@ -14,7 +14,7 @@ class ClosureReader {
  public:
   explicit ClosureReader(std::string file) : file_(std::move(file)) {}
 
-  /// False if the statement is none of these; it then becomes the one that `fail` speaks of.
+  /// False if the statement is not one of these; it then becomes the one that `fail` speaks of.
   [[nodiscard]] bool read(const Statement& statement);
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::string& source() const { return source_; }

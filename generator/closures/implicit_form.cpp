@@ -100,7 +100,7 @@ class Translation {
   GiNaC::ex scalar(const GiNaC::ex& expression) {
     if (GiNaC::is_a<GiNaC::numeric>(expression)) {
       if (!expression.info(GiNaC::info_flags::rational)) {
-        throw NotAlgebraic("'" + text(expression) + "' is no real number");
+        throw NotAlgebraic("'" + text(expression) + "' is not a real number");
       }
       return expression;
     }

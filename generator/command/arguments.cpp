@@ -16,9 +16,9 @@ bool has(const std::vector<std::string>& words, const std::string& word) {
 }  // namespace
 
 std::string complaint_of_word(const std::string& word, const std::vector<std::string>& words) {
-  return has(words, word)
-             ? ""
-             : "'" + word + "' is none of " + text::listed(words) + text::suggestion(word, words);
+  return has(words, word) ? ""
+                          : "'" + word + "' is not one of " + text::listed(words) +
+                                text::suggestion(word, words);
 }
 
 std::string complaint_of_number(const std::string& text) {

@@ -13,7 +13,7 @@ namespace assur::generator::command {
 /// What is wrong with the text of a whole number from 1 on: nothing if it is one.
 [[nodiscard]] std::string complaint_of_number(const std::string& text);
 
-/// The first word of a command line that looks like an option and is none of these; nothing if
+/// The first word of a command line that looks like an option and is not one of these; nothing if
 /// there is no such word.
 [[nodiscard]] std::string complaint_of_options(const std::vector<std::string>& words,
                                                const std::vector<std::string>& options);

@@ -9,6 +9,7 @@
 #include "audit/latex/paper_audit.hpp"
 #include "audit/scene/scene_values.hpp"
 #include "command/output.hpp"
+#include "command/progress.hpp"
 
 namespace assur::generator::command {
 
@@ -21,12 +22,15 @@ bool run_audit(const AuditOptions& options) {
     run.flags.push_back(flag);
   }
   std::vector<audit::AuditReport> reports;
+  ProgressBar bar;
+  const auto show = [&bar](std::uint64_t done, std::uint64_t count) { bar.show(done, count); };
   for (const std::string& file : options.files) {
     if (options.map.empty() && file.ends_with(".tex")) {
       throw text::InputError(file + ": say what its notation stands for, in a file: --map FILE");
     }
-    reports.push_back(options.map.empty() ? audit::audit_file(file, audit::scene::scene_values, run)
-                                          : audit::latex::audit_paper(file, options.map));
+    reports.push_back(options.map.empty()
+                          ? audit::audit_file(file, audit::scene::scene_values, run, show)
+                          : audit::latex::audit_paper(file, options.map));
   }
   print(options.format == "json"       ? audit::audit_report_json(reports)
         : options.format == "markdown" ? audit::audit_report_markdown(reports)

@@ -4,9 +4,7 @@
 #include <assur/text/error.hpp>
 #include <assur/text/input_file.hpp>
 #include <charconv>
-#include <chrono>
 #include <cmath>
-#include <iostream>
 #include <optional>
 #include <thread>
 
@@ -15,6 +13,7 @@
 #include "campaign/table_file.hpp"
 #include "command/progress.hpp"
 #include "command/ranks.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -90,7 +89,7 @@ CampaignFiles files_of(const CampaignOptions& options) {
   }
   if (!campaign::shard_of(options.shard, "--shard").is_whole()) {
     throw text::InputError(files.picture.string() +
-                           ": a shard alone has no picture; merge all of them with one");
+                           ": a single shard has no picture; draw it when the shards are merged");
   }
   campaign::expect_new(files.picture, options.force);
   return files;
@@ -118,20 +117,17 @@ bool compute(const CampaignOptions& options, const CampaignFiles& files,
   const Ranks ranks;
   const std::uint64_t items =
       description.items / description.shard.count / ranks.count();  // about: for the bar alone
-  std::optional<ProgressBar> bar;
-  if (!options.quiet && ranks.is_first()) {
-    bar.emplace(std::max<std::uint64_t>(1, items), std::chrono::seconds(1));
-  }
+  ProgressBar bar;
   campaign::Execution execution{
       campaign, description, files.table, options.force, threads_of(options, ranks), nullptr};
-  execution.progress = [&bar](std::uint64_t done) {
-    if (bar) {
-      bar->show(done);
+  execution.progress = [&](std::uint64_t done) {
+    if (ranks.is_first()) {
+      bar.show(done, items);
     }
   };
   if (ranks.count() == 1) {
-    if (campaign::is_computed(execution) && !options.quiet) {
-      std::cerr << files.table.string() << ": it is whole, and is not computed again\n";
+    if (campaign::is_computed(execution)) {
+      remarks() << files.table.string() << ": it is whole, and is not computed again\n";
     }
     campaign::execute(execution, use);
     return true;

@@ -21,7 +21,6 @@ struct CampaignOptions {
   std::string format = "text";
   int threads = 0;  ///< zero for as many as there are cores
   bool force = false;
-  bool quiet = false;
 };
 
 struct SampleOptions : CampaignOptions {

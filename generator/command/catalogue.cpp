@@ -149,6 +149,25 @@ std::string group_markdown(const structure::Group& group) {
   return text;
 }
 
+/// A line that goes on, indented, where it would be wider than a terminal.
+std::string wrapped(const std::string& line) {
+  constexpr std::size_t width = 80;
+  const std::string indent(9, ' ');
+  std::string text;
+  std::size_t begin = 0;
+  std::size_t room = width;
+  while (line.size() - begin > room) {
+    std::size_t end = line.rfind(' ', begin + room);
+    if (end == std::string::npos || end <= begin) {
+      break;  // a word alone is wider
+    }
+    text += line.substr(begin, end - begin) + "\n" + indent;
+    begin = end + 1;
+    room = width - indent.size();
+  }
+  return text + line.substr(begin) + "\n";
+}
+
 }  // namespace
 
 std::string catalogue_json() {
@@ -170,17 +189,18 @@ std::string catalogue_text() {
             std::to_string(structure::models_of(group).size()) + " models\n";
     for (const CatalogueEntry& entry : entries_of(group)) {
       const std::string number = std::to_string(entry.model->number);
-      text += std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", " +
-              (entry.mobility.rigid
-                   ? "at most " + std::to_string(entry.max_configurations) +
-                         (entry.max_configurations == 1 ? " configuration" : " configurations")
-                   : "mobility " + std::to_string(entry.mobility.freedom)) +
-              "  " + text::joined(entry.kinds, ", ") + "\n";
+      text +=
+          wrapped(std::string(5 - number.size(), ' ') + number + "  " + verdict(entry) + ", " +
+                  (entry.mobility.rigid
+                       ? "at most " + std::to_string(entry.max_configurations) +
+                             (entry.max_configurations == 1 ? " configuration" : " configurations")
+                       : "mobility " + std::to_string(entry.mobility.freedom)) +
+                  "  " + text::joined(entry.kinds, ", "));
       if (!entry.mobility.rigid) {
-        text += "         " + entry.mobility.reason + "\n";
+        text += wrapped("         " + entry.mobility.reason);
       }
       for (const std::string& disagreement : entry.disagreements) {
-        text += "         Table 2: " + disagreement + "\n";
+        text += wrapped("         Table 2: " + disagreement);
       }
     }
   }

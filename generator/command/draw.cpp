@@ -29,7 +29,9 @@ mechanism::Drawing standing(const Scene& scene, const DrawOptions& options) {
 
 void expect_standing(const DrawOptions& options) {
   if (options.moving) {
-    throw text::InputError("--moving: an .svg may move; an .html page does, an .dxf never");
+    throw text::InputError(
+        "--moving: only an .svg can be drawn in motion; an .html page moves by itself, a .dxf "
+        "never");
   }
 }
 
@@ -48,7 +50,8 @@ std::string dxf(const Source& source, const DrawOptions& options) {
 std::string page(const Source& source, const DrawOptions& options) {
   expect_standing(options);
   if (options.configuration > 0 || options.nearest) {
-    throw text::InputError("--configuration, --nearest: a page has all branches; leave this out");
+    throw text::InputError(
+        "--configuration, --nearest: a page has all branches; leave these options out");
   }
   return drawing_page(source.scene.mechanism, source.scene.request,
                       mechanism::SceneText{source.text, options.settings});

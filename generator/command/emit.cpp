@@ -4,10 +4,11 @@
 #include <array>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/names.hpp>
-#include <iostream>
 #include <iterator>
 #include <utility>
 
+#include "command/progress.hpp"
+#include "command/remarks.hpp"
 #include "emission/closures/emit_closures.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/scene/emit_scene.hpp"
@@ -73,7 +74,7 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(
         scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
-      std::cerr << "warning: " << file << ": " << warning << '\n';
+      remarks() << "warning: " << file << ": " << warning << '\n';
     }
     return emitted;
   } catch (const assur::mechanism::MechanismError& error) {
@@ -95,7 +96,9 @@ bool run_emit(const EmitOptions& options) {
   }
   std::vector<EmittedFile> files;
   if (options.all) {
-    files = emission::model::emit_all();
+    ProgressBar bar;
+    files = emission::model::emit_all(
+        [&bar](std::uint64_t done, std::uint64_t count) { bar.show(done, count); });
   } else if (!options.scene.empty()) {
     files = emitted_scene(options);
   } else if (!options.closures.empty()) {
@@ -120,7 +123,7 @@ bool run_emit(const EmitOptions& options) {
   }
   bool same = true;
   for (const std::filesystem::path& path : emission::cpp::differing_files(files, options.output)) {
-    std::cerr << "differs: " << path.generic_string() << '\n';
+    remarks() << "differs: " << path.generic_string() << '\n';
     same = false;
   }
   return same;

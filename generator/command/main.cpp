@@ -20,6 +20,7 @@
 #include "command/emit.hpp"
 #include "command/output.hpp"
 #include "command/ranks.hpp"
+#include "command/remarks.hpp"
 #include "command/solve.hpp"
 #include "document/render.hpp"
 
@@ -113,7 +114,7 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options,
       ->required()
       ->check(not_empty);
   command.add_option("--plot", options.plot, "a picture beside the table: .svg")->check(not_empty);
-  command.add_option("--format", options.format, "of the summary")
+  command.add_option("--format", options.format, "the form of the summary")
       ->check(one_of({"text", "json"}))
       ->capture_default_str();
   command.add_flag("--force", options.force, "replace files that exist");
@@ -127,10 +128,10 @@ void add_computing_options(CLI::App& command, CampaignOptions& options,
   command.add_option("--set", options.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
       ->take_all();
-  command.add_option("--shard", options.shard, "I/N: part I of N alone, for assur merge");
-  command.add_option("--threads", options.threads, "threads (default: one for each core)")
+  command.add_option("--shard", options.shard, "I/N: compute part I of N only, for assur merge");
+  command
+      .add_option("--threads", options.threads, "number of threads (default: one for each core)")
       ->check(CLI::Range(1, 1024));
-  command.add_flag("--quiet", options.quiet, "no bar and no remarks on standard error");
 }
 
 int run(int argc, char** argv) {
@@ -145,16 +146,14 @@ int run(int argc, char** argv) {
   std::function<int()> chosen;
 
   CatalogueOptions catalogue;
-  CLI::App* command =
-      app.add_subcommand("catalogue", "the kinds and models of each group, derived");
+  CLI::App* command = app.add_subcommand("catalogue", "list the kinds and models of each group");
   command->add_option("--format", catalogue.format)
       ->check(one_of({"text", "markdown", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
 
   DeriveOptions derivation;
-  command =
-      app.add_subcommand("derive", "the equations of a model, step by step, to read and audit");
+  command = app.add_subcommand("derive", "print the derivation of a model, step by step");
   command
       ->add_option("KIND_OR_MODEL", derivation.what, "a kind such as RRP-RRR, or a model's number")
       ->required();
@@ -168,12 +167,11 @@ int run(int argc, char** argv) {
   command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
 
   EmitOptions emit;
-  command = app.add_subcommand("emit", "write the C++ of models, of one scene, or of closures");
+  command = app.add_subcommand("emit", "write C++ for one scene, for models, or for closures");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
-  what->add_option("--scene", emit.scene, "a solver for one scene file (JSON) alone")
-      ->check(not_empty);
+  what->add_option("--scene", emit.scene, "a solver for one scene file (JSON)")->check(not_empty);
   what->add_option("--closures", emit.closures, "the closures that an audit file types")
       ->check(not_empty);
   what->require_option(1);
@@ -183,25 +181,25 @@ int run(int argc, char** argv) {
       ->delimiter(',');
   command
       ->add_option("--want", emit.wants,
-                   "with --scene: of position, velocity, acceleration, sensitivity those that the "
-                   "solver gives, instead of the scene's")
+                   "with --scene: the results that the solver gives (position, velocity, "
+                   "acceleration, sensitivity), in place of the scene's")
       ->delimiter(',');
   command
       ->add_option("--interface", emit.interface,
                    "with --scene: c writes a C header and its implementation beside the C++ header")
       ->check(one_of({"cpp", "c"}))
       ->capture_default_str();
-  command->add_option("--group", emit.group, "the group that --model means")
+  command->add_option("--group", emit.group, "the group that --model refers to")
       ->check(one_of(group_names()))
       ->capture_default_str();
   command->add_option("--output", emit.output, "directory to write to")
       ->required()
       ->check(not_empty);
-  command->add_flag("--check", emit.check, "write nothing; exit 1 if what is there differs");
+  command->add_flag("--check", emit.check, "write nothing; exit with 1 if a file would change");
   command->callback([&] { chosen = [&] { return run_emit(emit) ? exit_ok : exit_negative; }; });
 
   SolveOptions solve;
-  command = app.add_subcommand("solve", "the assembly configurations of a scene");
+  command = app.add_subcommand("solve", "find the assembly configurations of a scene");
   command->add_option("scene", solve.scene, "scene file (JSON)")->required()->check(not_empty);
   command->add_option("--set", solve.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
@@ -211,18 +209,18 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   command
       ->add_option("--branch", solve.branch,
-                   "report configuration N alone; of a sweep, the rows of branch N")
+                   "report configuration N only; of a sweep, the rows of branch N")
       ->type_name("N")
       ->check(whole_number_text);
   command
       ->add_flag("--nearest", solve.nearest,
-                 "report the configuration nearest to the scene's reference alone; of a sweep, "
+                 "report only the configuration nearest to the scene's reference; of a sweep, "
                  "the branch that begins there")
       ->excludes("--branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   DrawOptions draw;
-  command = app.add_subcommand("draw", "a picture of a scene, by the extension of its file");
+  command = app.add_subcommand("draw", "draw a scene as SVG, DXF or an interactive page");
   command->add_option("scene", draw.scene, "scene file (JSON)")->required()->check(not_empty);
   command->add_option("--output", draw.output, "file to write: .svg, .html or .dxf")
       ->required()
@@ -230,15 +228,15 @@ int run(int argc, char** argv) {
   command->add_option("--set", draw.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
       ->take_all();
-  command->add_option("--configuration", draw.configuration, "draw configuration N alone")
+  command->add_option("--configuration", draw.configuration, "draw configuration N only")
       ->type_name("N")
       ->check(whole_number_text);
   command
       ->add_flag("--nearest", draw.nearest,
-                 "draw the configuration nearest to the scene's reference alone")
+                 "draw only the configuration nearest to the scene's reference")
       ->excludes("--configuration");
   command->add_flag("--moving", draw.moving,
-                    ".svg: one branch of the sweep in motion, that which --configuration numbers");
+                    ".svg: draw a branch of the sweep in motion, numbered by --configuration");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);
@@ -248,10 +246,10 @@ int run(int argc, char** argv) {
 
   SampleOptions sample;
   command =
-      app.add_subcommand("sample", "a scene's outputs under random deviations within tolerances");
+      app.add_subcommand("sample", "solve a scene under random deviations within its tolerances");
   add_computing_options(*command, sample, not_empty);
-  command->add_option("--count", sample.count, "how many samples")->required();
-  command->add_option("--seed", sample.seed, "of the random numbers")->required();
+  command->add_option("--count", sample.count, "number of samples")->required();
+  command->add_option("--seed", sample.seed, "seed of the random numbers")->required();
   command
       ->add_option(
           "--branch", sample.branch,
@@ -266,7 +264,7 @@ int run(int argc, char** argv) {
   });
 
   MapOptions map;
-  command = app.add_subcommand("map", "a scene's configurations over a grid of parameters");
+  command = app.add_subcommand("map", "solve a scene over a grid of parameters");
   add_computing_options(*command, map, not_empty);
   command->add_option("--over", map.over, "the grid: X=from:to:count,Y=...")->required();
   command->callback([&] {
@@ -277,7 +275,7 @@ int run(int argc, char** argv) {
   });
 
   MergeOptions merge;
-  command = app.add_subcommand("merge", "the shards of a sample or a map into one table");
+  command = app.add_subcommand("merge", "put the shards of a sample or a map together");
   command->add_option("files", merge.files, "all shards, in any order")->required();
   add_campaign_options(*command, merge, not_empty);
   command->callback([&] {
@@ -287,7 +285,7 @@ int run(int argc, char** argv) {
     };
   });
 
-  command = app.add_subcommand("schema", "the JSON Schema of scene files");
+  command = app.add_subcommand("schema", "print the JSON Schema of scene files");
   command->callback([&] {
     chosen = [] {
       print(assur::mechanism::scene_schema());
@@ -296,7 +294,7 @@ int run(int argc, char** argv) {
   });
 
   AuditOptions audit;
-  command = app.add_subcommand("audit", "what a source prints against what the derivation says");
+  command = app.add_subcommand("audit", "compare what a source prints with the derivation");
   command->add_option("files", audit.files, "audit files, or papers in LaTeX with --map")
       ->required();
   command->add_option("--map", audit.map, "what the notation of the papers stands for")
@@ -306,12 +304,17 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   command->add_flag("--run", audit.run,
                     "compile and run the programs that 'printed run' names, on this machine");
-  command->add_option("--flags", audit.flags, "with --run: more flags for the compiler")
+  command->add_option("--flags", audit.flags, "with --run: further flags for the compiler")
       ->allow_extra_args(false);
   command->add_option("--time-limit", audit.seconds, "with --run: seconds that a program may take")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
+
+  for (CLI::App* each : app.get_subcommands(nullptr)) {
+    each->add_flag_callback("--quiet", silence_remarks,
+                            "no progress bar and no remarks on standard error; errors alone");
+  }
 
   try {
     app.parse(argc, argv);

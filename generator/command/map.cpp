@@ -3,12 +3,12 @@
 #include <assur/mechanism/error.hpp>
 #include <assur/text/error.hpp>
 #include <cmath>
-#include <iostream>
 
 #include "campaign/grid_summary.hpp"
 #include "campaign/partial_file.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -48,9 +48,10 @@ std::vector<WrittenAxis> written_axes(const std::string& over, mechanism::Mechan
                                                ? std::vector<std::string>()
                                                : parts_between(part.substr(equals + 1), ':');
     if (range.size() != 3) {
-      throw mechanism::MechanismError("--over", "'" + part +
-                                                    "' is no axis; expected NAME=FROM:TO:COUNT, "
-                                                    "such as phi=0:2*pi:361");
+      throw mechanism::MechanismError("--over",
+                                      "'" + part +
+                                          "' is not an axis; expected NAME=FROM:TO:COUNT, "
+                                          "such as phi=0:2*pi:361");
     }
     axes.push_back({mechanism.parameter_named(name, "--over"),
                     mechanism.add_number(range[0], where), mechanism.add_number(range[1], where),
@@ -86,7 +87,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
     settings = " --set " + axis->name + "=" + campaign::number_text(value) + settings;
     rest /= axis->count;
   }
-  std::cerr << refused << " cells are refused; assur solve" << settings
+  remarks() << refused << " cells are refused; assur solve" << settings
             << " tells why of the first\n";
 }
 
@@ -116,9 +117,7 @@ void map(const MapOptions& options, CampaignScene& scene) {
   if (!files.picture.empty()) {
     campaign::write_whole(files.picture, campaign::grid_picture(summary));
   }
-  if (!options.quiet) {
-    tell_refused_cells(summary);
-  }
+  tell_refused_cells(summary);
   print(options.format == "json" ? campaign::grid_json(summary) : campaign::grid_text(summary));
 }
 

@@ -8,6 +8,7 @@
 #include "campaign/sample_summary.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
+#include "command/progress.hpp"
 
 namespace assur::generator::command {
 
@@ -17,8 +18,13 @@ template <typename Summary, typename Picture, typename Text>
 void merge_and_report(const campaign::ShardFiles& shards, const CampaignFiles& files,
                       const Picture& picture, const Text& text) {
   Summary summary(shards.description, shards.files.front().string());
-  campaign::merge(shards, files.table,
-                  [&summary](const std::vector<double>& rows) { summary.add(rows); });
+  ProgressBar bar;
+  std::uint64_t done = 0;
+  campaign::merge(shards, files.table, [&](const std::vector<double>& rows) {
+    summary.add(rows);
+    done += rows.size() / shards.description.columns.size();
+    bar.show(done, shards.description.items);
+  });
   if (!files.picture.empty()) {
     campaign::write_whole(files.picture, picture(summary));
   }

@@ -6,21 +6,21 @@
 
 namespace assur::generator::command {
 
-/// One line that is drawn anew, and erased at the end; nothing before a time of silence is over.
-/// Where standard error is not a terminal, nothing is written.
+/// One line that is drawn anew, and erased at the end; nothing in the first second, so that what is
+/// quick has none. Where standard error is not a terminal, or remarks are silent, nothing is
+/// written.
 class ProgressBar {
  public:
-  explicit ProgressBar(std::uint64_t count, std::chrono::seconds silence = {});
+  ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
 
-  void show(std::uint64_t done);
+  void show(std::uint64_t done, std::uint64_t count);
 
  private:
-  std::uint64_t count_;
   int percent_ = -1;
-  bool terminal_;
+  bool is_drawn_;
   std::chrono::steady_clock::time_point begin_;
 };
 

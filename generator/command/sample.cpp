@@ -3,13 +3,13 @@
 #include <assur/mechanism/error.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
-#include <iostream>
 #include <limits>
 
 #include "campaign/partial_file.hpp"
 #include "campaign/sample_summary.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -43,7 +43,7 @@ void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::S
       settings += " --set " + mechanism.parameters()[sampling.deviations()[place].parameter].name +
                   "=" + campaign::number_text(numbers[place]);
     }
-    std::cerr << summary.count_of(outcome) << " samples are "
+    remarks() << summary.count_of(outcome) << " samples are "
               << mechanism::outcome_words[static_cast<std::size_t>(outcome)] << "; sample "
               << sample << ": " << sampling.reason_of(sample) << " (" << settings.substr(1)
               << ")\n";
@@ -78,9 +78,7 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
   if (!files.picture.empty()) {
     campaign::write_whole(files.picture, campaign::histogram_picture(summary));
   }
-  if (!options.quiet) {
-    tell_lost_samples(mechanism, sampling, summary);
-  }
+  tell_lost_samples(mechanism, sampling, summary);
   print(options.format == "json" ? campaign::sample_json(summary) : campaign::sample_text(summary));
 }
 

@@ -6,12 +6,12 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <cstdio>
-#include <iostream>
 #include <optional>
 #include <utility>
 
 #include "command/output.hpp"
 #include "command/progress.hpp"
+#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 
@@ -48,7 +48,7 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
   const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
   if (degenerate && options.format == "csv") {
-    std::cerr << "degenerate: " << solution.reason << '\n';
+    remarks() << "degenerate: " << solution.reason << '\n';
   }
   print(options.format == "csv"    ? csv_header(plan) + csv_rows(report)
         : options.format == "json" ? report_json(report)
@@ -102,8 +102,7 @@ std::string short_number(double number) {
   return text.data();
 }
 
-/// Tells each stretch of steps without configurations once, at its end: from where to where, and
-/// why.
+/// Tells each stretch of steps without configurations once, from where to where, and why.
 class StretchTeller {
  public:
   explicit StretchTeller(const mechanism::Plan& plan) : plan_(plan), values_(plan) {}
@@ -127,17 +126,24 @@ class StretchTeller {
     ++step_;
   }
 
+  /// Prints of the stretches those that have ended.
+  void tell() {
+    remarks() << text_;
+    text_.clear();
+  }
+
+  /// Ends the one that is open.
   void finish() {
     if (what_.empty()) {
       return;
     }
     const int count = step_ - first_;
     const std::string& name = plan_.mechanism().parameters()[plan_.request().sweep->parameter].name;
-    std::cerr << what_
-              << (count == 1 ? " at " + name + " = " + short_number(from_)
-                             : " from " + name + " = " + short_number(from_) + " to " +
-                                   short_number(to_) + " (" + std::to_string(count) + " steps)")
-              << reason_of_stretch(count) << '\n';
+    text_ += what_ +
+             (count == 1 ? " at " + name + " = " + short_number(from_)
+                         : " from " + name + " = " + short_number(from_) + " to " +
+                               short_number(to_) + " (" + std::to_string(count) + " steps)") +
+             reason_of_stretch(count) + '\n';
     what_.clear();
     breaches_.clear();
   }
@@ -169,8 +175,9 @@ class StretchTeller {
     const std::string reason = plan_.obstacle(values);
     if (reason.empty()) {  // there, it can be assembled alone
       return plan_.structure().reading.empty()
-                 ? ": at " + short_number(place) + ", the links reach but for rounding"
-                 : ": angles that laws read are counted on from the first step; alone, with angles "
+                 ? ": at " + short_number(place) + ", the links reach to within rounding"
+                 : ": angles that laws read count whole turns from the first step; by itself, with "
+                   "angles "
                    "in (-pi, pi], it can be assembled at " +
                        short_number(place);
     }
@@ -180,12 +187,13 @@ class StretchTeller {
   const mechanism::Plan& plan_;
   SweptValues values_;
   std::string what_, reason_;  ///< of the stretch that is open; nothing where there is none
+  std::string text_;           ///< of those that have ended
   std::vector<mechanism::LimitBreach> breaches_;  ///< in it
   int step_ = 0, first_ = 0;
   double from_ = 0, to_ = 0;
 };
 
-/// A value that a sweep replaces is none of its parameters'.
+/// A value that a sweep replaces is not one of its parameters'.
 void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& options) {
   const std::string& parameter =
       plan.mechanism().parameters()[plan.request().sweep->parameter].name;
@@ -203,7 +211,7 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(static_cast<std::uint64_t>(range.count));
+  ProgressBar bar;
   bool degenerate = false;
   int last_branch = 0;
   bool has_row = false;
@@ -231,20 +239,22 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done));
+    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
     if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
+      stretches.tell();
     }
   };
   const int branches = sweep(plan, {record, judge, step_done});
-  stretches.finish();
   expect_branch(options, branches, "branch");
   print(text);
+  stretches.finish();
+  stretches.tell();
   if (options.branch > 0 && !has_row) {
-    std::cerr << "branch " << options.branch
-              << " has no row: it is beyond the limits of joints, or breaks constraints that are "
-                 "too many, at every step\n";
+    remarks() << "branch " << options.branch
+              << " has no row: at every step it is beyond the limits of joints, or breaks "
+                 "redundant constraints\n";
   }
   return degenerate;
 }
@@ -254,7 +264,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  ProgressBar bar(static_cast<std::uint64_t>(range.count));
+  ProgressBar bar;
   bool degenerate = false;
   std::string text = csv_header(plan);
   StretchTeller stretches(plan);
@@ -264,18 +274,20 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done));
+    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
     if (done > 1) {
       print(text);
       text.clear();
+      stretches.tell();
     }
   };
   const auto end =
       sweep_branch(plan, static_cast<std::size_t>(options.branch), {record, judge, step_done});
-  stretches.finish();
   print(text);
+  stretches.finish();
+  stretches.tell();
   if (end) {
-    std::cerr << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
+    remarks() << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
               << " = " << short_number(*end) << ": it folds there, or comes too close to another\n";
   }
   return degenerate;

@@ -34,7 +34,7 @@ void expect_utf8(const std::string& text, const std::string& file) {
     }
     if (!good) {
       throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
-                             " is no UTF-8; save the file in that encoding");
+                             " is not UTF-8; save the file as UTF-8");
     }
     at += length;
   }

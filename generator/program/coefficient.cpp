@@ -1,5 +1,7 @@
 #include "program/coefficient.hpp"
 
+#include <sstream>
+
 namespace assur::generator::program {
 
 Coefficient::Coefficient(const GiNaC::numeric& value, const GiNaC::ex& origin)
@@ -8,6 +10,12 @@ Coefficient::Coefficient(const GiNaC::numeric& value, const GiNaC::ex& origin)
   if (is_zero() || !scales()) {
     origin_ = value_;
   }
+}
+
+std::string Coefficient::text() const {
+  std::ostringstream digits;
+  digits << value_;
+  return digits.str();
 }
 
 Coefficient& Coefficient::operator+=(const Coefficient& other) {

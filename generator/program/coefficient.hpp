@@ -3,6 +3,8 @@
 
 #include <ginac/ginac.h>
 
+#include <string>
+
 namespace assur::generator::program {
 
 /// A rational number, and the expression in named constants that it is: 25/16, which is `BC`.
@@ -20,6 +22,7 @@ class Coefficient {
   [[nodiscard]] bool is_negative() const { return value_.is_negative(); }
   /// Neither of 1 and -1.
   [[nodiscard]] bool scales() const { return GiNaC::abs(value_) != 1; }
+  [[nodiscard]] std::string text() const;  ///< of the value: `25/16`
   [[nodiscard]] Coefficient size() const { return is_negative() ? -*this : *this; }
 
   Coefficient& operator+=(const Coefficient& other);

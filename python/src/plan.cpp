@@ -139,7 +139,7 @@ void bind_plan(py::module_& module) {
           ByPlace("number "), ByPlace("values ") = py::none(), py::pos_only(),
           "solve_one(self, number, values=None, /, **parameters)\n--\n\n"
           "The configuration of a number, from 1, alone in a Solution.\n\n"
-          "Raises SceneError where there is none of that number, and as solve does.")
+          "Raises SceneError where there is not one of that number, and as solve does.")
       .def(
           "solve_nearest",
           [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {

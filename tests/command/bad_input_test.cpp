@@ -62,7 +62,7 @@ constexpr std::array<Fault, 93> faults = {{
     {"ReferenceNoText", "/joints/B/between/1", "1", "joints.B.between[1]: expected a text"},
     {"BetweenTooShort", "/joints/B/between", "[\"rod.B\"]", "expected two or more features"},
     {"BetweenNoList", "/joints/B/between", "\"rod.B\"", "expected two or more features"},
-    {"LinkTwiceInJoint", "/joints/B/between/0", "\"rod.E\"", "stands twice in one joint"},
+    {"LinkTwiceInJoint", "/joints/B/between/0", "\"rod.E\"", "occurs twice in one joint"},
     {"UnknownJointType", "/joints/B/type", "\"revolut\"",
      "joints.B.type: no joint type 'revolut' (did you mean 'revolute'?)"},
     {"JointTypeMissing", "/joints/B/type", "", "joints.B: the key 'type' is missing"},
@@ -77,7 +77,8 @@ constexpr std::array<Fault, 93> faults = {{
     {"CoordinateNoNumber", "/links/rod/B", "[true, 0]",
      "links.rod.B[0]: expected a number or an expression, found boolean"},
     {"LineWithoutSense", "/links/rod/slide/along", "[0, 0]",
-     "links.rod.slide.along: [0, 0] is no direction; one of the numbers must not be zero"},
+     "links.rod.slide.along: [0, 0] has no direction; at least one of the numbers must not be "
+     "zero"},
     {"LineWithoutPoint", "/links/rod/slide/through", "", "the key 'through' is missing"},
     {"UnknownLineKey", "/links/rod/slide/angle", "0", "links.rod.slide: unknown key 'angle'"},
     {"UnknownParameter", "/links/rod/E", "[\"BEE\", 0]",
@@ -120,7 +121,7 @@ constexpr std::array<Fault, 93> faults = {{
      "covariance.parameters[1]: no parameter named 'AC' (did you mean"},
     {"CovarianceTwice", "/covariance",
      "{\"parameters\": [\"AB\", \"AB\"], \"matrix\": [[1, 0], [0, 1]]}",
-     "covariance.parameters[1]: the parameter 'AB' stands twice"},
+     "covariance.parameters[1]: the parameter 'AB' occurs twice"},
     {"CovarianceNoMatrix", "/covariance", "{\"parameters\": [\"AB\"], \"matrix\": 1}",
      "covariance.matrix: expected a row for each of the parameters, 1 in all"},
     {"CovarianceRowMissing", "/covariance",
@@ -189,7 +190,7 @@ constexpr std::array<Fault, 93> faults = {{
      "report.links: expected a list of the names of links"},
     {"ReportUnknownLink", "/report", R"({"links": ["rood"]})",
      "report.links[0]: no link named 'rood' (did you mean 'rod'?)"},
-    {"ReportTwice", "/report", R"({"links": ["rod", "rod"]})", "report.links: 'rod' stands twice"},
+    {"ReportTwice", "/report", R"({"links": ["rod", "rod"]})", "report.links: 'rod' occurs twice"},
     {"ReportOfPin", "/report", R"({"joints": ["B"]})",
      "report.joints: the joint 'B' is revolute and has no displacement"},
     {"ReferenceUnknownLink", "/reference", R"({"rood": 1})",
@@ -239,7 +240,7 @@ TEST(BadFile, Empty) {
 TEST(BadFile, KeyTwice) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", R"({"name": "a", "name": "b"})");
-  expect_one_line(run_assur("solve " + file.string()), "the key 'name' stands twice");
+  expect_one_line(run_assur("solve " + file.string()), "the key 'name' occurs twice");
 }
 TEST(BadFile, NumberOutOfRange) {
   const TemporaryDirectory directory;
@@ -315,9 +316,9 @@ TEST(BadArguments, SuggestWhatWasMeant) {
       {"solve --fromat=json", "solve: no option '--fromat' (did you mean '--format'?)"},
       {"emit --sceen " + scene, "emit: no option '--sceen' (did you mean '--scene'?)"},
       {"solve --format jsn " + scene,
-       "--format: 'jsn' is none of text, json, csv (did you mean 'json'?)"},
+       "--format: 'jsn' is not one of text, json, csv (did you mean 'json'?)"},
       {"derive RRR-RRR --group tetrd",
-       "--group: 'tetrd' is none of dyad, triad, tetrad (did you mean"},
+       "--group: 'tetrd' is not one of dyad, triad, tetrad (did you mean"},
       {"solve --branch 0 " + scene, "--branch: expected a whole number from 1 on, found '0' (see"},
       {"solve --branch -1 " + scene,
        "--branch: expected a whole number from 1 on, found '-1' (see"},
@@ -334,6 +335,44 @@ TEST(BadArguments, SuggestWhatWasMeant) {
   for (const auto& [call, message] : calls) {
     expect_one_line(run_assur(call), message);
   }
+}
+
+/// A cylinder whose ends meet: it has no direction, be its length a driver's or a parameter's.
+Json cylinder(const Json& position) {
+  Json scene;
+  const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
+  scene["parameters"]["long"] = 0;
+  scene["links"]["ground"] = {{"A", {0, 0}}, {"Q", {3, 0}}};
+  scene["links"]["crank"] = {{"A", {0, 0}}, {"P", {3, 0}}};
+  scene["links"]["tube"] = {{"Q", {0, 0}}, {"axis", axis}};
+  scene["links"]["rod"] = {{"P", {0, 0}}, {"axis", axis}};
+  const auto pin = [](const char* one, const char* other) {
+    return Json{{"type", "revolute"}, {"between", Json::array({one, other})}};
+  };
+  scene["joints"] = {
+      {"A", pin("ground.A", "crank.A")},
+      {"Q", pin("ground.Q", "tube.Q")},
+      {"P", pin("rod.P", "crank.P")},
+      {"S", {{"type", "prismatic"}, {"between", Json::array({"tube.axis", "rod.axis"})}}}};
+  scene["drivers"]["S"]["position"] = position;
+  return scene;
+}
+
+TEST(BadArguments, EmissionOfALengthThatIsZero) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  const std::string file = directory.write("cylinder.json", cylinder(0).dump()).string();
+  expect_one_line(run_assur("emit --scene " + file + " --output " + root),
+                  "a length that depends on drivers.S.position is zero at the scene's own numbers");
+}
+
+/// What a sweep has to say of its steps is not told of a branch that it does not have.
+TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
+  const TemporaryDirectory directory;
+  Json scene = cylinder("long");
+  scene["sweep"] = {{"parameter", "long"}, {"from", 0}, {"to", 0}, {"count", 3}};
+  const std::string file = directory.write("cylinder.json", scene.dump()).string();
+  expect_one_line(run_assur("solve --format csv --branch 3 " + file), "no branch 3; there are 0");
 }
 
 TEST(BadArguments, SettingThatASweepOverrides) {
@@ -356,7 +395,7 @@ TEST(BadArguments, UnknownModelOfAGroup) {
 }
 TEST(BadArguments, UnknownGroup) {
   expect_one_line(run_assur("emit --group pentad --model 1 --output /tmp"),
-                  "--group: 'pentad' is none of dyad, triad, tetrad");
+                  "--group: 'pentad' is not one of dyad, triad, tetrad");
 }
 TEST(BadArguments, OutputNotWritable) {
   expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");

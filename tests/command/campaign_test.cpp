@@ -115,16 +115,16 @@ TEST_F(Campaigns, TellAFileThatIsWholeFromAnother) {
 
 TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {sample + " --shard 9/8", "--shard: '9/8' is no part"},
-      {sample + " --shard 0/8", "--shard: '0/8' is no part"},
-      {sample + " --shard 1", "--shard: '1' is no part"},
+      {sample + " --shard 9/8", "--shard: '9/8' is not a part"},
+      {sample + " --shard 0/8", "--shard: '0/8' is not a part"},
+      {sample + " --shard 1", "--shard: '1' is not a part"},
       {sample + " --branch 3", "--branch: no configuration 3; there are 2"},
       {"sample " + four_bar + " --seed 1 --count 0", "--count: expected a whole number from 1"},
       {"sample " + four_bar + " --seed 1 --count 1e99", "--count: expected a whole number"},
       {"sample " + four_bar + " --seed -1 --count 3", "--seed: expected a whole number from 0"},
       {"sample gone.json --seed 1 --count 3", "gone.json: "},
       {"map " + four_bar + " --over phi=0:1:1e6,ground=1:2:1e6", "more than 1e8 cells"},
-      {"map " + four_bar + " --over phi=0:1", "'phi=0:1' is no axis"},
+      {"map " + four_bar + " --over phi=0:1", "'phi=0:1' is not an axis"},
       {"map " + four_bar + " --over phi=0:1:0", "--over phi: expected a whole number from 1"},
       {"map " + four_bar + " --over ph=0:1:3", "no parameter named 'ph'"},
       {"map " + four_bar + " --over phi=-1e308:1e308:3", "the range from FROM to TO"}};
@@ -132,7 +132,7 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
     EXPECT_NE(refusal(call, "x.csv").find(message), std::string::npos) << call;
   }
   EXPECT_NE(refusal(sample, "x.txt").find("end it in .csv or .h5"), std::string::npos);
-  EXPECT_NE(refusal(sample, "x.svg", "--shard 1/2").find("a shard alone has no picture"),
+  EXPECT_NE(refusal(sample, "x.svg", "--shard 1/2").find("a single shard has no picture"),
             std::string::npos);
   EXPECT_NE(refusal(sample, "gone/x.csv").find("cannot be written"), std::string::npos);
   if (!has_hdf5()) {

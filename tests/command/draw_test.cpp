@@ -61,8 +61,10 @@ TEST(Draw, RefusesWhatHasNoConfiguration) {
 }
 
 TEST(Draw, RefusesOptionsOfOtherForms) {
-  expect_refusal(four_bar + " --moving", "picture.dxf", "--moving: an .svg may move");
-  expect_refusal(four_bar + " --moving", "picture.html", "--moving: an .svg may move");
+  expect_refusal(four_bar + " --moving", "picture.dxf",
+                 "--moving: only an .svg can be drawn in motion");
+  expect_refusal(four_bar + " --moving", "picture.html",
+                 "--moving: only an .svg can be drawn in motion");
   expect_refusal(four_bar + " --configuration 1", "picture.html", "a page has all branches");
   expect_refusal(four_bar + " --moving --configuration 5", "picture.svg", "no branch 5");
 }

@@ -46,6 +46,19 @@ double number_after(const std::string& text, const std::string& words) {
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
 }
 
+/// A pin in a slot, which passes the rocker's pivot at a distance, is two joints of one name.
+TEST(NoAssembly, NamesAPinInASlotOnce) {
+  Json scene = four_bar(3);
+  scene["links"].erase("coupler");
+  scene["links"]["rocker"] = {{"D", {0, 0}}, {"slot", {{"through", {0, 9}}, {"along", {1, 0}}}}};
+  scene["joints"].erase("C");
+  scene["joints"]["B"] = {{"type", "pin-in-slot"}, {"between", {"crank.B", "rocker.slot"}}};
+  const Json answer = Json::parse(solved(scene, "json").output);
+  EXPECT_EQ(answer["status"], "no-assembly");
+  const std::string reason = answer["reason"];
+  EXPECT_NE(reason.find("the joints B, D fail to close by"), std::string::npos) << reason;
+}
+
 /// The four-bar closes, and a dyad on its coupler is too short in both of its configurations.
 TEST(NoAssembly, NamesTheGroupTheGapAndTheConfigurationsBeforeIt) {
   Json scene = four_bar(3);

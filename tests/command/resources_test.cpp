@@ -46,7 +46,7 @@ TEST(Resources, OfALongListing) {
   for (const std::string format : {"text", "json", "csv"}) {
     EXPECT_EQ(refusal_of(scene.dump(), "solve --format " + format),
               "there may be 536870912 configurations, and no more than 20000 can be listed; give "
-              "joints limits, or ask for one alone: for the nearest to a reference of more links, "
+              "joints limits, or ask for one only: for the nearest to a reference of more links, "
               "or by a "
               "low number\n");
   }
@@ -122,7 +122,7 @@ TEST(Resources, OfManyFamiliesAndNumbers) {
     GTEST_SKIP() << "takes a second and 0.9 GB: `ctest -L long`";
   }
   const std::string mend =
-      "; give joints limits, or ask for one alone: for the nearest to a reference of more links, "
+      "; give joints limits, or ask for one only: for the nearest to a reference of more links, "
       "or by a low number\n";
   Json scene = many_dyads(11, upright);
   scene["links"]["bar11"]["Q"] = scene["links"]["bar11"]["P"];

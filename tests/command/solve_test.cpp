@@ -49,7 +49,7 @@ TEST(WorkedMechanism, IsTheTetradThatThePaperNames) {
   EXPECT_EQ(root["groups"][0]["links"], Json({"rod", "lever", "slider", "bar"}));
 }
 
-// Values of an independent derivation in 30-digit arithmetic (docs/quintero_2011.md).
+// Values of an independent derivation in 30-digit arithmetic (docs/reports/quintero_2011.md).
 TEST(WorkedMechanism, AgreesWithAnIndependentDerivation) {
   const Json configuration = drawn_configuration();
   const Json& links = configuration["links"];

@@ -1,5 +1,5 @@
 // Law: every generated function performs as many operations as its header states, counted by a
-// scalar that counts; and the counts are those that docs/operations.md prints.
+// scalar that counts; and the counts are those that docs/reports/operations.md prints.
 #include <fstream>
 #include <map>
 #include <regex>
@@ -82,7 +82,7 @@ TYPED_TEST(Operations, AreAsManyAsTheHeaderStates) {
 }
 
 TEST(OperationTable, IsWhatTheHeadersState) {
-  std::ifstream file(ASSUR_DOCS "/operations.md");
+  std::ifstream file(ASSUR_DOCS "/reports/operations.md");
   const std::regex row(R"(\| (dyad|triad|tetrad) (\d+) \|.*)");
   const std::regex cell(R"((\d+), (\d+), (\d+))");
   const std::vector<std::string> columns = {"sensitivities", "motion", "sensitivities_and_motion",

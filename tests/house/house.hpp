@@ -147,7 +147,7 @@ class HouseCheck {
     }
   }
 
-  /// The file that an include means; empty where it is none of the house's.
+  /// The file that an include means; empty where it is not one of the house's.
   [[nodiscard]] std::string resolved(const std::string& path, const SourceLine& include) const {
     std::vector<std::string> directories = house_.include_directories;
     if (include.quoted) {

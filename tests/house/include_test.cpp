@@ -183,12 +183,13 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
        std::regex("detail/"
-                  "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts)|"
+                  "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
                   "closed_form|closure_geometry|completion|first_values|limit_turns|"
                   "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
                   "special_search)|"
-                  "support/(configuration_order|derivative_digits|discriminant|displaced_frame|"
-                  "flat_variables|limits|nearest|placed_link|position_polynomial|"
+                  "support/(batch_limits|batch_order|configuration_order|derivative_digits|"
+                  "discriminant|displaced_frame|flat_variables|limits|nearest|placed_link|"
+                  "position_polynomial|"
                   "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
       {"answers at a configuration",
        std::regex("batch_kinematics|branch_point|kinematics|normal_form|second_order|"
@@ -199,9 +200,9 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "polish|special_group|wider)")},
       {"all configurations, and branches", std::regex("assembly|batch|tracking")},
       {"whole mechanisms",
-       std::regex("assur|support/"
-                  "(displacement|flat_branch|placed_group|scene_search|scene_solve|scene_track|"
-                  "shared_search|specialised)")},
+       std::regex("assur|detail/batch/placed_pack|support/"
+                  "(batch_search|displacement|flat_branch|held_group|placed_group|scene_batch|"
+                  "scene_columns|scene_search|scene_solve|scene_track|shared_search|specialised)")},
   };
   return storeys;
 }

@@ -5,6 +5,7 @@
 #include <assur/assur.hpp>
 #include <assur/tetrad/model_01.hpp>
 #include <limits>
+#include <set>
 #include <string>
 
 namespace assur::test::status_test {
@@ -236,6 +237,15 @@ TEST(NormalForm, FillsDimensionsOnlyFromTheModelsLinks) {
   EXPECT_EQ(d.GF, 2);
   EXPECT_EQ(normal_form(ternary, 3, forms[3]), Status::ok);
   EXPECT_EQ((fill_dimensions<Model, double>(forms, d)), Status::singular);
+}
+
+TEST(AssemblyStatus, HasANameOfItsOwn) {
+  std::set<std::string> names;
+  for (int status = 0; status <= static_cast<int>(AssemblyStatus::unresolved); ++status) {
+    names.insert(to_string(static_cast<AssemblyStatus>(status)));
+  }
+  EXPECT_EQ(names.size(), 5U);
+  EXPECT_EQ(names.count("unknown"), 0U);
 }
 
 TEST(Version, IsThatOfTheProject) {

@@ -1,5 +1,6 @@
 // Turns families of tetrads into the errors and failures of every method: stability.json and the
-// columns of the chart, into a directory; the tables of docs/stability.md, on standard output.
+// columns of the chart, into a directory; the tables of docs/reports/stability.md, on standard
+// output.
 #include "output.hpp"
 
 int main(int count, char** arguments) {

@@ -40,7 +40,8 @@ std::optional<PrecisePoint> corner(const PrecisePoint& P, const PrecisePoint& Q,
   return PrecisePoint{P.x + along * dx - across * dy, P.y + along * dy + across * dx};
 }
 
-/// The foot in every configuration of the leg, by its triangles alone: docs/scenes.md draws them.
+/// The foot in every configuration of the leg, by its triangles alone; docs/guide/scenes.md draws
+/// them.
 std::vector<PrecisePoint> feet(double crank) {
   const auto length = [](double value) { return precise(value); };
   const Precise b = length(41.5);

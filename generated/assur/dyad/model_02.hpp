@@ -71,14 +71,14 @@ struct Model02 {
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 3.7e-13, regular_discriminant = 9.1e-07;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "CD_along_slide_B = 0: theta_CD free to first order",
   } };
@@ -445,7 +445,7 @@ struct Model02 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -471,8 +471,8 @@ struct Model02 {
     p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = CD_along_slide_B
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

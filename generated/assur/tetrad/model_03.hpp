@@ -82,7 +82,7 @@ struct Model03 {
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
   } };
@@ -622,7 +622,7 @@ struct Model03 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -655,7 +655,7 @@ struct Model03 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
   /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -810,8 +810,8 @@ struct Model03 {
         - Scalar(2) * q.theta_EDF.cos * v_s_F);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = (-s_C s_F - EDF_along_slide_C BCG_along_slide_F)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -1281,7 +1281,7 @@ struct Model03 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one a row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
   ///     e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>

@@ -80,14 +80,14 @@ struct Model04 {
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 4;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 7.92e-12, regular_discriminant = 0;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "BCG_across_GF = 0: theta_BCG free to first order",
       "sin(psi_D_CD) = 0: s_D free to first order",
@@ -627,7 +627,7 @@ struct Model04 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -656,7 +656,7 @@ struct Model04 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
   /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -808,8 +808,8 @@ struct Model04 {
     a(3, 1) = a_y_E - EF_y * t01 - (S_GF_y - GF_y) * t02;
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = BCG_across_GF sin(psi_D_CD) GF
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,

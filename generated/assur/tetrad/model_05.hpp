@@ -82,7 +82,7 @@ struct Model05 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
   } };
@@ -676,7 +676,7 @@ struct Model05 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -724,7 +724,7 @@ struct Model05 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
   /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -884,8 +884,8 @@ struct Model05 {
     a(3, 1) = a_y_E - S_GF_y * t01 - EF_y * t02;
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(s_C EDF_along_slide_G - EDF_along_slide_C s_G)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -1381,7 +1381,7 @@ struct Model05 {
     T.sine[2] = -Scalar(2) * (U_m2_re * U_0_im - U_m2_im * U_0_re);
   }
 
-  /// The reduced equations, one a row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
   ///     e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>

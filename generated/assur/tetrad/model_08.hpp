@@ -82,7 +82,7 @@ struct Model08 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
       "GF = 0: theta_GF free to first order",
@@ -670,7 +670,7 @@ struct Model08 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -706,7 +706,7 @@ struct Model08 {
   }
 
   /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the
+  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
   /// link's frame, in the directions of the fixed frame.
   template <typename Scalar>
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -853,8 +853,8 @@ struct Model08 {
     a(3, 1) = a_y_E - EF_y * t07 - (S_GF_y - GF_y) * t10;
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-EDF_across_CD cos_phi_B_minus_GF + cos_phi_B_minus_CD EDF_across_GF) GF CD
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1464,8 +1464,8 @@ struct Model08 {
     T.sine[3] = -Scalar(2) * (t13 + N_m1_im * O_m2_re);
   }
 
-  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
-  ///     = 0
+  /// The reduced equations, one per row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i,
+  ///     2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -77,14 +77,14 @@ struct Model17 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 0;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 4.17e-11, regular_discriminant = 0;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",
       "sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0: s_B, s_E free to first order",
@@ -870,7 +870,7 @@ struct Model17 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -935,8 +935,8 @@ struct Model17 {
     p(3, 1) = -t08;
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = sin(phi_B - phi_E) sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1589,7 +1589,7 @@ struct Model17 {
     T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
-  /// The reduced equations, one a row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
+  /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
   /// with z = s_E.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

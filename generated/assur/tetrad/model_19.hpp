@@ -77,14 +77,14 @@ struct Model19 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 4.6e-11, regular_discriminant = 0;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
   } };
@@ -775,7 +775,7 @@ struct Model19 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -834,8 +834,8 @@ struct Model19 {
         + t14) * omega_B) - omega_G_BCG * (Scalar(2) * t13 + t15);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-EDF_along_slide_C sin_psi_G_BCG + sin_psi_C_BCG EDF_along_slide_G)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1375,8 +1375,8 @@ struct Model19 {
     T.sine[1] = Scalar(2) * (f_m1_im * b_0_re - c_m1_im * e_0_re);
   }
 
-  /// The reduced equations, one a row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
-  ///     = 0
+  /// The reduced equations, one per row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i,
+  ///     2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -77,7 +77,7 @@ struct Model01 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, theta_BC free to first order",
       "FG = 0: theta_FG free to first order",
@@ -534,7 +534,7 @@ struct Model01 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -549,8 +549,8 @@ struct Model01 {
     p(0, 1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(CEG_across_DE BC_across_FG - BC_across_DE CEG_across_FG) FG DE
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -1169,7 +1169,7 @@ struct Model01 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) cos z + e(i, 1) sin z +
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) cos z + e(i, 1) sin z +
   ///     e(i, 2) = 0
   /// with z = theta_BC.
   template <typename Scalar>

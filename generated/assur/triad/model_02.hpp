@@ -77,7 +77,7 @@ struct Model02 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_C free to first order",
       "FG = 0: theta_FG free to first order",
@@ -596,7 +596,7 @@ struct Model02 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -620,8 +620,8 @@ struct Model02 {
         + Scalar(2) * q.theta_CEG.cos * v_s_C - Scalar(2) * q.theta_CEG.sin * t01);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-CEG_across_DE cos_CEG_minus_FG + cos_CEG_minus_DE CEG_across_FG) FG DE
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -1190,8 +1190,8 @@ struct Model02 {
     T.sine[3] = Scalar(2) * (t09 + FD_y * O_m2_re);
   }
 
-  /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
-  ///     = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
+  ///     2) = 0
   /// with z = s_C.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

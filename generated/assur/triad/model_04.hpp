@@ -77,17 +77,17 @@ struct Model04 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 6;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 0.000117, regular_discriminant = 0;
-  /// The same of what the formula divides by.
+  /// The same for the divisor of the formula.
   static constexpr int leading_degree = 2;
   static constexpr double leading_error = 3.52e-11;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "sin(psi_C_BC) = 0: s_B, s_C free to first order",
       "sin(theta_DE - theta_FG) = 0: s_B, s_C free to first order",
@@ -699,7 +699,7 @@ struct Model04 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -735,8 +735,8 @@ struct Model04 {
     p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -sin(psi_C_BC) sin(theta_DE - theta_FG) FG DE
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -1395,7 +1395,7 @@ struct Model04 {
     T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
   }
 
-  /// The reduced equations, one a row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
+  /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
   /// with z = s_C.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

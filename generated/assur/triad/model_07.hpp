@@ -77,17 +77,17 @@ struct Model07 {
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 2.13e-08, regular_discriminant = 0;
-  /// The same of what the formula divides by.
+  /// The same for the divisor of the formula.
   static constexpr int leading_degree = 0;
   static constexpr double leading_error = 1.09e-13;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0: s_B, s_C free to first order",
       "sin(psi_C_BC) = 0: s_B, s_C free to first order",
@@ -747,7 +747,7 @@ struct Model07 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -783,8 +783,8 @@ struct Model07 {
     p(1, 1) = omega_B * (Scalar(2) * t08 - slide_B_y * omega_B);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) sin(psi_C_BC) FG
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1427,7 +1427,7 @@ struct Model07 {
     T(2) = e_0_re * (e_0_re - f_1_re * b_1_re) + f_1_re * f_1_re;
   }
 
-  /// The reduced equations, one a row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
+  /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
   /// with z = s_C.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -77,7 +77,7 @@ struct Model14 {
   static constexpr int determinant_sign = 1;  ///< of det J against their product
 
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
   } };
@@ -686,7 +686,7 @@ struct Model14 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -721,8 +721,8 @@ struct Model14 {
         - Scalar(2) * u.phi_D.sin * v_h_D_DE);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = (-CEG_along_slide_D sin_phi_B_minus_CEG - sin_phi_B_minus_phi_D s_G)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1322,8 +1322,8 @@ struct Model14 {
     T.sine[2] = Scalar(2) * (c_m1_re * u.phi_B.cos - c_m1_im * u.phi_B.sin);
   }
 
-  /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
-  ///     = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
+  ///     2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -77,14 +77,14 @@ struct Model17 {
   static constexpr int determinant_sign = -1;  ///< of det J against their product
 
   static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
-  /// Where no length exceeds one, of the discriminant: what rounding does to it at most, and from
-  /// which on its roots are regular configurations, apart by more than rounding, that close; zero
-  /// where that does not follow.
+  /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
+  /// its roots are regular configurations that close and differ by more than rounding; zero where
+  /// that does not follow.
   static constexpr double discriminant_error = 1.63e-10, regular_discriminant = 0;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
                                        ///<     differs
 
-  /// What the vanishing of each pivot of the structured elimination means.
+  /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
   } };
@@ -741,7 +741,7 @@ struct Model17 {
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
-  /// what second rates add goes by the pose Jacobians.
+  /// second rates add their part by the pose Jacobians.
   template <typename Scalar>
   static void pose_curvatures(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
@@ -787,8 +787,8 @@ struct Model17 {
         - Scalar(2) * u.phi_F.sin * v_h_F_FG);
   }
 
-  /// What the elimination divides by: p, the core's pivots first. Beside it the size that each
-  /// could have in these loops, and the size of the terms of the core's determinant.
+  /// The divisors p of the elimination, pivots of the core first; the size that each could
+  /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-CEG_along_slide_D sin_phi_B_minus_phi_F + sin_phi_B_minus_phi_D CEG_along_slide_F)
   template <typename Scalar>
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1425,8 +1425,8 @@ struct Model17 {
     T.sine[1] = Scalar(2) * (f_m1_im * b_0_re - c_m1_im * e_0_re);
   }
 
-  /// The reduced equations, one a row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2)
-  ///     = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
+  ///     2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -15,7 +15,7 @@ using generator::latex::DisplayCommand;
 using generator::latex::Notations;
 using generator::latex::Tokens;
 
-/// What the paper's equations are read by. docs/audit_format.md tells the form of its file.
+/// What the paper's equations are read by; docs/reference/audit_format.md tells its file's form.
 class PaperMap {
  public:
   /// Throws InputError.
@@ -43,7 +43,7 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
-  /// Throws AuditSyntaxError where the map skips an equation that is none of these.
+  /// Throws AuditSyntaxError where the map skips an equation that is not one of these.
   void expect_skipped(const std::set<std::string>& labels) const;
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);

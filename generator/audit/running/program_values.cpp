@@ -189,7 +189,8 @@ std::vector<std::vector<double>> program_values(const UserProgram& program, cons
       char* last = nullptr;
       entries.push_back(std::strtod(word.c_str(), &last));
       if (last == word.c_str() || *last != '\0') {
-        throw ProgramError("gave '" + word.substr(0, 40) + "', which is no number", values.size());
+        throw ProgramError("gave '" + word.substr(0, 40) + "', which is not a number",
+                           values.size());
       }
     }
     if (entries.size() != count || values.size() == table.points.size()) {

@@ -171,11 +171,19 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
           cpp::page("model.hpp", view)};
 }
 
-std::vector<cpp::EmittedFile> emit_all() {
+std::vector<cpp::EmittedFile> emit_all(const text::Progress& progress) {
+  std::uint64_t count = 0;
+  for (const structure::Group& group : structure::known_groups()) {
+    count += structure::models_of(group).size();
+  }
   std::vector<cpp::EmittedFile> files;
+  std::uint64_t done = 0;
   for (const structure::Group& group : structure::known_groups()) {
     for (const structure::Model& model : structure::models_of(group)) {
       files.push_back(emit_model(model));
+      if (progress) {
+        progress(++done, count);
+      }
     }
     files.push_back(emit_model_list(group));
   }

@@ -173,7 +173,7 @@ std::vector<ModelFunction> model_functions(const equations::ClosureEquations& eq
   functions.push_back(
       {"pose_curvatures",
        {"d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;",
-        "what second rates add goes by the pose Jacobians."},
+        "second rates add their part by the pose Jacobians."},
        in.place_with({in.rates, in.dimension_rates, in.input_rates}),
        {{"Matrix<Scalar, link_count, 3>&", "p"}},
        results_of("p", derivatives.pose_curvature)});
@@ -231,7 +231,7 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
     const bool angle = elimination.second->is_angle();
     functions.push_back(
         {"second_equations",
-         {"The reduced equations, one a row, where " + elimination.first->name + " is known: " +
+         {"The reduced equations, one per row, where " + elimination.first->name + " is known: " +
               (angle ? "e(i, 0) cos z + e(i, 1) sin z + e(i, 2) = 0"
                      : "e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0"),
           "with z = " + elimination.second->name + "."},

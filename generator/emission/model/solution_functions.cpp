@@ -139,10 +139,10 @@ class SolutionFunctions {
   [[nodiscard]] NamingFunction degeneracies() const {
     NamingFunction result{
         {"degeneracies",
-         {"What the elimination divides by: p, the core's pivots first. Beside it the "
-          "size that each",
-          "could have in these loops, and the size of the terms of the core's "
-          "determinant.",
+         {"The divisors p of the elimination, pivots of the core first; the size that "
+          "each could",
+          "have in these loops; and the size of the terms of the determinant of the "
+          "core.",
           "det J = " + jacobian_.determinant_text()},
          parameters({}),
          {{"Vector<Scalar, pivot_count>&", "p"},

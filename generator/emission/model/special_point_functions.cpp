@@ -37,7 +37,7 @@ SpecialPointFunctions special_point_functions(const equations::ClosureEquations&
   ModelFunction lines{
       "special_point_lines",
       {"The lines n . S = c on which the unknowns move a special point in parallel,",
-       "along n: rows (n_x, n_y, c), two a closure link. S is measured from the origin of the",
+       "along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the",
        "link's frame, in the directions of the fixed frame."},
       {dimensions, inputs, configuration},
       {{"Matrix<Scalar, 2 * closure_link_count, 3>&", "lines"}},

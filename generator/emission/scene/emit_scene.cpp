@@ -5,6 +5,7 @@
 #include <assur/directions.hpp>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
+#include <functional>
 #include <iterator>
 
 #include "emission/cpp/cpp_text.hpp"
@@ -13,18 +14,11 @@
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
+#include "emission/scene/state_members.hpp"
 
 namespace assur::generator::emission::scene {
 
 namespace {
-
-cpp::View::List member_list(const std::vector<std::string>& members) {
-  cpp::View::List list;
-  for (const std::string& member : members) {
-    list.push_back(cpp::View("member", member));
-  }
-  return list;
-}
 
 /// Whether one of the lines names something.
 bool mention(const std::vector<std::string>& lines, const std::string& name) {
@@ -102,6 +96,7 @@ class SceneEmitter {
     slides_ = driving.slides;
     view_.set("driving", shown(driving.lines));
     view_.set("drivers", drivers);
+    view_.set("driver_list", text::joined(names, ", ", std::identity()));
     view_.set("driver_count", std::to_string(names.size()));
     branch_numbers_ += names.size();
     view_.set("turning_drivers", std::to_string(turning.size()));
@@ -136,6 +131,10 @@ class SceneEmitter {
     view_.set("variable_list",
               text::joined(solver_.variable, ", ",
                            [](const VariableParameter& one) { return "&" + one.member; }));
+    view_.set("variable_members",
+              text::joined(solver_.variable, ", ",
+                           [](const VariableParameter& one) { return one.member; }));
+    view_.set("batch_values", variables.empty() ? "{}" : "values");
     view_.set("variable_option", variables.empty() ? "" : " --variable " + variable_names());
     view_.set("has_variables", !variables.empty());
     view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
@@ -229,6 +228,11 @@ class SceneEmitter {
     view_.set("outputs", member_list(solver_.members.outputs.items()));
     view_.set("has_outputs", !solver_.mechanism().outputs().empty());
     view_.set("listing", shown(listing_statements(solver_, reported)));
+    show_state_members(solver_, !links.empty(), !reported.empty(), view_);
+    view_.set("in_packs", redundant.empty() && !mention(statements_, "std::") &&
+                                  !mention(statements_, "support::angle_between")
+                              ? "true"
+                              : "false");
   }
 
   /// Of each group those that hold it, directly or through others, as a number of a bit each.

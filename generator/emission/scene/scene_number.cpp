@@ -1,7 +1,9 @@
 #include "emission/scene/scene_number.hpp"
 
 #include <assur/mechanism/error.hpp>
+#include <assur/text/names.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,20 @@ SceneNumber binary(mechanism::Dual number, const SceneNumber& a, const SceneNumb
   SceneSymbols* symbols = a.has_formula() ? a.symbols() : b.symbols();
   return symbols != nullptr ? SceneNumber(std::move(number), of(a.formula(), b.formula()), *symbols)
                             : SceneNumber(std::move(number));
+}
+
+/// The names of what a number depends on.
+std::string symbols_in(const SceneNumber& number) {
+  std::set<std::string> names;
+  const GiNaC::ex formula = number.symbols()->written_out(number.formula());
+  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part) {
+    if (GiNaC::is_a<GiNaC::symbol>(*part)) {
+      const std::string name = GiNaC::ex_to<GiNaC::symbol>(*part).get_name();
+      const bool is_parameter = name.starts_with("p.");
+      names.insert(is_parameter ? "parameters." + name.substr(2) : name);
+    }
+  }
+  return text::listed({names.begin(), names.end()});
 }
 
 /// What was squared, if the formula is a square; its sign is not known.
@@ -104,9 +120,9 @@ GiNaC::ex SceneNumber::formula() const {
 bool operator>(const SceneNumber& a, const SceneNumber& b) {
   if (a.value() == b.value() && (a.has_formula() || b.has_formula())) {
     throw mechanism::MechanismError(
-        "",
-        "a length that variable parameters change is zero at the scene's own numbers; give "
-        "them other values");
+        "", "a length that depends on " + symbols_in(a.has_formula() ? a : b) +
+                " is zero at the scene's own numbers, so that a link has no direction there; "
+                "give the scene other numbers");
   }
   return a.value() > b.value();
 }

@@ -11,8 +11,8 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
   std::vector<std::string> warnings;
   for (const mechanism::RedundantJoint& joint : plan.redundant()) {
     warnings.push_back("joints." + joint.name +
-                       ": constraints of the joint are too many; the solver does without them, and "
-                       "leaves out the configurations in which they do not hold");
+                       ": constraints of the joint are redundant; the solver leaves them out, and "
+                       "excludes the configurations in which they do not hold");
   }
   if (plan.structure().groups.size() > most_groups) {
     return warnings;

@@ -25,7 +25,7 @@ std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) 
   for (const mechanism::ParameterIndex index : indices) {
     names.push_back(plan.mechanism().parameters()[index].name);
   }
-  const std::vector<std::string> members = text::member_names(names, {"values"});
+  const std::vector<std::string> members = text::member_names(names, {"members", "values"});
   std::vector<VariableParameter> variable;
   for (std::size_t place = 0; place < indices.size(); ++place) {
     variable.push_back({indices[place], members[place]});
@@ -108,9 +108,9 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
                            const mechanism::Structure& structure) {
   const mechanism::Linkage& linkage = structure.linkage;
   SceneMembers members;
-  members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {});
+  members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {"members"});
   // In what is placed so far, slides and other things stand among the links.
-  std::vector<std::string> taken = {"drivers", "order", "parameters", "regularity"};
+  std::vector<std::string> taken = {"drivers", "members", "order", "parameters", "regularity"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
@@ -122,8 +122,8 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
   for (const mechanism::Driver& driver : described.drivers()) {
     driven.push_back(described.joints()[driver.joint].name);
   }
-  members.drivers = members_of<mechanism::DriverIndex>(driven, {"positions", "rates"});
-  members.outputs = members_of<mechanism::OutputIndex>(names_of(described.outputs()), {});
+  members.drivers = members_of<mechanism::DriverIndex>(driven, {"members", "positions", "rates"});
+  members.outputs = members_of<mechanism::OutputIndex>(names_of(described.outputs()), {"members"});
   return members;
 }
 

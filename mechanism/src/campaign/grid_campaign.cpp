@@ -104,7 +104,7 @@ Campaign grid_campaign(const Mechanism& mechanism, const Request& request,
     if (std::find_if(axes.begin(), axis, [axis](const GridAxis& other) {
           return other.parameter == axis->parameter;
         }) != axis) {
-      throw MechanismError("--over", "the parameter " + in_quotes(name) + " stands twice");
+      throw MechanismError("--over", "the parameter " + in_quotes(name) + " occurs twice");
     }
     campaign.columns.push_back({name, Column::Kind::real});
   }

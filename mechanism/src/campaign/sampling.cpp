@@ -213,9 +213,10 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
   std::ranges::copy_if(changing_, std::back_inserter(deviations_),
                        [](const Deviation& one) { return one.half_width > 0; });
   if (deviations_.empty()) {
-    throw MechanismError("parameters",
-                         "none has a tolerance, so that there is nothing to sample; give some: "
-                         "\"AB\": {\"value\": 100, \"tolerance\": 0.05}");
+    throw MechanismError(
+        "parameters",
+        "no parameter has a tolerance, so there is nothing to sample; add one, such as "
+        "\"AB\": {\"value\": 100, \"tolerance\": 0.05}");
   }
   Mechanism extended = mechanism;
   const Request at_nominal = campaign::nominal_request(request, deviations_, extended);

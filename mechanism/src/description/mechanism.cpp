@@ -247,7 +247,7 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
     lines += feature.is_line ? 1 : 0;
     if (!links.insert(feature.link).second) {
       throw MechanismError(part,
-                           "link '" + links_[feature.link].name + "' stands twice in one joint");
+                           "link '" + links_[feature.link].name + "' occurs twice in one joint");
     }
   }
   if (joint.type == JointType::revolute && lines != 0) {

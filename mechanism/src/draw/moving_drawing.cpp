@@ -53,7 +53,7 @@ namespace assur::mechanism {
 Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, int branch) {
   using namespace draw;
   if (!request.sweep || request.sweep->count < 2) {
-    throw MechanismError("sweep", "what moves needs a sweep of two steps at least");
+    throw MechanismError("sweep", "a moving picture needs a sweep of at least two steps");
   }
   Request still = request;  // nothing of it tells how points vary
   still.want.sensitivity = false;

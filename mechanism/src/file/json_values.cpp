@@ -29,7 +29,7 @@ SceneJson parsed(const std::string& text) {
     } else if (event == SceneJson::parse_event_t::key) {
       const auto key = value.get<std::string>();
       if (!open.back().insert(key).second) {
-        throw MechanismError("", "the key " + in_quotes(key) + " stands twice in one object");
+        throw MechanismError("", "the key " + in_quotes(key) + " occurs twice in one object");
       }
       if (open.back().size() > most_keys) {
         throw MechanismError("", "an object has more than " + std::to_string(most_keys) + " keys");

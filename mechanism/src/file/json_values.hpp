@@ -15,7 +15,7 @@ namespace assur::mechanism::file {
 using SceneJson = nlohmann::ordered_json;
 
 /// The document that a text spells. Throws MechanismError for what is not JSON, and for a key that
-/// stands twice in one object.
+/// occurs twice in one object.
 [[nodiscard]] SceneJson parsed(const std::string& text);
 
 /// Each throws MechanismError where a value is not what it must be; `part` is what it calls it.

@@ -329,7 +329,7 @@ class SceneReader {
       const ParameterIndex parameter = mechanism_.parameter_named(name, part);
       if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
           covariance.parameters.end()) {
-        throw MechanismError(part, "the parameter " + in_quotes(name) + " stands twice");
+        throw MechanismError(part, "the parameter " + in_quotes(name) + " occurs twice");
       }
       covariance.parameters.push_back(parameter);
     }

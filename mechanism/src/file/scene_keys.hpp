@@ -14,9 +14,10 @@ struct SceneKey {
 };
 
 inline constexpr std::array scene_keys = {
-    SceneKey{"name", false, R"({"type": "string"})", "What messages and reports call the scene."},
+    SceneKey{"name", false, R"({"type": "string"})",
+             "The name of the scene in messages and reports."},
     SceneKey{"unit", false, R"({"type": "string"})",
-             "What the unit of length is called, as mm or in: drawings show it."},
+             "The name of the unit of length, such as mm or in, shown in drawings."},
     SceneKey{"parameters", false, R"({"$ref": "#/$defs/parameters"})",
              "Numbers with names, which expressions may use."},
     SceneKey{
@@ -31,15 +32,14 @@ inline constexpr std::array scene_keys = {
     SceneKey{"want", false,
              R"({"type": "array", "items": {"enum": ["position", "velocity", "acceleration",
                  "sensitivity"]}})",
-             "What is computed; all four where this is left out."},
+             "What is computed; by default all four."},
     SceneKey{"report", false, R"({"$ref": "#/$defs/report"})",
              "Which links and slides are reported beside the outputs."},
     SceneKey{"reference", false,
              R"({"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}})",
-             "About how some links are turned against the ground, in radians: what --nearest is "
-             "nearest to."},
+             "Approximate angles of some links against the ground, in radians, for --nearest."},
     SceneKey{"redundancy", false, R"({"$ref": "#/$defs/redundancy"})",
-             "How far constraints that are too many may miss."},
+             "By how much redundant constraints may fail to hold."},
     SceneKey{"sweep", false, R"({"$ref": "#/$defs/sweep"})", "A range of one parameter."},
     SceneKey{"covariance", false, R"({"$ref": "#/$defs/covariance"})",
              "How some parameters vary together."},
@@ -51,10 +51,10 @@ inline constexpr std::array parameter_keys = {
     SceneKey{"tolerance", false, R"({"$ref": "#/$defs/number"})",
              "A half-width, in the parameter's unit; not negative."},
     SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
-             "The rate in time, in the parameter's unit a second; where it is left out that of the "
-             "parameters in its value."},
+             "The rate in time, in the parameter's unit; by default that of the parameters in its "
+             "value."},
     SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",
-             "The second rate in time, likewise."},
+             "The second rate in time, by default likewise."},
     SceneKey{"variable", false, R"({"type": "boolean"})",
              "Whether the parameter stays an argument of the emitted solver."},
 };
@@ -69,7 +69,7 @@ inline constexpr std::array line_keys = {
 
 inline constexpr std::array joint_keys = {
     SceneKey{"type", true, R"({"enum": ["revolute", "prismatic", "pin-in-slot"]})",
-             "Revolute: points coincide. Prismatic: two lines coincide and point the same way. "
+             "Revolute: points coincide. Prismatic: two lines coincide, with the same direction. "
              "Pin-in-slot: a point lies on a line."},
     SceneKey{
         "between", true,
@@ -79,7 +79,7 @@ inline constexpr std::array joint_keys = {
         "second line's 'through' from the first's, along the line."},
     SceneKey{"limits", false, R"({"$ref": "#/$defs/pair"})",
              "Lowest and highest coordinate, both included, in radians or the scene's unit; an "
-             "angle counts by whole turns."},
+             "angle may differ by whole turns."},
 };
 
 inline constexpr std::array driver_keys = {
@@ -87,18 +87,18 @@ inline constexpr std::array driver_keys = {
              "The joint's coordinate: an angle in radians or a displacement. It may contain "
              "joint(K), the coordinate of another joint of two links."},
     SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
-             "Its rate in time; where it is left out it follows from the position."},
+             "Its rate in time; by default it follows from the position."},
     SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",
-             "Its second rate in time; likewise."},
+             "Its second rate in time; by default likewise."},
 };
 
 inline constexpr std::array report_keys = {
     SceneKey{"links", false,
              R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
-             "Names of links; all where this is left out."},
+             "Names of links; by default all."},
     SceneKey{"joints", false,
              R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
-             "Names of prismatic and pin-in-slot joints; all where this is left out."},
+             "Names of prismatic and pin-in-slot joints; by default all."},
 };
 
 inline constexpr std::array sweep_keys = {
@@ -106,12 +106,12 @@ inline constexpr std::array sweep_keys = {
     SceneKey{"from", true, R"({"$ref": "#/$defs/number"})", "Its first value."},
     SceneKey{"to", true, R"({"$ref": "#/$defs/number"})", "Its last value."},
     SceneKey{"count", true, R"({"type": "integer", "minimum": 1, "maximum": 10000000})",
-             "How many equally spaced values, both ends among them."},
+             "The number of equally spaced values, both ends included."},
 };
 
 inline constexpr std::array redundancy_keys = {
     SceneKey{"tolerance", true, R"({"$ref": "#/$defs/number"})",
-             "A length in the scene's unit; without it, they hold to rounding or not at all."},
+             "A length in the scene's unit; by default constraints must hold to within rounding."},
 };
 
 inline constexpr std::array covariance_keys = {

@@ -70,7 +70,8 @@ SceneJson definitions() {
           {"outputs", names_of(reference_to("feature_name"))},
           {"report", object_of(report_keys, "Lists of names")},
           {"sweep", object_of(sweep_keys, "Equally spaced values of a parameter")},
-          {"redundancy", object_of(redundancy_keys, "What redundant constraints may miss")},
+          {"redundancy",
+           object_of(redundancy_keys, "By how much redundant constraints may fail to hold")},
           {"covariance", object_of(covariance_keys, "A symmetric matrix")}};
 }
 

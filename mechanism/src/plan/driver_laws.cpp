@@ -66,7 +66,7 @@ class LawOrder {
                          names.size() == 1 ? "the law reads its own joint; let it read another one"
                                            : "the laws of the joints " + text::listed(names) +
                                                  " read one another in a circle; "
-                                                 "let one of them read none of the others");
+                                                 "let one of them not read the others");
   }
   [[nodiscard]] const std::string& name_of(DriverIndex driver) const {
     return mechanism_.joints()[mechanism_.drivers()[driver].joint].name;

@@ -22,6 +22,7 @@ struct Step {
   std::optional<OverConstrained> fault;
   std::string link = {};    ///< that has the feature at which something is left out
   std::string from = {};    ///< the joint towards which a slot lies
+  std::size_t points = 0;   ///< to which that link's slot could lie
   bool loses_kept = false;  ///< the joint should not be left out
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
@@ -33,9 +34,12 @@ struct Step {
     }
     return largest;
   }
-  using Rank = std::tuple<int, bool, std::size_t, std::string, std::string, std::string>;
+  /// A slot on a bar leaves out its length alone: the bar follows its ends, be it square to what it
+  /// holds or not. One on a link with more joints does not let that link go by any bar.
+  using Rank =
+      std::tuple<int, bool, std::size_t, std::string, std::size_t, std::string, std::string>;
   [[nodiscard]] Rank rank() const {
-    return {surplus(), loses_kept, largest_group(), redundant.name, link, from};
+    return {surplus(), loses_kept, largest_group(), redundant.name, points, link, from};
   }
 };
 
@@ -96,9 +100,11 @@ class Balancer {
       consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature, 2);
     }
     if (at.type == JointType::revolute) {
-      for (const auto& [from, name] : points_of(feature)) {
+      const auto points = points_of(feature);
+      for (const auto& [from, name] : points) {
         Step step{mechanism_.with_slot(joint, feature, from), redundant, {}, {}};
         step.from = name;
+        step.points = points.size();
         step.redundant.slot = FeatureIndex(mechanism_.features().size());  // the one that it adds
         consider(std::move(step), feature, 1);
       }

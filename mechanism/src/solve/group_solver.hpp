@@ -29,6 +29,8 @@ struct PlacedLinks {
   Status regularity = Status::ok;
   bool derivatives_known = true;
   bool rates_known = true;
+  /// Whether several motions may go through it, where its rates are not known.
+  bool is_crossing = true;
   double residual = 0;
   Table<GroupIndex, double> determinants;  ///< filled in for sweeps
 };

@@ -11,7 +11,7 @@ namespace assur::mechanism::solve {
 
 std::string short_number(double number) {
   std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.3g", number);
+  (void)std::snprintf(text.data(), text.size(), "%.3g", number + 0.0);  // 0, not -0
   return text.data();
 }
 
@@ -24,7 +24,9 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
       names.push_back(at.name);
     }
   }
-  std::ranges::sort(names);  // roles follow the listing, names do not
+  std::ranges::sort(names);                       // roles follow the listing, names do not
+  const auto twice = std::ranges::unique(names);  // a pin of several links, or a pin in a slot
+  names.erase(twice.begin(), twice.end());
   return names;
 }
 

@@ -30,7 +30,8 @@ void write_configuration(const Placement& placement, Configuration& result) {
   result.determinants = placed.determinants;
   result.plan = placement.shared_plan();
   const Request& request = placement.plan().request;
-  if (!result.rates_known && (request.want.velocity || request.want.acceleration)) {
+  if (!result.rates_known && placed.is_crossing &&
+      (request.want.velocity || request.want.acceleration)) {
     find_branches(values, placed, result);
   }
   if (!result.derivatives_known && request.sweep) {

@@ -77,6 +77,7 @@ void Placement::begin() {
   placed_.regularity = Status::ok;
   placed_.derivatives_known = true;
   placed_.rates_known = true;
+  placed_.is_crossing = true;
   placed_.residual = 0;
   steps_ = 0;
 }

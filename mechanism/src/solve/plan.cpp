@@ -27,7 +27,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
         throw MechanismError(part, "the mechanism has no such part");
       }
       if (std::find(list->begin(), key, *key) != key) {
-        throw MechanismError(part, in_quotes(parts[*key].name) + " stands twice");
+        throw MechanismError(part, in_quotes(parts[*key].name) + " occurs twice");
       }
     }
   };
@@ -105,7 +105,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       expect_parameter(named[place], "covariance.parameters");
       if (std::find(named.begin(), named.begin() + static_cast<std::ptrdiff_t>(place),
                     named[place]) != named.begin() + static_cast<std::ptrdiff_t>(place)) {
-        throw MechanismError("covariance.parameters", "a parameter stands twice");
+        throw MechanismError("covariance.parameters", "a parameter occurs twice");
       }
     }
     const auto& matrix = request.covariance->matrix;

@@ -106,13 +106,10 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
   return worst;
 }
 
-bool holds_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
-                       Status regularity, bool rates_known) {
-  return gap_of_redundant(values, links, regularity) == 0 &&
-         (!rates_known ||
-          std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-            return goes_on(values, links, placed(values, links, joint));
-          }));
+bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
+  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+    return goes_on(values, links, placed(values, links, joint));
+  });
 }
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
@@ -139,17 +136,27 @@ bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& link
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
+  if (gap == 0) {
+    return refusal_where_driven_on(plan, true);
+  }
   OverConstrained refusal = refused(
-      plan, gap > 0
-                ? "can be assembled, and they fail to hold by " + short_number(gap) + " at least"
-                : "can be assembled, and they hold there, but not where the drivers "
-                  "go on");
+      plan, "can be assembled, and they fail to hold by " + short_number(gap) + " at least");
   refusal.gap = gap;
   return refusal;
 }
 
-OverConstrained refusal_without_assembly(const PlanData& plan) {
-  return refused(plan, "cannot be assembled either");
+OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
+  OverConstrained refusal =
+      refused(plan, assembles ? "can be assembled, and they hold there, but not where the drivers "
+                                "go on"
+                              : "can be assembled, and they hold there, but where the drivers go "
+                                "on, or back, it cannot be assembled");
+  refusal.gap = 0;
+  return refusal;
+}
+
+OverConstrained refusal_without_assembly(const PlanData& plan, const std::string& reason) {
+  return refused(plan, "cannot be assembled either" + (reason.empty() ? reason : ": " + reason));
 }
 
 }  // namespace assur::mechanism::solve

@@ -35,9 +35,11 @@ Request request_of_part(const Mechanism& mechanism, const Request& request, cons
   return result;
 }
 
-/// Whether the redundant joints of a plan hold in a configuration, and if not, what is said of it.
+/// Whether a plan without redundant joints can be assembled, whether these hold in a configuration
+/// then, and if not, what is said of it.
 struct Trial {
   bool holds;
+  bool assembles = true;
   std::optional<OverConstrained> refusal = {};
 };
 
@@ -45,13 +47,15 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
   try {
     const Values values(plan, {});
     Solution solution;
-    MechanismSolver(values).solve({}, solution);
+    MechanismSolver solver(values);
+    solver.solve({}, solution);
     if (solution.status == SolutionStatus::no_assembly) {
-      return {false, refusal_without_assembly(*plan)};
+      solver.solve({.measures_gap = true}, solution);
+      return {false, false, refusal_without_assembly(*plan, solution.reason)};
     }
     return {!solution.configurations.empty()};
   } catch (const OverConstrained& refusal) {
-    return {false, refusal};
+    return {false, true, refusal};
   }
 }
 
@@ -75,15 +79,20 @@ std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& p
   constexpr double on = 0.01;
   constexpr double rounding = 1e-9;  // of ways that are alike the first is told
   const std::shared_ptr<const PlanData> plan = planned_with(part.mechanism);
-  const auto holds_on = [&](double by) {
-    return tried(planned_with(part.mechanism.driven_on(by))).holds;
-  };
   Trial trial = tried(plan);
   if (trial.holds) {
-    if (part.mechanism.drivers().empty() || holds_on(on) || holds_on(-on)) {
+    if (part.mechanism.drivers().empty()) {
       return plan;
     }
-    trial.refusal = refusal_of_redundant(*plan, 0);
+    bool assembles = false;
+    for (const double by : {on, -on}) {
+      const Trial further = tried(planned_with(part.mechanism.driven_on(by)));
+      if (further.holds) {
+        return plan;
+      }
+      assembles = assembles || further.assembles;
+    }
+    trial.refusal = refusal_where_driven_on(*plan, assembles);
   }
   if (trial.refusal && (trial.refusal->gap < refusal.gap * (1 - rounding) ||
                         std::string(refusal.what()) == excess.what())) {

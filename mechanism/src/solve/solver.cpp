@@ -13,11 +13,12 @@
 #include "family_search.hpp"
 #include "group_order.hpp"
 #include "group_words.hpp"
-#include "limits.hpp"
 #include "listed_configuration.hpp"
 #include "plan/plan_data.hpp"
 #include "redundant_joints.hpp"
 #include "search_bounds.hpp"
+#include "settled_redundancy.hpp"
+#include "watched_limits.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -36,15 +37,14 @@ class ConfigurationWalk {
         nearness_(placement_),
         order_(plan_.named_parts),
         group_order_(placement_),
-        is_ordered_by_groups_(most_configurations(structure_) > Plan::most_listed),
-        limited_(structure_.groups.size() + 1) {
-    find_limits();
-  }
+        limits_(placement_),
+        redundancy_(SettledRedundancy::made_for(values_)),
+        is_ordered_by_groups_(most_configurations(structure_) > Plan::most_listed) {}
 
   void run(const Search& search, Solution& result) {
     nearness_.seek_nothing();
     number_ = 0;
-    walk(search, search.within_limits && has_limits_ && is_ordered_by_groups_, result);
+    walk(search, search.within_limits && limits_.exist() && is_ordered_by_groups_, result);
   }
 
   void count_from(const std::vector<Configuration>* nearby) { placement_.count_from(nearby); }
@@ -52,14 +52,14 @@ class ConfigurationWalk {
   std::size_t run_to(std::size_t number, Solution& result) {
     nearness_.seek_nothing();
     number_ = number;
-    walk({}, has_limits_, result);
+    walk({}, limits_.exist(), result);
     return passed_;
   }
 
   std::optional<Nearest> run_to_nearest(Solution& result) {
     nearness_.seek_reference();
     number_ = 0;
-    walk({}, has_limits_, result);
+    walk({}, limits_.exist(), result);
     return nearest();
   }
 
@@ -71,22 +71,6 @@ class ConfigurationWalk {
   }
 
  private:
-  /// After how many groups each limited joint has its coordinate.
-  void find_limits() {
-    const Table<LinkIndex, std::size_t> before = groups_before(structure_);
-    const Mechanism& mechanism = plan_.mechanism;
-    for (const JointIndex joint : mechanism.joints().keys()) {
-      if (mechanism.joints()[joint].lowest.exists()) {
-        std::size_t groups = 0;
-        for (const FeatureIndex feature : mechanism.joints()[joint].between) {
-          groups = std::max(groups, before[mechanism.features()[feature].link]);
-        }
-        limited_[groups].push_back(joint);
-        has_limits_ = true;
-      }
-    }
-  }
-
   /// Of a search for one configuration, which has found it.
   [[nodiscard]] std::optional<Nearest> nearest() const {
     if (listed_ == 0) {
@@ -120,7 +104,7 @@ class ConfigurationWalk {
     result.drop_reason.clear();
     result.breaches.clear();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
-    is_inconsistent_ = false;
+    is_inconsistent_ = has_settled_ = false;
     least_gap_ = std::numeric_limits<double>::infinity();
     listed_ = passed_ = 0;
     has_cut_ = false;
@@ -139,7 +123,7 @@ class ConfigurationWalk {
       solution_->drop_reason = placement_.flaw();
       return;
     }
-    if (cuts_ && !keeps_limits_at(depth)) {
+    if (cuts_ && !limits_.are_kept_at(depth, solution_->breaches)) {
       has_cut_ = true;
       return;
     }
@@ -151,19 +135,6 @@ class ConfigurationWalk {
       descend_on(depth);
     }
     square_ = square;
-  }
-
-  /// Of the joints that have their coordinates after so many groups; each that does not is told.
-  [[nodiscard]] bool keeps_limits_at(std::size_t depth) {
-    bool keeps = true;
-    for (const JointIndex joint : limited_[depth]) {
-      const double beyond = beyond_limits(values_, placed_.links, placed_.slides, joint);
-      if (beyond > 0) {
-        add_breach({joint, 1, beyond}, solution_->breaches);
-        keeps = false;
-      }
-    }
-    return keeps;
   }
 
   void descend_on(std::size_t depth) {
@@ -236,14 +207,30 @@ class ConfigurationWalk {
     return order;
   }
 
-  /// A configuration in which everything is placed.
+  /// A configuration in which everything is placed; where constraints are redundant and the others
+  /// hardly tell it, as all of them do.
   void list() {
+    const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
+    if (!redundancy_ || placed_.regularity == Status::ok || gap > 0) {
+      list_placed(gap);
+      return;
+    }
+    const PlacedLinks without = placed_;
+    has_settled_ = search_.within_limits;
+    list_placed(has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_));
+    placed_ = without;
+  }
+
+  /// `gap`: by how much redundant constraints are open.
+  void list_placed(double gap) {
     const bool is_consistent =
-        holds_redundantly(values_, placed_.links, placed_.regularity, placed_.rates_known);
+        gap == 0 && (!placed_.rates_known || goes_on_redundantly(values_, placed_.links));
     if (!is_consistent && search_.within_limits) {
       is_inconsistent_ = true;
-      least_gap_ =
-          std::min(least_gap_, gap_of_redundant(values_, placed_.links, placed_.regularity));
+      least_gap_ = std::min(least_gap_, gap);
+      return;
+    }
+    if (has_settled_ && is_consistent && !is_told_apart()) {
       return;
     }
     if (nearness_.is_sought()) {
@@ -255,12 +242,7 @@ class ConfigurationWalk {
       least_square_ = square_;
       listed_ = 0;
     }
-    bool keeps = true;
-    if (has_limits_ && !cuts_) {
-      for (std::size_t depth = 0; depth < limited_.size(); ++depth) {
-        keeps = keeps_limits_at(depth) && keeps;
-      }
-    }
+    const bool keeps = !limits_.exist() || cuts_ || limits_.are_kept(solution_->breaches);
     if (!keeps && search_.within_limits) {
       ++*solution_->left_out;
       return;
@@ -277,6 +259,24 @@ class ConfigurationWalk {
     result.is_consistent = is_consistent;
     result.within_limits = keeps;
     write_configuration(placement_, result);
+  }
+
+  /// Of those listed leaves out what is none beside the one that is placed; whether that is one.
+  [[nodiscard]] bool is_told_apart() {
+    using Comparison = SettledRedundancy::Comparison;
+    std::vector<Configuration>& all = solution_->configurations;
+    for (std::size_t place = 0; place < listed_; ++place) {
+      const Comparison found =
+          redundancy_->compared(poses_of(all[place].links), poses_of(placed_.links));
+      if (found == Comparison::second_is_none) {
+        return false;
+      }
+      if (found == Comparison::first_is_none && !seeks_one()) {
+        std::swap(all[place--], all[--listed_]);
+        --passed_;
+      }
+    }
+    return true;
   }
 
   /// Of a configuration with its derivatives to each parameter.
@@ -344,6 +344,8 @@ class ConfigurationWalk {
   Nearness nearness_;
   ConfigurationOrder order_;
   GroupOrder group_order_;
+  WatchedLimits limits_;
+  std::optional<SettledRedundancy> redundancy_;
   /// Where more configurations than can be listed may be, they are numbered as they are met, so
   /// that the first of them are found without the others.
   bool is_ordered_by_groups_;
@@ -355,10 +357,9 @@ class ConfigurationWalk {
   Solution* solution_ = nullptr;  ///< that is being written
   bool is_inconsistent_ = false;  ///< constraints that are too many did not hold somewhere
   double least_gap_ = 0;          ///< by which they did not
+  bool has_settled_ = false;      ///< a configuration by all constraints
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
-  std::vector<std::vector<JointIndex>> limited_;  ///< by the groups before them
-  bool has_limits_ = false;
-  double square_ = 0;  ///< of the distance from what is sought, of what is placed
+  double square_ = 0;             ///< of the distance from what is sought, of what is placed
   double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
 };
 

@@ -301,7 +301,7 @@ void Values::evaluate_feature(FeatureIndex index) {
     if (dx.value() == 0 && dy.value() == 0) {
       const std::string link = plan_->mechanism.links()[feature.link].name;
       throw MechanismError("links." + link + "." + feature.name + ".along",
-                           "[0, 0] is no direction; one of the numbers must not be zero");
+                           "[0, 0] has no direction; at least one of the numbers must not be zero");
     }
     result.along = unit_direction(dx, dy);
   }

@@ -10,7 +10,7 @@ namespace assur {
 
 enum class AssemblyStatus : unsigned char {
   ok,          ///< configurations are listed; none if the links cannot reach
-  degenerate,  ///< none stands alone, but the group moves
+  degenerate,  ///< no configuration stands alone: the group moves
   not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
   /// The program was compiled, or the processor is set, so that rounding has no bound (-ffast-math
   /// and its parts, x87; lengths that it flushes to zero): nothing is listed.
@@ -19,6 +19,22 @@ enum class AssemblyStatus : unsigned char {
   /// asked: nothing is listed.
   unresolved
 };
+
+[[nodiscard]] constexpr const char* to_string(AssemblyStatus status) {
+  switch (status) {
+    case AssemblyStatus::ok:
+      return "ok";
+    case AssemblyStatus::degenerate:
+      return "degenerate";
+    case AssemblyStatus::not_finite:
+      return "not finite";
+    case AssemblyStatus::unsound_arithmetic:
+      return "unsound arithmetic";
+    case AssemblyStatus::unresolved:
+      return "unresolved";
+  }
+  return "unknown";
+}
 
 /// What is to be done where float does not tell how many configurations there are. In double there
 /// is no such place: a search in special position settles the list.
@@ -40,7 +56,7 @@ struct Assemblies {
   /// double and three in float, or configurations meet so closely that rounding of the inputs
   /// decides whether they are two, one or none.
   std::array<Status, capacity> regularity{};
-  /// Of the freest family of configurations, beside those that are listed; zero if there is none.
+  /// Mobility of the freest family of configurations beside those listed; zero without a family.
   int mobility = 0;
 };
 

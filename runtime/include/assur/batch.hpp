@@ -13,8 +13,8 @@
 
 namespace assur {
 
-/// Where the assembly configurations of many groups are to go: arrays of the caller's. What stands
-/// of group i in `status`, `count` and `mobility` is what `Assemblies` holds of it.
+/// Receives the assembly configurations of many groups, in arrays of the caller. `status[i]`,
+/// `count[i]` and `mobility[i]` are those that `Assemblies` has for group i.
 template <typename Model>
 struct BatchAssemblies {
   using Configuration = typename Model::template Configuration<double>;
@@ -22,8 +22,8 @@ struct BatchAssemblies {
   AssemblyStatus* status = nullptr;
   int* count = nullptr;
   int* mobility = nullptr;
-  /// Of configuration k of group i at [k * stride + i]. What stands beyond a group's count means
-  /// nothing.
+  /// That of configuration k of group i is at [k * stride + i]. Entries beyond a group's count have
+  /// no meaning.
   Status* regularity = nullptr;
   /// Number p of configuration k of group i is at [(k * Columns<Configuration>::count + p) * stride
   /// + i].
@@ -135,10 +135,10 @@ template <typename Model, std::size_t Lanes>
 
 }  // namespace detail
 
-/// Every assembly configuration of `count` groups of a model: of each what `assemblies` finds, with
-/// the same statuses and in the same order, to within rounding. `Lanes` groups are solved at once;
-/// those of which that does not vouch for the list are solved by themselves. Returns how many they
-/// were.
+/// Finds every assembly configuration of `count` groups of a model: for each group those that
+/// `assemblies` finds, with the same status and in the same order, to within rounding. `Lanes`
+/// groups are solved at once; a group whose list is not certain in this way is solved by itself.
+/// Returns the number of groups that were solved by themselves.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 std::size_t assemblies(std::size_t count,
                        const Columns<const typename Model::template Dimensions<double>>& dimensions,

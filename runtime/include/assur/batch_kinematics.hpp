@@ -28,7 +28,7 @@ struct BatchRates {
   std::size_t stride = 0;
 };
 
-/// Where sensitivities are to go: dq/dd and dq/du, entry (row, column) of configuration i at
+/// Receives sensitivities: dq/dd and dq/du, entry (row, column) of configuration i at
 /// [(row + column * unknown_count) * stride + i], set where the status is ok or near_singular.
 struct BatchSensitivities {
   Status* status = nullptr;
@@ -37,7 +37,7 @@ struct BatchSensitivities {
   std::size_t stride = 0;
 };
 
-/// Where rates are to go: dq/dt and d2q/dt2, that of unknown p of configuration i at
+/// Receives rates: dq/dt and d2q/dt2, that of unknown p of configuration i at
 /// [p * stride + i], set where the status is ok or near_singular.
 struct BatchMotion {
   double* velocity = nullptr;
@@ -109,7 +109,15 @@ template <typename Model, typename Pack, typename... Rates>
   return numbers.all() & are_surely_regular<Model>(d, u, q, Pack(0));
 }
 
-/// What is given of the configurations that fill a pack.
+/// What is given of the configurations that fill a pack, and the rates of their inputs.
+template <typename Model, typename Pack>
+struct GivenRates {
+  GivenRates(const BatchRates& rates, std::size_t first)
+      : first_rates(load_matrix<Pack, Model::input_count, 1>(rates.first, rates.stride, first)),
+        second_rates(load_matrix<Pack, Model::input_count, 1>(rates.second, rates.stride, first)) {}
+  Vector<Pack, Model::input_count> first_rates;
+  Vector<Pack, Model::input_count> second_rates;
+};
 template <typename Model, typename Pack>
 struct GivenPack {
   GivenPack(const BatchConfigurations<Model>& given, std::size_t first)
@@ -120,6 +128,16 @@ struct GivenPack {
   typename Model::template Inputs<Pack> u;
   typename Model::template Configuration<Pack> q;
 };
+template <typename Model, typename Pack>
+void store_motion(const Motion<Model, Pack>& motion, const BatchMotion& result, std::size_t first) {
+  store_matrix(motion.velocity, result.velocity, result.stride, first);
+  store_matrix(motion.acceleration, result.acceleration, result.stride, first);
+}
+template <typename Model>
+void put_motion(const Motion<Model, double>& motion, const BatchMotion& result, std::size_t index) {
+  put_matrix(motion.velocity, result.velocity, result.stride, index);
+  put_matrix(motion.acceleration, result.acceleration, result.stride, index);
+}
 template <typename Model, typename Pack>
 void store_sensitivities(const Sensitivities<Model, Pack>& sensitive,
                          const BatchSensitivities& result, std::size_t first) {
@@ -156,8 +174,8 @@ void for_each_pack(std::size_t count, const Several& several, const Alone& alone
 
 }  // namespace detail::batch
 
-/// dq/dd and dq/du of `count` assembled configurations, with the statuses that `sensitivities`
-/// gives each. `Lanes` are computed at once; what is not certainly regular is looked at by itself.
+/// Computes dq/dd and dq/du of `count` assembled configurations, with the status that
+/// `sensitivities` gives each. `Lanes` are computed at once, doubtful ones one by one.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
                    const BatchSensitivities& result) {
@@ -184,8 +202,39 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
       });
 }
 
-/// The same, and dq/dt and d2q/dt2 for the rates of the inputs, with the statuses that
-/// `sensitivities_and_motion` gives each.
+/// Computes dq/dt and d2q/dt2 for the rates of the inputs, with the status that `motion` gives
+/// each.
+template <typename Model, std::size_t Lanes = numeric::native_lanes>
+void motion(std::size_t count, const BatchConfigurations<Model>& given, const BatchRates& rates,
+            Status* status, const BatchMotion& result) {
+  using Pack = numeric::PackOf<double, Lanes>;
+  using namespace detail::batch;
+  for_each_pack<Lanes>(
+      count,
+      [&](std::size_t first) {
+        const GivenPack<Model, Pack> at(given, first);
+        const GivenRates<Model, Pack> u(rates, first);
+        Motion<Model, Pack> moving;
+        Model::motion(at.d, at.u, at.q, u.first_rates, u.second_rates, moving.velocity,
+                      moving.acceleration);
+        store_motion(moving, result, first);
+        std::fill_n(status + first, Lanes, Status::ok);
+        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
+      },
+      [&](std::size_t index) {
+        Motion<Model, double> moving;
+        status[index] = motion<Model, double>(
+            group_of(given.dimensions, index), group_of(given.inputs, index),
+            group_of(given.configurations, index),
+            vector_of<Model::input_count>(rates.first, rates.stride, index),
+            vector_of<Model::input_count>(rates.second, rates.stride, index), moving);
+        if (is_solvable(status[index])) {
+          put_motion(moving, result, index);
+        }
+      });
+}
+
+/// Computes both at once, with the status that `sensitivities_and_motion` gives each.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model>& given,
                               const BatchRates& rates, const BatchSensitivities& result,
@@ -196,20 +245,16 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
       count,
       [&](std::size_t first) {
         const GivenPack<Model, Pack> at(given, first);
-        const auto u_rate =
-            load_matrix<Pack, Model::input_count, 1>(rates.first, rates.stride, first);
-        const auto u_second_rate =
-            load_matrix<Pack, Model::input_count, 1>(rates.second, rates.stride, first);
+        const GivenRates<Model, Pack> u(rates, first);
         Sensitivities<Model, Pack> sensitive;
         Motion<Model, Pack> motion;
-        Model::sensitivities_and_motion(at.d, at.u, at.q, u_rate, u_second_rate,
+        Model::sensitivities_and_motion(at.d, at.u, at.q, u.first_rates, u.second_rates,
                                         sensitive.to_dimensions, sensitive.to_inputs,
                                         motion.velocity, motion.acceleration);
         store_sensitivities(sensitive, result, first);
-        store_matrix(motion.velocity, moving.velocity, moving.stride, first);
-        store_matrix(motion.acceleration, moving.acceleration, moving.stride, first);
+        store_motion(motion, moving, first);
         std::fill_n(result.status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u_rate, u_second_rate)).bits();
+        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
       },
       [&](std::size_t index) {
         Sensitivities<Model, double> sensitive;
@@ -221,8 +266,7 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
             vector_of<Model::input_count>(rates.second, rates.stride, index), sensitive, motion);
         if (is_solvable(result.status[index])) {
           put_sensitivities(sensitive, result, index);
-          put_matrix(motion.velocity, moving.velocity, moving.stride, index);
-          put_matrix(motion.acceleration, moving.acceleration, moving.stride, index);
+          put_motion(motion, moving, index);
         }
       });
 }

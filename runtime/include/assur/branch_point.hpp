@@ -20,11 +20,11 @@ struct InputMotion {
 template <typename Model, typename Scalar = double>
 struct BranchPoint {
   /// ok, or near_singular where the derivatives may keep fewer digits than `regularity` promises;
-  /// with any other there are none, and nothing can be tracked from here.
+  /// with any other status there are no derivatives, and nothing can be tracked from here.
   Status status = Status::singular;
   typename Model::template Configuration<Scalar> q;
   Motion<Model, Scalar> motion;  ///< set where the status is ok or near_singular
-  int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
+  int orientation = 0;  ///< the sign of det J; a branch that this one may meet has the other sign
 };
 
 /// Where a branch begins: a configuration that `assemblies` or `refine` found, F(d, u, q) = 0, with

@@ -21,7 +21,7 @@ namespace assur {
 ///
 /// Rounding moves an assembled configuration by about eps/firmness. Firmness is the core's
 /// determinant over the size that it could have, times the square of the smallest other pivot over
-/// its own: the unknown that a small pivot leaves loose is long, and moves by its own rounding.
+/// the size of that: an unknown that a small pivot leaves loose is long and has a large rounding.
 /// That, and rounding in the determinant, change the derivatives by about eps/(firmness * kept),
 /// where kept is the determinant over the size of its terms. `derivative_error_constant` is what
 /// "about" hides, as measured. `displaced` is how far the inputs are off beforehand, in parts of
@@ -45,14 +45,14 @@ template <typename Model, typename Scalar>
                                               displaced);
 }
 
-/// The inverse of the loop Jacobian J = dF/dq, for right-hand sides of every sort. It holds the
-/// status of all that it solves.
+/// The inverse of the loop Jacobian J = dF/dq, for any right-hand side. Its status is that of all
+/// that it solves.
 template <typename Model, typename Scalar>
 class InverseJacobian {
  public:
   static constexpr int size = Model::unknown_count;
 
-  /// `displaced` as `regularity` has it.
+  /// `displaced` has the meaning that it has in `regularity`.
   InverseJacobian(const typename Model::template Dimensions<Scalar>& d,
                   const typename Model::template Inputs<Scalar>& u,
                   const typename Model::template Configuration<Scalar>& q,
@@ -89,8 +89,8 @@ struct Sensitivities {
   Matrix<Scalar, Model::unknown_count, Model::input_count> to_inputs;
 };
 
-/// dq/dd and dq/du of an assembled configuration. The result is set where the status is ok or
-/// near_singular.
+/// Computes dq/dd and dq/du of an assembled configuration. The result is set if the status is ok
+/// or near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status sensitivities(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,
@@ -139,7 +139,7 @@ template <typename Model, typename Scalar>
   return status;
 }
 
-/// Both of the above at once, for less than the two apart.
+/// Both of the above at once, for less than their sum.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status sensitivities_and_motion(
     const typename Model::template Dimensions<Scalar>& d,

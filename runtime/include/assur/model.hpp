@@ -22,7 +22,8 @@ using Vector = Eigen::Matrix<Scalar, Rows, 1>;
 template <typename Scalar, int Rows, int Columns>
 using Matrix = Eigen::Matrix<Scalar, Rows, Columns>;
 
-/// T(x) = sum over k of cosine[k] cos(k x) + sine[k] sin(k x), k = 0 .. Degree; sine[0] counts not.
+/// T(x) = sum over k of cosine[k] cos(k x) + sine[k] sin(k x), k = 0 .. Degree; sine[0] is not
+/// used.
 template <typename Scalar, std::size_t Degree>
 struct TrigonometricPolynomial {
   std::array<Scalar, Degree + 1> cosine{};
@@ -40,7 +41,7 @@ struct Pose {
 template <typename Scalar, int Links>
 using Poses = std::array<Pose<Scalar>, static_cast<std::size_t>(Links)>;
 
-/// A number of generated code that is no double: the double nearest to it and what is left.
+/// A number of generated code that is not a double: the nearest double and the remainder.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar constant(double nearest, double rest) {
   return Scalar(nearest) + Scalar(rest);

@@ -52,8 +52,8 @@ struct NormalForm {
 
 /// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
 /// measured: the first line's angle and offset or the first point's place, and where there are no
-/// two of these, the second line's offset or the second point's direction. singular, and nothing is
-/// set: there are not two or three joints.
+/// two of these, the second line's offset or the second point's direction. The status is singular,
+/// and nothing is set, unless there are two or three joints.
 template <typename Scalar>
 [[nodiscard]] Status measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features,
                                       std::size_t joints, NormalForm<Scalar>& result) {
@@ -170,8 +170,8 @@ template <typename Scalar>
 }
 
 /// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links. The
-/// dimensions are set where the status is ok. singular: the forms have not as many dimensions as
-/// the model, because a link has no normal form or is of another model.
+/// dimensions are set where the status is ok. singular: the forms do not have as many dimensions
+/// as the model, because a link has no normal form or is of another model.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status fill_dimensions(
     const std::array<NormalForm<Scalar>, detail::size(Model::link_count)>& links,

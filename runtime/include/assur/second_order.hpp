@@ -53,7 +53,7 @@ class SecondOrder {
     }
   }
 
-  /// That of the first derivatives.
+  /// The status of the first derivatives.
   [[nodiscard]] Status status() const { return jacobian_.status(); }
 
   /// q_x and p_x along a direction (d_x, u_x):
@@ -102,7 +102,7 @@ class SecondOrder {
     return status();
   }
 
-  /// The same where d and u depend linearly on what varies.
+  /// The same if d and u depend linearly on what varies.
   [[nodiscard]] Status second(const First& x, const First& y, Second& result) const {
     return second(x, y, DimensionRates::Zero(), InputRates::Zero(), result);
   }

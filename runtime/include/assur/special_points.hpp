@@ -204,8 +204,8 @@ template <typename Model, typename Scalar>
   return system.status();
 }
 
-/// What `motion` solves by the Jacobian, by special points. The result is set where the status is
-/// ok or near_singular.
+/// Solves by special points what `motion` solves by the Jacobian. The result is set if the status
+/// is ok or near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status special_point_motion(const typename Model::template Dimensions<Scalar>& d,
                                           const typename Model::template Inputs<Scalar>& u,

@@ -48,7 +48,7 @@ enum class Status : unsigned char {
 /// eps/margin (see `regularity`), by measurement over all models.
 inline constexpr int derivative_error_constant = 64;
 
-/// A derivative that is not known to two digits is not known.
+/// A derivative with a larger relative error is not known: it has less than two digits.
 inline constexpr double two_digits = 5e-3;
 
 /// How far a configuration is from singular, by the pivots of the model's structured elimination.
@@ -63,11 +63,11 @@ struct Regularity {
   Scalar margin = Scalar(0);
   /// How firmly the closures hold the unknowns alone: one at best, and no less than the margin.
   Scalar firmness = Scalar(0);
-  /// The relative error of what the margin is computed from, with all constants.
+  /// The relative error of the quantities from which the margin is computed, with all constants.
   Scalar rounding = Scalar(1);
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
 
-  /// Of the derivatives, relative: at most about this. Infinite where there is no inverse.
+  /// A bound on the relative error of the derivatives; infinite where there is no inverse.
   [[nodiscard]] Scalar error() const {
     return margin > Scalar(0) ? rounding / margin : std::numeric_limits<Scalar>::infinity();
   }

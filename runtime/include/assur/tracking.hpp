@@ -22,16 +22,16 @@ struct Track {
   Status status = Status::singular;
   Scalar reached = 0;  ///< the parameter at `point`
   BranchPoint<Model, Scalar>
-      point;  ///< the last that is certainly of the branch; the start if none is
+      point;  ///< the last point that is certainly on the branch, or else the start
 };
 
 /// Follows a branch from its point `start` at the parameter `from` to the parameter `to`;
-/// `path(value)` gives the inputs' motion, an InputMotion, at a value between them. `d` is what
-/// `branch_point` had.
+/// `path(value)` gives the inputs' motion, an InputMotion, at a value between them. `d` are the
+/// dimensions that `branch_point` had.
 ///
 /// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
 /// change to a branch that this one could meet would show in the sign of det J; that other branches
-/// are far enough away is experience, not proof: docs/performance.md counts.
+/// are far enough away is experience, not proof: docs/reports/performance.md counts.
 template <typename Model, typename Scalar = double, typename Path>
 [[nodiscard]] Track<Model, Scalar> track(const typename Model::template Dimensions<Scalar>& d,
                                          const Path& path, std::common_type_t<Scalar> from,

@@ -3,12 +3,12 @@
 
 /// Of the headers; a minor version may change what they promise, a patch does not.
 #define ASSUR_VERSION_MAJOR 0
-#define ASSUR_VERSION_MINOR 1
+#define ASSUR_VERSION_MINOR 2
 #define ASSUR_VERSION_PATCH 0
 
 namespace assur {
 
 /// "major.minor.patch".
-inline constexpr const char* version = "0.1.0";
+inline constexpr const char* version = "0.2.0";
 
 }  // namespace assur

@@ -49,11 +49,12 @@ constexpr std::array<std::string_view, 23> macros = {
     "min",    "near",     "noreturn", "stderr", "stdin",    "stdout", "unix"};
 
 /// Types that the templates name: a member or a scene of that name would hide them.
-constexpr std::array<std::string_view, 42> template_words = {
-    "Assemblies",   "AssemblyStatus", "Branch",
-    "BranchOf",     "Direction",      "DriverState",
-    "Drivers",      "Eigen",          "Frame",
-    "Group",        "Groups",         "HeldJoints",
+constexpr std::array<std::string_view, 45> template_words = {
+    "Assemblies",   "AssemblyStatus", "BatchSolutions",
+    "Branch",       "BranchOf",       "Direction",
+    "DriverState",  "Drivers",        "Eigen",
+    "Frame",        "GivenColumns",   "Group",
+    "Groups",       "HeldJoints",     "Lanes",
     "LinkFrame",    "LinkPoint",      "LinkSlide",
     "LinkState",    "Links",          "Matrix",
     "ModelUnknown", "OutputState",    "Outputs",

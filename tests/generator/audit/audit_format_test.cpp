@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A crank and a slider, as docs/audit_format.md has them.
+/// A crank and a slider, as docs/reference/audit_format.md has them.
 const std::string slider_crank =
     "length r l x_P\n"
     "angle crank rod\n"

@@ -38,10 +38,10 @@ TEST(EmitRedundant, SolversFindTheConfigurationsInWhichTheJointsHold) {
   EXPECT_EQ(emitted.status, 0);
   EXPECT_EQ(emitted.messages,
             "warning: " + file.string() +
-                ": joints.C: constraints of the joint are too many; the solver does without them, "
-                "and leaves out the configurations in which they do not hold\n");
+                ": joints.C: constraints of the joint are redundant; the solver leaves them out, "
+                "and excludes the configurations in which they do not hold\n");
   const std::string code = read_file(directory.path() / "assur/scenes/cranks.hpp");
-  EXPECT_NE(code.find("/// Constraints of C are too many and left out."), std::string::npos);
+  EXPECT_NE(code.find("/// Redundant constraints of C are left out."), std::string::npos);
   EXPECT_EQ(code.find("slides."), std::string::npos) << "the slot that stands for C is reported";
   const auto source = directory.write("driver.cpp", R"(#include <assur/scenes/cranks.hpp>
 #include <cstdio>

@@ -44,10 +44,10 @@ std::map<std::string, Count> stated_counts(const std::string& header) {
   return counts;
 }
 
-/// The table of docs/specialised.md: function, general model, specialised.
+/// The table of docs/reports/specialised.md: function, general model, specialised.
 void compare_with_page(const std::map<std::string, Count>& stated) {
   const std::regex row(R"(\| (\w+) \| \d+, \d+, \d+ \| (\d+), (\d+), (\d+) \|)");
-  std::istringstream lines(read_file(ASSUR_DOCS "/specialised.md"));
+  std::istringstream lines(read_file(ASSUR_DOCS "/reports/specialised.md"));
   int rows = 0;
   std::string line;
   while (std::getline(lines, line)) {

@@ -167,7 +167,7 @@ INSTANTIATE_TEST_SUITE_P(
     Files, UnusablePaper,
     testing::Values(
         Unusable{"caf\xE9", "length a\n",
-                 "p.tex: the byte at offset 3 is no UTF-8; save the file in that encoding"},
+                 "p.tex: the byte at offset 3 is not UTF-8; save the file as UTF-8"},
         Unusable{"\\[ a = a", "length a\n", "p.tex:1:1: \\[ is not closed"},
         Unusable{"\n $a", "length a\n", "p.tex:2:2: $ is not closed"},
         Unusable{"\\begin{align} a &= a", "length a\n", "p.tex:1:1: \\begin{align} is not closed"},

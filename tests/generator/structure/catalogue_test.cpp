@@ -135,10 +135,10 @@ TEST(Catalogue, PrintsTextAndTheDocumentedMarkdown) {
     EXPECT_NE(result.output.find("PPP-PPP"), std::string::npos);
     EXPECT_NE(result.output.find("PPR-PRR belongs to another row"), std::string::npos);
     if (std::string(format) == "markdown") {
-      const std::string document = read_file(ASSUR_DOCS "/catalogue.md");
+      const std::string document = read_file(ASSUR_DOCS "/reference/catalogue.md");
       ASSERT_GT(document.size(), result.output.size());
       EXPECT_TRUE(document.substr(document.size() - result.output.size()) == result.output)
-          << "docs/catalogue.md is not what `assur catalogue --format markdown` prints";
+          << "docs/reference/catalogue.md is not what `assur catalogue --format markdown` prints";
     }
   }
 }

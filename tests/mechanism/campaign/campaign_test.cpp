@@ -293,7 +293,7 @@ TEST(Sampling, RefusesWhatHasNothingToSample) {
   EXPECT_EQ(refusal(four_bar.mechanism, 3), "--branch: no configuration 3; there are 2");
   const Scene rigid =
       parse_scene(std::regex_replace(std::string(linear), std::regex("0\\.[13]"), "0"), "rigid");
-  EXPECT_EQ(refusal(rigid.mechanism, 0).find("parameters: none has a tolerance"), 0U);
+  EXPECT_EQ(refusal(rigid.mechanism, 0).find("parameters: no parameter has a tolerance"), 0U);
 }
 
 TEST(Grid, HasTheConfigurationsOfTheTriangle) {

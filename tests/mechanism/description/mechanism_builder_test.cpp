@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
               [](Mechanism& made) {
                 made.add_joint("E", JointType::revolute, {"crank.A", "crank.B"});
               },
-              "joints.E.between: link 'crank' stands twice in one joint"},
+              "joints.E.between: link 'crank' occurs twice in one joint"},
         Fault{"LinkTwice", [](Mechanism& made) { made.add_link("crank"); },
               "links: the name 'crank' is taken"},
         Fault{"LinkWithADot", [](Mechanism& made) { made.add_link("a.b"); },

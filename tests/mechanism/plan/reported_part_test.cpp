@@ -151,7 +151,7 @@ TEST(ReportedPart, IsRefusedInALine) {
   expect(R"({"link": []})", "did you mean 'links'");
   expect(R"({"links": "rod"})", "expected a list of the names of links");
   expect(R"({"links": ["rodd"]})", "no link named 'rodd'");
-  expect(R"({"links": ["crank", "crank"]})", "'crank' stands twice");
+  expect(R"({"links": ["crank", "crank"]})", "'crank' occurs twice");
   expect(R"({"joints": ["A"]})", "revolute");
 }
 

@@ -127,7 +127,7 @@ std::string refusal_of(const Json& scene, bool nearest) {
 TEST(TooMany, AreRefusedWithAMend) {
   Json scene = many_dyads(29, [](int) { return 1.4; });
   const std::string mend =
-      "; give joints limits, or ask for one alone: for the nearest to a reference of more links, "
+      "; give joints limits, or ask for one only: for the nearest to a reference of more links, "
       "or "
       "by a low number";
   EXPECT_EQ(refusal_of(scene, false),

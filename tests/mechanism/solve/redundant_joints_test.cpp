@@ -2,8 +2,10 @@
 // elsewhere the mechanism is refused as over-constrained.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -60,6 +62,20 @@ TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
   }
 }
 
+/// Where a crank is square to the coupler, a slot along that would let its tip go by it.
+TEST(RedundantJoints, OfCranksSquareToTheCouplerAreRegular) {
+  for (const double phi : {0.5, -0.5}) {
+    for (const double beside : {0.0, 1e-9, 1e-6}) {
+      Bars bars = five_bars(2, 1.5);
+      bars.json()["parameters"]["phi"] = phi * std::numbers::pi + beside;
+      const Solved found = solved(bars.json());
+      ASSERT_EQ(found.configurations().size(), 1U) << phi;
+      EXPECT_EQ(found.configurations()[0].regularity, Status::ok) << phi;
+      EXPECT_NEAR(found.configurations()[0].link("rocker").velocity(2), 2, 1e-14) << phi;
+    }
+  }
+}
+
 /// Where the bars are in line, and where the constraint that is left out would leave the rocker
 /// free to turn back: the bars have one motion, and a sweep passes through with one branch.
 TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
@@ -93,6 +109,82 @@ TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
     mechanism::sweep(mechanism::Plan(mechanism::parse_scene(bars.json().dump(), "scene")),
                      {record, {}, {}});
     EXPECT_EQ(rows, 9);
+  }
+}
+
+/// Beside their flat position the cranks have one configuration: without a constraint there would
+/// be an antiparallelogram, too, in which the pins miss by the square of the angle alone.
+TEST(RedundantJoints, OfAnAlmostFlatParallelogramHoldOnce) {
+  for (const double third : {1.0, 1.3, 2.0}) {
+    for (const double unit : {1.0, 0x1p-60, 0x1p60}) {
+      for (double beside = 1e-3; beside > 1e-13; beside /= unit == 1 ? 7 : 1000) {
+        for (const double phi : {beside, -beside, std::numbers::pi - beside}) {
+          SCOPED_TRACE(std::to_string(third) + " " + std::to_string(std::log10(beside)));
+          Bars bars = five_bars(2, 1.5);
+          bars.json()["links"]["ground"]["F"] = {third, 0};
+          bars.json()["links"]["coupler"]["G"] = {third, 0};
+          for (auto& [link, points] : bars.json()["links"].items()) {
+            for (auto& [name, place] : points.items()) {
+              place[0] = place[0].get<double>() * unit;
+            }
+          }
+          bars.json()["parameters"]["phi"] = phi;
+          const Solved found = solved(bars.json());
+          ASSERT_EQ(found.configurations().size(), 1U);
+          const Configuration& only = found.configurations()[0];
+          // Rounding moves it by a rounding over the angle, and by no more than a root of it.
+          const double moved = std::min(4e-15 / beside, 1e-7);
+          EXPECT_NEAR(only.link("coupler").pose.direction.sin, 0, moved);
+          EXPECT_TRUE(only.branches.empty());
+          if (only.rates_known) {
+            EXPECT_NEAR(only.link("rocker").velocity(2), 2,
+                        only.regularity == Status::ok ? 1e-6 : 1e-2);
+          }
+          EXPECT_TRUE(only.regularity == Status::ok || beside < 1e-3);
+          EXPECT_TRUE(only.rates_known || beside < 1e-5);
+        }
+      }
+    }
+  }
+}
+
+/// Cranks of which two are in line with their pivots: the third one, beside that line, holds them,
+/// and all is known as elsewhere, but for what a parameter does that the cranks could not follow.
+TEST(RedundantJoints, OfCranksOfWhichTwoAreInLineAreRegular) {
+  for (const double beside : {0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4}) {
+    for (const std::string of_third : {"long", "1.5"}) {
+      for (const double sense : {1.0, -1.0}) {
+        SCOPED_TRACE(beside);
+        Bars bars = five_bars(2, 1.5);
+        bars.json()["links"]["ground"]["F"] = bars.json()["links"]["coupler"]["G"] = {2, 1};
+        const double phi = std::atan2(1.0, 2.0) + sense * beside;
+        bars.json()["parameters"] = {{"phi", phi}, {"long", 1.5}};
+        bars.json()["links"]["crank"]["B"] = bars.json()["links"]["rocker"]["C"] = {"long", 0};
+        bars.json()["links"]["third"]["G"] = {of_third, 0};
+        bars.json()["drivers"]["A"]["acceleration"] = 3;
+        bars.json()["want"] = {"position", "velocity", "acceleration", "sensitivity"};
+        const Solved found = solved(bars.json());
+        ASSERT_EQ(found.configurations().size(), 1U);
+        const Configuration& only = found.configurations()[0];
+        EXPECT_EQ(only.regularity, Status::ok);
+        EXPECT_NEAR(only.link("coupler").pose.direction.sin, 0, 1e-14);
+        for (const std::string crank : {"rocker", "third"}) {
+          EXPECT_NEAR(only.link(crank).velocity(2), 2, 1e-13);
+          EXPECT_NEAR(only.link(crank).acceleration(2), 3, 1e-12);
+          if (only.derivatives_known) {
+            EXPECT_NEAR(only.link(crank).follows.first(2, 0), 1, 1e-13);
+          }
+        }
+        if (beside < 1e-9) {
+          EXPECT_EQ(only.derivatives_known, of_third == "long");
+        }
+        if (only.derivatives_known && of_third == "long") {
+          const auto of_long = only.output("G").follows.first.col(1);
+          EXPECT_NEAR(of_long.x(), std::cos(phi), 1e-12);
+          EXPECT_NEAR(of_long.y(), std::sin(phi), 1e-12);
+        }
+      }
+    }
   }
 }
 
@@ -171,22 +263,18 @@ TEST(RedundantJoints, TellByHowMuchTheyDoNotHold) {
   EXPECT_EQ(message_of(five_bars(2, 16).json()), too_many_by("14.5"));
 }
 
-/// How far the rocker's end is from C along the coupler at least, where B, G and a third crank of a
-/// length hold the coupler, and C holds the rocker on its line alone: two circles, then a line.
-double slide_of_c(double third, double phi) {
+/// By how much the rocker is too long or too short at least, where B, G and a third crank of a
+/// length hold the coupler, and with it C: two circles, then a distance.
+double length_that_misses(double third, double phi) {
   const Eigen::Vector2d tip(1.5 * std::cos(phi), 1.5 * std::sin(phi));
   const Eigen::Vector2d from_f = tip - Eigen::Vector2d(2, 0);
   const double base = std::atan2(-from_f.y(), -from_f.x());
   const double half = std::acos((from_f.squaredNorm() + 4 - third * third) / (4 * from_f.norm()));
-  double least = 1e300;
+  double least = std::numeric_limits<double>::infinity();
   for (const double angle : {base + half, base - half}) {
     const Eigen::Vector2d along(std::cos(angle), std::sin(angle));
-    const Eigen::Vector2d from_d = tip - Eigen::Vector2d(4, 0);
-    const double foot = -from_d.dot(along);
-    const double root = std::sqrt(1.5 * 1.5 - from_d.squaredNorm() + foot * foot);
-    for (const double place : {foot + root, foot - root}) {
-      least = std::fmin(least, std::abs(place - 4));  // where the line misses the circle: NaN
-    }
+    const double length = (tip + 4 * along - Eigen::Vector2d(4, 0)).norm();
+    least = std::fmin(least, std::abs(length - 1.5));
   }
   return least;
 }
@@ -206,9 +294,9 @@ TEST(RedundantJoints, TellItAtOtherValuesThanTheScenesOwn) {
         (void)found.plan.solve(found.plan.values({{"third", 1.5 + more}}));
         FAIL() << "is solved";
       } catch (const mechanism::OverConstrained& refusal) {
-        const double slide = slide_of_c(1.5 + more, phi);
-        EXPECT_GT(slide, std::abs(more) / 2);
-        EXPECT_NEAR(refusal.gap, slide, 1e-12 + 1e-9 * slide);
+        const double missed = length_that_misses(1.5 + more, phi);
+        EXPECT_GT(missed, std::abs(more) / 2);
+        EXPECT_NEAR(refusal.gap, missed, 1e-12 + 1e-9 * missed);
       }
     }
   }
@@ -231,7 +319,23 @@ TEST(RedundantJoints, SayWhereNothingCanBeAssembledWithoutThem) {
   bars.json()["links"]["ground"]["D"] = {40, 0};
   bars.json()["links"]["ground"]["F"] = {20, 0};
   EXPECT_EQ(message_of(bars.json()),
-            std::string(too_many) + "; without constraints of C it cannot be assembled either");
+            std::string(too_many) +
+                "; without constraints of C it cannot be assembled either: group 1 (dyad RRR: "
+                "coupler, third): the joints B, F, G fail to close by 15.4 at least");
+}
+
+/// The cranks hold one another, and a dyad on their coupler is what cannot reach.
+TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
+  Bars bars = five_bars(2, 1.5);
+  bars.point("ground", "H", 30, 0).point("coupler", "K", 5, 1);
+  bars.point("arm", "K", 0, 0).point("arm", "M", 1, 0);
+  bars.point("lever", "H", 0, 0).point("lever", "M", 2, 0);
+  bars.join("K", {"coupler.K", "arm.K"}).join("M", {"arm.M", "lever.M"});
+  bars.join("H", {"ground.H", "lever.H"});
+  EXPECT_NE(message_of(bars.json())
+                .find("it cannot be assembled either: group 3 (dyad RRR: arm, lever): the joints "
+                      "H, K, M fail to close by 21 at least"),
+            std::string::npos);
 }
 
 /// A law that reads one of the joints, or limits of one, leave the others to be left out.

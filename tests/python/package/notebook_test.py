@@ -23,16 +23,17 @@ def test_cells(notebook, monkeypatch):
         exec(compile(cell, notebook.name, "exec"), names)
 
 
-def test_the_page(monkeypatch):
+def test_the_pages(monkeypatch):
     monkeypatch.chdir(SOURCE)
-    page = (SOURCE / "docs/python.md").read_text()
-    code = page.split("```python\n")[1].split("```")[0]
+    guide = (SOURCE / "docs/guide/python.md").read_text()
+    reference = (SOURCE / "docs/reference/python.md").read_text()
+    code = guide.split("```python\n")[1].split("```")[0]
     names = {}
     exec(compile(code.replace("100_000", "1_000"), "python.md", "exec"), names)
     assert names["batch"].outputs["P"].sensitivity.shape[1:] == (2, len(names["plan"].parameters))
     for name in names["assur"].__all__:
         if name[0].islower() or name in ("Scene", "Plan", "Solution", "Batch", "Sweep", "Samples"):
-            assert "`" + name in page, name
+            assert "`" + name in reference, name
 
 
 def test_there_are_two():

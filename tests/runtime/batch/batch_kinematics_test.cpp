@@ -149,6 +149,37 @@ void compare(std::size_t count, bool on_lattice, bool with_gaps) {
   }
 }
 
+/// Motion without sensitivities, which models compute by another function.
+template <typename Model, std::size_t Lanes>
+void compare_motion(std::size_t count, bool on_lattice, bool with_gaps) {
+  Given<Model> given(count, on_lattice, with_gaps);
+  motion<Model, Lanes>(
+      count, given.batch(), {given.first_rates.data(), given.second_rates.data(), given.stride},
+      given.status.data(), {given.velocity.data(), given.acceleration.data(), given.stride});
+  for (std::size_t index = 0; index < count; ++index) {
+    SCOPED_TRACE(index);
+    const auto d = group_of(given.batch().dimensions, index);
+    const auto u = group_of(given.batch().inputs, index);
+    const auto q = group_of(given.batch().configurations, index);
+    Motion<Model, double> moving;
+    const Status status = motion<Model, double>(d, u, q, given.rates(given.first_rates, index),
+                                                given.rates(given.second_rates, index), moving);
+    ASSERT_EQ(given.status[index], status);
+    if (!is_solvable(status)) {
+      continue;
+    }
+    const double margin = regularity<Model, double>(d, u, q).margin;
+    const double bound =
+        derivative_error_constant * std::numeric_limits<double>::epsilon() / (margin * margin);
+    ASSERT_LE(difference(moving.velocity, given.velocity, given.stride, index), bound);
+    ASSERT_LE(difference(moving.acceleration, given.acceleration, given.stride, index), bound);
+  }
+  for (std::size_t index = count; index < given.stride; ++index) {
+    EXPECT_EQ(given.status[index], Status::no_convergence);
+    EXPECT_EQ(given.velocity[index], 0);
+  }
+}
+
 template <typename Model>
 class BatchKinematics : public testing::Test {};
 using Models = testing::Types<dyad::Model01, dyad::Model02, dyad::Model05, triad::Model01,
@@ -160,6 +191,14 @@ TYPED_TEST(BatchKinematics, AnswerAsConfigurationsByThemselves) {
     compare<TypeParam, 4>(count, false, false);
   }
   compare<TypeParam, 2>(101, false, false);
+}
+
+TYPED_TEST(BatchKinematics, MoveAsConfigurationsByThemselves) {
+  for (const std::size_t count : {0, 1, 4, 5, 500}) {
+    compare_motion<TypeParam, 4>(count, false, false);
+  }
+  compare_motion<TypeParam, 4>(200, true, false);
+  compare_motion<TypeParam, 4>(501, false, true);
 }
 
 TYPED_TEST(BatchKinematics, TellSingularAndUnfitOnesFromOthers) {

@@ -1,5 +1,5 @@
-"""Turns every example, and the campaign's groups, into the figures of docs/embedding.md: what each
-takes of a Cortex-M7, by its compiler, its linker and QEMU. The page's tables are written anew.
+"""Turns every example, and the campaign's groups, into the figures of docs/guide/embedding.md: what
+each takes of a Cortex-M7, by its compiler, its linker and QEMU. The page's tables are written anew.
 
 embedding_figures.py ASSUR WORK FLAGS BOARD=FIGURES...: what the campaign wrote of each board"""
 
@@ -16,7 +16,7 @@ from stack_bound import stack_bound
 assur, work, flags = sys.argv[1:4]
 work, flags = pathlib.Path(work), shlex.split(flags)
 work.mkdir(parents=True, exist_ok=True)
-page = boards.project / "docs" / "embedding.md"
+page = boards.project / "docs/guide/embedding.md"
 board = boards.boards["m7"]
 roots = (boards.project / "runtime/include/assur/numeric/trigonometric_roots.hpp").read_text()
 max_depth = int(re.search(r"max_depth = (\d+)", roots)[1])

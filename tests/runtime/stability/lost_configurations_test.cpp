@@ -1,4 +1,4 @@
-// Laws of the laboratory of configurations: what docs/stability_configurations.svg shows of
+// Laws of the laboratory of configurations: what docs/reports/stability_configurations.svg shows of
 // the generated solvers, asserted on the same families.
 #include <gtest/gtest.h>
 

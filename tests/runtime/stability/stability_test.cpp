@@ -1,5 +1,5 @@
-// Laws of the stability laboratory: what docs/stability.svg shows, asserted on the same families
-// and the same methods.
+// Laws of the stability laboratory: what docs/reports/stability.svg shows, asserted on the same
+// families and the same methods.
 #include <gtest/gtest.h>
 
 #include <iostream>

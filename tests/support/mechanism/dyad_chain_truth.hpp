@@ -328,7 +328,7 @@ class ExactChain {
       next.choices[depth] = static_cast<int>(index);
       next.regular = walk.regular && position.regular;
       for (std::size_t link = 0; link < 2; ++link) {
-        // The first last: a block's frame is none of a link's.
+        // The first last: a block's frame is not that of a link.
         const std::size_t from = 1 - link;
         next.rounded[dyad.links[from]] = position.rounded[from];
         next.exact[dyad.links[from]] =

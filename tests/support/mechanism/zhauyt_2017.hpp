@@ -1,7 +1,7 @@
 // Turns the six-bar of Zhauyt et al. at one crank angle into the sensitivities of its point M by
 // the published equations, mended or with the slips that the paper prints.
 //
-// Numbers in brackets are those of the paper's equations: docs/zhauyt_2017.md.
+// Numbers in brackets are those of the paper's equations: docs/reports/zhauyt_2017.md.
 #pragma once
 
 #include <gtest/gtest.h>

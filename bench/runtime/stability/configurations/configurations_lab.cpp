@@ -1,6 +1,6 @@
 // Turns families of tetrads into the configurations that each method loses and invents:
 // stability_configurations.json and the columns of the chart, into a directory; the table of
-// docs/stability.md, on standard output.
+// docs/reports/stability.md, on standard output.
 #include "output.hpp"
 
 namespace assur::stability {

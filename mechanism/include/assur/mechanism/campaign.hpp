@@ -13,10 +13,10 @@
 
 namespace assur::mechanism {
 
-/// Items that are numbered from 0, each with rows that depend on its number alone.
+/// Items that are numbered from 0, each with rows that depend only on its number.
 struct Campaign {
-  /// Adds the rows of an item to others, row by row: whole numbers and outcomes as they are, what
-  /// there is none of as NaN. The first number of a row is the item's.
+  /// Adds the rows of an item to others, row by row: whole numbers and outcomes as they are, and
+  /// NaN for a number that does not exist. The first number of a row is that of the item.
   using Worker = std::function<void(std::uint64_t, std::vector<double>&)>;
 
   std::vector<Column> columns;
@@ -28,7 +28,7 @@ struct Campaign {
 struct ItemRange {
   std::uint64_t first, last;
 };
-/// Part `number`, from 1, of so many: all parts together are all items, and none is twice.
+/// Part `number`, from 1, of `parts`: all parts together are all items, each of them once.
 [[nodiscard]] ItemRange part_of(std::uint64_t items, std::uint64_t number, std::uint64_t parts);
 
 /// The rows of some items that follow one another.
@@ -45,7 +45,7 @@ void run_campaign(const Campaign& campaign, ItemRange items, int threads,
                   const std::function<std::string(const std::vector<double>&)>& encode,
                   const std::function<void(const RowBlock&)>& use);
 
-/// A parameter that deviates, and by how much at most.
+/// A parameter that deviates, and its largest deviation.
 struct Deviation {
   ParameterIndex parameter;
   double half_width;
@@ -103,7 +103,7 @@ struct GridAxis {
   std::uint64_t count;
 };
 
-/// So many cells a grid has at most.
+/// The largest number of cells of a grid.
 inline constexpr std::uint64_t most_cells = 100'000'000;
 
 /// All configurations over a grid of parameters, whose values take the place of their formulas. The

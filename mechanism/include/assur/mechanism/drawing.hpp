@@ -38,16 +38,16 @@ struct Stance {
   std::vector<Eigen::Vector2d> points;
 };
 
-/// The way of an output along one branch of the sweep.
+/// The path of an output along one branch of the sweep.
 struct Trace {
-  int configuration;  ///< that the branch goes through; 0 where that is not known
+  int configuration;  ///< through which the branch passes; 0 where that is not known
   std::string output;
   std::vector<Eigen::Vector2d> points;
 };
 
 /// A singular configuration on a branch of the sweep.
 struct Mark {
-  std::string event;                    ///< `fold`, `crossing`: see docs/sweeps.md
+  std::string event;                    ///< `fold`, `crossing`: see docs/guide/sweeps.md
   double parameter;                     ///< the swept parameter's value
   std::vector<int> configurations;      ///< whose branches meet there
   std::vector<Eigen::Vector2d> points;  ///< where the outputs are
@@ -71,14 +71,14 @@ struct Drawing {
 
 /// Which configurations are drawn.
 struct DrawingChoice {
-  int configuration = 0;  ///< one alone, by its number; 0 for all
-  bool nearest = false;   ///< the one nearest to the request's reference alone
+  int configuration = 0;  ///< only this one, by its number; 0 for all
+  bool nearest = false;   ///< only the one nearest to the request's reference
 };
 
-/// So many configurations are drawn at most.
+/// The largest number of configurations that are drawn.
 inline constexpr std::size_t most_drawn = 24;
 
-/// Solves the mechanism at its own values and draws its configurations, with the ways of the
+/// Solves the mechanism at its own values and draws its configurations, with the paths of the
 /// outputs over the request's sweep. Where all are drawn, the one nearest to the request's
 /// reference is emphasised, or else the first. Throws MechanismError where there is no
 /// configuration, or none of that number, and as `Plan` and `sweep` do.

@@ -22,6 +22,7 @@ struct Number {
   std::string part;  ///< `links.crank.B[0]`
 };
 
+/// A number with a name.
 struct Parameter {
   std::string name;
   NumberIndex value;
@@ -39,6 +40,7 @@ struct Feature {
   NumberIndex along_x, along_y;  ///< of a line; it need not have unit length, its sense matters
 };
 
+/// A rigid body with named features.
 struct Link {
   std::string name;
   std::vector<FeatureIndex> features;
@@ -50,6 +52,7 @@ enum class JointType : unsigned char {
   pin_in_slot  ///< the point lies on the line
 };
 
+/// What holds features of links together.
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
@@ -65,12 +68,13 @@ struct Driver {
   NumberIndex velocity, acceleration;  ///< where there are none, they follow from the law
 };
 
+/// A point to report.
 struct Output {
   std::string name;
   FeatureIndex point;
 };
 
-/// One planar mechanism: what there is, without a word on what is wanted of it. Every function
+/// One planar mechanism: its parts, without what is wanted of it. Every function
 /// that adds a part throws MechanismError where the part does not fit what is there, and then
 /// leaves the mechanism as it was.
 ///
@@ -85,7 +89,7 @@ struct Output {
 ///
 /// Lengths share one unit; angles are radians. The link named `ground`, if there is any, is the
 /// fixed frame. A number may be given as a number or as an expression in parameters that have been
-/// declared (docs/scenes.md).
+/// declared (docs/guide/scenes.md).
 class Mechanism {
  public:
   /// A number as the caller has it: a number, or the text of an expression.

@@ -19,7 +19,7 @@ struct Report {
   bool alone = false;
 };
 
-/// The JSON object of the scene format (docs/scenes.md).
+/// The JSON object of the scene format (docs/guide/scenes.md).
 [[nodiscard]] std::string report_json(const Report& report);
 /// Tables for people, angles in degrees.
 [[nodiscard]] std::string report_text(const Report& report);

@@ -14,7 +14,7 @@ namespace assur::mechanism {
 [[nodiscard]] std::vector<LinkIndex> reported_links(const Plan& plan, bool with_ground);
 
 /// The prismatic joints and pins in slots that are reported, in the mechanism's order. A joint that
-/// holds where the others do is none of them: its slot is one of the solver's alone.
+/// holds where the others do is not one of them: its slot belongs to the solver only.
 [[nodiscard]] std::vector<JointIndex> reported_slides(const Plan& plan);
 /// Their states in a configuration, in its order.
 [[nodiscard]] std::vector<const SlideState*> reported_slides(const Plan& plan,

@@ -47,12 +47,13 @@ struct Reported {
   }
 };
 
-/// About where a link stands.
+/// The approximate angle of a link.
 struct ReferenceAngle {
   LinkIndex link;
   NumberIndex theta;
 };
 
+/// What is wanted of a mechanism.
 struct Request {
   Want want;
   Reported reported;

@@ -21,6 +21,7 @@ class Histogram {
   Histogram(double middle, double scale);
   void add(double number);
 
+  /// How many numbers lie in a range.
   struct Bar {
     double from, to;
     std::uint64_t count;

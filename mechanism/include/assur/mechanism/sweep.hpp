@@ -13,7 +13,7 @@ struct SweepRecord {
   int step;           ///< of an event: the last one not beyond it
   int configuration;  ///< its number among the solution's at this step; 0 for an event
   int branch;         ///< from 1 in order of appearance; 0 for an event
-  std::string event;  ///< empty for a configuration; `fold 1 2`: see docs/sweeps.md
+  std::string event;  ///< empty for a configuration; `fold 1 2`: see docs/guide/sweeps.md
   double parameter;   ///< the swept parameter's value
   const Spread* spread;
   const Configuration* state;
@@ -28,7 +28,7 @@ struct SweepObserver {
   std::function<void(int)> progress;  ///< steps done
 };
 
-/// So many branches are followed side by side at most.
+/// The largest number of branches that are followed side by side.
 inline constexpr std::size_t most_followed = 1000;
 
 /// Follows every branch of a mechanism's configurations through its sweep. Two neighbouring sets of
@@ -44,7 +44,7 @@ int sweep(const Plan& plan, const SweepObserver& observer);
 /// The same with all parameters but the swept one as in `values`.
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer);
 
-/// Follows one branch alone, in the memory of one configuration, however many others there are. It
+/// Follows a single branch, in the memory of one configuration, however many others there are. It
 /// is that of a configuration at the first step that has one: by its number, from 1 and as
 /// `Plan::solve_one` counts, or where that is zero of the one nearest to the request's reference. A
 /// step is taken for one of the same branch by what `sweep` asks of two neighbouring sets, of this

@@ -112,20 +112,21 @@ template <typename Model, typename Scalar>
 /// Whether second rates keep as many digits too, whatever moves: they divide by the firmness once
 /// more (see `second_rate_error`). Without a division, as above.
 template <typename Model, typename Scalar>
-[[nodiscard]] bool is_firm(const Pivots<Model, Scalar>& pivots, Scalar rounding) {
-  Scalar core = 1;
-  Scalar sizes = 1;
+[[nodiscard]] auto is_firm(const Pivots<Model, Scalar>& pivots, const Scalar& rounding) {
+  using std::abs;
+  Scalar core(1);
+  Scalar sizes(1);
   for (int index = 0; index < Model::core_pivot_count; ++index) {
-    core *= std::abs(pivots.values(index));
-    sizes *= pivots.sizes(index);
+    core = core * abs(pivots.values(index));
+    sizes = sizes * pivots.sizes(index);
   }
-  core *= Scalar(regular_error<Scalar>) * core * core;
+  core = core * (Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>) * core * core);
   const Scalar lost = rounding * pivots.terms * sizes * sizes;
-  bool firm = lost < core;
+  auto firm = lost < core;
   for (int index = Model::core_pivot_count; index < Model::pivot_count; ++index) {
     const Scalar value = pivots.values(index) * pivots.values(index);
     const Scalar size = pivots.sizes(index) * pivots.sizes(index);
-    firm = firm && lost * (size * size) < core * (value * value);
+    firm = firm & (lost * (size * size) < core * (value * value));
   }
   return firm;
 }

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <assur/numeric/precision.hpp>
+#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -92,6 +93,13 @@ class PackOf {
                                      std::index_sequence<Lane...>) {
     return PackOf(Numbers{from[at[Lane]]...});
   }
+  template <typename Function>
+  [[nodiscard]] static PackOf by_lanes(PackOf a, const Function& function) {
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      a.numbers_[lane] = function(a.numbers_[lane]);
+    }
+    return a;
+  }
 
  public:
   static constexpr std::size_t lanes = Lanes;
@@ -134,6 +142,7 @@ class PackOf {
     return PackOf(a.numbers_ / b.numbers_);
   }
   PackOf& operator+=(const PackOf& other) { return *this = *this + other; }
+  PackOf& operator*=(const PackOf& other) { return *this = *this * other; }
 
   // Without a branch: which of them it is differs from lane to lane.
   friend PackOf select(const Truth& holds, const PackOf& then, const PackOf& otherwise) {
@@ -155,6 +164,16 @@ class PackOf {
     a.store(roots.data());
     roots = roots.sqrt().eval();
     return load(roots.data());
+  }
+  // One after the other, as they come to one number.
+  friend PackOf ceil(const PackOf& a) {
+    return by_lanes(a, [](Scalar number) { return std::ceil(number); });
+  }
+  friend PackOf atan2(PackOf y, const PackOf& x) {
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      y.numbers_[lane] = std::atan2(y.numbers_[lane], x.numbers_[lane]);
+    }
+    return y;
   }
 
   /// A bit for each number, set where it is below zero or minus zero.

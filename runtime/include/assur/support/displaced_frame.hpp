@@ -1,17 +1,28 @@
 // Turns how far rounding has displaced a frame into how far it has displaced what the frame holds.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <assur/numeric/precision.hpp>
 #include <cmath>
 #include <limits>
 
 namespace assur::support {
+
+/// The larger of two numbers, or of those of two packs.
+template <typename Scalar>
+[[nodiscard]] constexpr Scalar larger(const Scalar& one, const Scalar& other) {
+  using std::max;
+  return max EIGEN_NOT_A_MACRO(one, other);
+}
 
 /// By how much rounding may have moved what stands in a frame up to `extent` from its origin, and
 /// turned the frame, at most. What is computed from lengths that cancel is not known to a rounding
 /// of its own value, but to one of theirs: `reach` is the longest of them.
 template <typename Scalar>
 struct DisplacementOf {
+  static constexpr auto epsilon =
+      std::numeric_limits<typename numeric::PartOf<Scalar>::Type>::epsilon();
   Scalar moved = 0;
   Scalar turned = 0;
   Scalar reach = 0;
@@ -26,21 +37,22 @@ struct DisplacementOf {
   }
   /// A frame that turns about its origin by an angle, which is rounded as its cosine and sine are.
   [[nodiscard]] static DisplacementOf of_turn(Scalar angle) {
-    return {0, std::numeric_limits<Scalar>::epsilon() * (1 + std::abs(angle)), 0};
+    using std::abs;
+    return {Scalar(0), Scalar(epsilon) * (Scalar(1) + abs(angle)), Scalar(0)};
   }
   /// A frame that slides along an axis.
   [[nodiscard]] static DisplacementOf of_slide(Scalar displacement) {
-    const Scalar length = std::abs(displacement);
-    return {std::numeric_limits<Scalar>::epsilon() * length, 0, length};
+    using std::abs;
+    const Scalar length = abs(displacement);
+    return {Scalar(epsilon) * length, Scalar(0), length};
   }
   /// A feature whose coordinates are computed with an error, and its direction with another.
   [[nodiscard]] static DisplacementOf of_rounding(Scalar error, Scalar turn) {
-    return {error, turn, error / std::numeric_limits<Scalar>::epsilon()};
+    return {error, turn, error / Scalar(epsilon)};
   }
   /// The larger of each, of two that may not add up.
   [[nodiscard]] DisplacementOf worst_of(const DisplacementOf& other) const {
-    return {(std::max)(moved, other.moved), (std::max)(turned, other.turned),
-            (std::max)(reach, other.reach)};
+    return {larger(moved, other.moved), larger(turned, other.turned), larger(reach, other.reach)};
   }
   /// Lengths in another unit.
   [[nodiscard]] DisplacementOf scaled(Scalar scale) const {
@@ -53,14 +65,14 @@ struct DisplacementOf {
   }
   /// Of what stands at (x, y) in this frame.
   [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y) const {
-    const Scalar arm = std::abs(x) + std::abs(y);
-    return {moved + turned * (std::max)(Scalar(0), arm - extent), turned, (std::max)(reach, arm)};
+    using std::abs;
+    const Scalar arm = abs(x) + abs(y);
+    return {moved + turned * larger(Scalar(0), arm - extent), turned, larger(reach, arm)};
   }
   /// Of a frame that stands there and is displaced against this one.
   [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y, const DisplacementOf& inner) const {
     const DisplacementOf origin = carries(x, y);
-    return {origin.moved + inner.moved, turned + inner.turned,
-            (std::max)(origin.reach, inner.reach)};
+    return {origin.moved + inner.moved, turned + inner.turned, larger(origin.reach, inner.reach)};
   }
 };
 using Displacement = DisplacementOf<double>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <assur/support/batch_limits.hpp>
 #include <cmath>
 #include <limits>
 

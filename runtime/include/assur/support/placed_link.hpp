@@ -240,12 +240,13 @@ template <typename Scalar, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> worst_case(
     const Matrix<Scalar, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  std::array<Scalar, 2> sum{};
+  using std::abs;
+  std::array<Scalar, 2> sum{Scalar(0), Scalar(0)};
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
     const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
-    sum[0] += std::abs(gradient(0, parameter)) * tolerance;
-    sum[1] += std::abs(gradient(1, parameter)) * tolerance;
+    sum[0] += abs(gradient(0, parameter)) * tolerance;
+    sum[1] += abs(gradient(1, parameter)) * tolerance;
   }
   return {sum[0], sum[1]};
 }
@@ -255,7 +256,8 @@ template <typename Scalar, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> root_sum_square(
     const Matrix<Scalar, 2, Parameters>& gradient,
     const std::array<double, static_cast<std::size_t>(Parameters)>& tolerances) {
-  std::array<Scalar, 2> sum{};
+  using std::sqrt;
+  std::array<Scalar, 2> sum{Scalar(0), Scalar(0)};
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
     const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
@@ -264,7 +266,7 @@ template <typename Scalar, int Parameters>
     sum[0] += part[0] * part[0];
     sum[1] += part[1] * part[1];
   }
-  return {std::sqrt(sum[0]), std::sqrt(sum[1])};
+  return {sqrt(sum[0]), sqrt(sum[1])};
 }
 
 }  // namespace assur::support

@@ -76,6 +76,7 @@ struct Access {
   static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
   static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
   using Key = std::array<Scalar, lengths_from + Solver::keyed_slides>;
+  static constexpr bool in_packs = Solver::in_packs;  ///< whether a pack may be the scalar
   /// Whether it is for the search to tell that something given is no number; groups tell it of
   /// positions.
   static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
@@ -133,7 +134,7 @@ struct Access {
     Parts::list(placed, state);
   }
   /// Whether all joints keep their limits where everything is placed.
-  [[nodiscard]] static bool keeps_limits(const Placed& placed) {
+  [[nodiscard]] static auto keeps_limits(const Placed& placed) {
     return Parts::keeps_limits(placed);
   }
   /// What tells one state from another, and puts them in order.

@@ -67,7 +67,7 @@ class Tracker {
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
-  /// where there is none of that number, or where float does not tell.
+  /// where no configuration has that number, or where float does not tell.
   template <Unresolved unresolved>
   static Branch begin(const Given& given, int configuration) {
     Branch branch;

@@ -49,8 +49,26 @@ void put_roots(const Vector<Pack, 3>& T, const Discriminants<Pack>& found,
   first_of<Model>(configurations[1]) = T(0) / larger;
 }
 
-/// The search by formula of several groups at once, as `ClosedSearch` does it of one.
+/// Groups of which the inputs are known to their own rounding.
 template <typename Model, typename Pack>
+struct KnownInputs {
+  /// The largest error of a discriminant, as `Certainty::error` has it.
+  template <typename Certainty>
+  [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
+    return certainty.power(square);
+  }
+  /// By how much the Jacobian is off. What is near the origin is as unsure as its lengths, which
+  /// every verdict counts.
+  [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& d,
+                            const typename Model::template Inputs<Pack>& u, const Pack& square,
+                            const Pack& of_dimensions) const {
+    return select(square > Pack(256) * of_dimensions, unsure_jacobians<Model>(d, u), Pack(0));
+  }
+};
+
+/// The search by formula of several groups at once, as `ClosedSearch` does it of one. `Rounding` is
+/// what is known of the inputs.
+template <typename Model, typename Pack, typename Rounding = KnownInputs<Model, Pack>>
 struct ClosedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   using Truth = decltype(Pack() < Pack());
@@ -66,14 +84,14 @@ struct ClosedPack {
   /// In order; set where both hold, and all of them ok.
   std::array<Configuration, root_count> configurations;
 
-  ClosedPack(const Dimensions& d, const Inputs& u) {
+  ClosedPack(const Dimensions& d, const Inputs& u, const Rounding& rounding = {}) {
     const Pack of_dimensions = square_of_lengths<Pack>(d);
     const Pack square = of_dimensions + square_of_lengths<Pack>(u);
     FinalPolynomial<Model, Pack> T;
     Model::position_polynomial(d, u, T);
     const Discriminants<Pack> found = discriminants_of(T);
     const Pack in_units = Form::is_scaled ? square : Pack(1);
-    const Pack error = Form::discriminant.power(in_units);
+    const Pack error = rounding.error(Form::discriminant, in_units);
     const Truth known =
         Form::is_in_range(square) & are_finite_directions(d) & are_finite_directions(u);
     assembled = known & (found.discriminant * Pack(Form::firmness) > error);
@@ -84,14 +102,11 @@ struct ClosedPack {
     }
     if constexpr (Form::has_leading_coefficient) {
       constexpr auto leading = certainty<Scalar>(Model::leading_error, Model::leading_degree);
-      assembled =
-          assembled & (abs(found.leading) * Pack(leading.firmness) > leading.power(in_units));
+      assembled = assembled &
+                  (abs(found.leading) * Pack(leading.firmness) > rounding.error(leading, in_units));
     }
     put_roots<Model>(T, found, configurations);
-    const auto unsure = [&] {
-      // What is near the origin is as unsure as its lengths, which every verdict counts.
-      return select(square > Pack(256) * of_dimensions, unsure_jacobians<Model>(d, u), Pack(0));
-    };
+    const auto unsure = [&] { return rounding.unsure(d, u, square, of_dimensions); };
 #pragma GCC unroll 2
     for (std::size_t index = 0; index < root_count; ++index) {
       assembled = assembled & completes(d, u, square, unsure, configurations[index]);

@@ -9,12 +9,14 @@
 #include <assur/detail/batch/pack_columns.hpp>
 #include <assur/detail/batch/pack_roots.hpp>
 #include <assur/detail/batch/pack_verdicts.hpp>
+#include <assur/detail/batch/scaled_block.hpp>
 #include <assur/detail/completion.hpp>
 #include <assur/detail/polish.hpp>
 #include <assur/detail/products.hpp>
 #include <assur/detail/small_step.hpp>
-#include <assur/numeric/magnitude.hpp>
+#include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <type_traits>
@@ -45,13 +47,30 @@ class GeneralBlock {
   /// Searches so many groups from `first` on, as many as fill packs.
   void solve(const Columns<const Dimensions<double>>& dimensions,
              const Columns<const Inputs<double>>& inputs, std::size_t first, std::size_t count) {
-    arcs_.clear();
-    Magnitudes most;
+    begin();
     for (std::size_t group = 0; group < count; group += Lanes) {
-      scale(load_groups<Dimensions<Pack>>(dimensions, first + group),
-            load_groups<Inputs<Pack>>(inputs, first + group), group, most);
+      add(load_groups<Dimensions<Pack>>(dimensions, first + group),
+          load_groups<Inputs<Pack>>(inputs, first + group), {}, group);
     }
-    const double error = error_of_coefficients(most);
+    search(count);
+  }
+
+  /// The same pack by pack: `begin`, then `add` for the places 0, `Lanes`, ..., then `search` for
+  /// as many places as were added. Rounding has displaced the inputs of the groups.
+  void begin() {
+    arcs_.clear();
+    groups_.clear();
+  }
+  void add(const Dimensions<Pack>& dimensions, const Inputs<Pack>& inputs,
+           const support::DisplacementOf<Pack>& displaced, std::size_t group) {
+    const unsigned usable = groups_.add(dimensions, inputs, displaced, group);
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      settled_[group + lane] = (usable >> lane & 1) != 0;
+      counts_[group + lane] = 0;
+    }
+  }
+  void search(std::size_t count) {
+    const double error = groups_.error();
     for (std::size_t group = 0; group < count; group += Lanes) {
       add_arcs(group, Pack(error));
     }
@@ -70,6 +89,9 @@ class GeneralBlock {
 
   /// Puts the configurations of a settled group in order. False if that needs a closer look.
   [[nodiscard]] bool put_in_order(std::size_t group) {
+    if constexpr (comes_in_any_order<Model>) {
+      return are_apart(group);
+    }
     const std::size_t count = counts_[group];
     const std::array<std::size_t, most_roots> list = lists_[group];
     std::array<std::size_t, most_roots> ranks{};
@@ -88,6 +110,22 @@ class GeneralBlock {
     }
     return apart;
   }
+  /// Number by number, one configuration of the groups that fill a pack; of a group that has none
+  /// of that number, any.
+  [[nodiscard]] Configuration<Pack> configuration(std::size_t group, std::size_t index) const {
+    Places roots;
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      roots[lane] = index < counts_[group + lane] ? lists_[group + lane][index] : 0;
+    }
+    const Pack units = groups_.units(group);
+    constexpr auto lengths = SortsOf<Configuration<double>>::lengths;
+    Configuration<Pack> q;
+    for_each_number(q, [&](Pack& number, std::size_t place) {
+      number = Pack::gather(roots_[place].data(), roots);
+      number = lengths[place] ? number * units : number;
+    });
+    return q;
+  }
   /// Puts one configuration of a group, in the unit of its inputs, into the columns of a batch.
   void put(std::size_t group, std::size_t index, const Columns<Configuration<double>>& to,
            std::size_t at) const {
@@ -95,123 +133,39 @@ class GeneralBlock {
     const std::size_t root = lists_[group][index];
     for (std::size_t place = 0; place < lengths.size(); ++place) {
       to.data[place * to.stride + at] =
-          roots_[place][root] * (lengths[place] ? units_[group] : 1.0);
+          roots_[place][root] * (lengths[place] ? groups_.unit(group) : 1.0);
     }
   }
 
  private:
-  /// The largest numbers of a block, which bound the rounding of all its polynomials.
-  struct Magnitudes {
-    Dimensions<Pack> dimensions{};
-    Inputs<Pack> inputs{};
-    Pack places = Pack(1);
-  };
-
-  /// Scales several groups so that their longest lengths are near one, and puts the first external
-  /// joint of each at the origin: what a configuration holds does not change with the place.
-  void scale(const Dimensions<Pack>& dimensions, const Inputs<Pack>& inputs, std::size_t group,
-             Magnitudes& most) {
-    const Pack own = sizes_of<Model, Pack>(dimensions, inputs);
-    const Pack places = longest_lengths(inputs);
-    // Beyond these, who looks at one group alone decides by what it is measured.
-    constexpr double longest_of_all = 0x1p400;
-    constexpr double farthest = 0x1p20;
-    const Truth in_range = (own < Pack(longest_of_all)) & (Pack(1 / longest_of_all) < own) &
-                           (places < Pack(farthest) * own) & are_finite_directions(dimensions) &
-                           are_finite_directions(inputs);
-    Pack scale(1);
-    const unsigned usable = in_range.bits();
-    for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      settled_[group + lane] = (usable >> lane & 1) != 0;
-      counts_[group + lane] = 0;
-      scale.put(lane, settled_[group + lane] ? support::inverse_power_of_two(own[lane]) : 1);
-      units_[group + lane] = 1 / scale[lane];
-    }
-    const auto keep = [&](const Pack& number, Pack& largest, double* kept) {
-      number.store(kept);
-      largest = max EIGEN_NOT_A_MACRO(largest, select(in_range, abs(number), Pack(0)));
-    };
-    Pack* largest = &first_number(most.dimensions);
-    for_each_number(dimensions, [&](const Pack& number, std::size_t place) {
-      const bool is_length = SortsOf<Dimensions<double>>::lengths[place];
-      keep(is_length ? number * scale : number, largest[place], &dimensions_[place][group]);
-    });
-    largest = &first_number(most.inputs);
-    Direction<Pack> origin{Pack(0), Pack(0)};
-    bool is_placed = false;
-    for_each_number(inputs, [&](const Pack& number, std::size_t place) {
-      constexpr auto axes = axes_of_inputs();
-      if (axes[place] == 'y' && !is_placed) {
-        origin.sin = number;
-        is_placed = true;
+  /// Whether the first unknowns of all configurations of a group differ by more than what one root
+  /// is known to: by 1e-7.
+  [[nodiscard]] bool are_apart(std::size_t group) const {
+    constexpr std::size_t place = number_of_first_unknown();
+    bool apart = true;
+    for (std::size_t one = 1; one < counts_[group]; ++one) {
+      for (std::size_t other = 0; other < one; ++other) {
+        const std::size_t left = lists_[group][one];
+        const std::size_t right = lists_[group][other];
+        apart &= std::abs(roots_[place][left] - roots_[place][right]) > 1e-7 ||
+                 std::abs(roots_[place + 1][left] - roots_[place + 1][right]) > 1e-7;
       }
-      if (axes[place] == 'x' && !is_placed) {
-        origin.cos = number;
-      }
-      const Pack moved = axes[place] == 'x'   ? number - origin.cos
-                         : axes[place] == 'y' ? number - origin.sin
-                                              : number;
-      keep(axes[place] != 0 ? moved * scale : number, largest[place], &inputs_[place][group]);
-    });
-    const Pack longest = max EIGEN_NOT_A_MACRO(Pack(1), places * scale);
-    keep(longest, most.places, &longest_[group]);
-  }
-  template <typename Variables>
-  [[nodiscard]] static Pack& first_number(Variables& variables) {
-    auto& first = std::get<0>(variables.members());
-    if constexpr (is_direction<std::decay_t<decltype(first)>>) {
-      return first.cos;
-    } else {
-      return first;
     }
+    return apart;
   }
-  /// Of each number of the inputs, the axis along which it is a coordinate, or none.
-  [[nodiscard]] static constexpr auto axes_of_inputs() {
-    std::array<char, Columns<Inputs<double>>::count> axes{};
+  [[nodiscard]] static constexpr std::size_t number_of_first_unknown() {
+    constexpr auto angles = SortsOf<Configuration<double>>::angles;
     std::size_t place = 0;
-    for (const ModelVariable& input : Model::inputs) {
-      axes[place] = input.is_angle ? '\0' : input.name[0];
-      place += input.is_angle ? 2 : 1;
+    for (std::size_t unknown = 0; unknown < size(Model::first_unknown); ++unknown) {
+      place += angles[unknown] ? 2 : 1;
     }
-    return axes;
-  }
-
-  /// How far rounding, of the variables too, may have moved a coefficient of the final polynomial
-  /// of any group that is no larger.
-  [[nodiscard]] static double error_of_coefficients(const Magnitudes& most) {
-    using numeric::Magnitude;
-    Dimensions<Magnitude> d;
-    Inputs<Magnitude> u;
-    const double longest = largest_in(most.places);
-    const auto put = [](auto& to, const auto& from, double units) {
-      for_each_number(from, [&](const Pack& number, std::size_t place) {
-        const double size = largest_in(number);
-        put_number(&to, place, Magnitude(size, units));
-      });
-    };
-    put(d, most.dimensions, Magnitude::given_units);
-    put(u, most.inputs, Magnitude::given_units * longest);
-    TrigonometricPolynomial<Magnitude, N> T;
-    Model::position_polynomial(d, u, T);
-    double error = 0;
-    for (std::size_t k = 0; k <= N; ++k) {
-      error = (std::max)({error, T.cosine[k].rounding(), T.sine[k].rounding()});
-    }
-    return error;
-  }
-  [[nodiscard]] static double largest_in(const Pack& pack) {
-    double largest = 0;
-    for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      largest = (std::max)(largest, pack[lane]);
-    }
-    return largest;
+    return place;
   }
 
   /// Makes arcs of several final polynomials, the coefficients of which have such an error.
   void add_arcs(std::size_t group, const Pack& error) {
     TrigonometricPolynomial<Pack, N> T;
-    Model::position_polynomial(loaded<Dimensions<Pack>>(dimensions_, group),
-                               loaded<Inputs<Pack>>(inputs_, group), T);
+    Model::position_polynomial(groups_.dimensions(group), groups_.inputs(group), T);
     numeric::Harmonics<Pack, N> harmonics;
     Pack sum(0);
     for (std::size_t k = 0; k <= N; ++k) {
@@ -232,25 +186,6 @@ class GeneralBlock {
       settled_[group + lane] = settled_[group + lane] && (certain >> lane & 1) != 0;
     }
   }
-  template <typename Variables, std::size_t Count>
-  [[nodiscard]] static Variables loaded(const std::array<std::array<double, capacity>, Count>& kept,
-                                        std::size_t group) {
-    Variables result;
-    for_each_number(
-        result, [&](Pack& number, std::size_t place) { number = Pack::load(&kept[place][group]); });
-    return result;
-  }
-
-  template <typename Variables, std::size_t Count>
-  [[nodiscard]] static Variables gathered(
-      const std::array<std::array<double, capacity>, Count>& kept, const Places& at) {
-    Variables result;
-    for_each_number(result, [&](Pack& number, std::size_t place) {
-      number = Pack::gather(kept[place].data(), at);
-    });
-    return result;
-  }
-
   /// Finds the roots in the brackets of two packs, so that the processor can overlap them.
   void find_roots(std::size_t first) {
     using Bracket = PackBracket<Pack, 2 * N + 1>;
@@ -303,16 +238,19 @@ class GeneralBlock {
       centre.sin.put(lane, sine[chart]);
       wanted.put(lane, lane < count ? 1 : 0);
     }
-    const auto d = gathered<Dimensions<Pack>>(dimensions_, groups);
-    const auto u = gathered<Inputs<Pack>>(inputs_, groups);
+    const auto d = groups_.dimensions(groups);
+    const auto u = groups_.inputs(groups);
     Configuration<Pack> q;
     first_of<Model>(q) = direction_on_chart(Pack::load(&found_[first]), centre);
     const Truth complete = complete_simple<Model, Pack>(d, u, q);
-    const Pack longest = Pack::gather(longest_.data(), groups);
-    const unsigned kept = (complete & settles(d, u, longest, wanted > Pack(0), q)).bits();
+    const unsigned kept = (complete & settles(d, u, groups_.longest(groups), groups_.unsure(groups),
+                                              wanted > Pack(0), q))
+                              .bits();
     for_each_number(
         q, [&](const Pack& number, std::size_t place) { number.store(&roots_[place][first]); });
-    key_at<Model, 0, Pack>(d, u, q).store(&keys_[first]);
+    if constexpr (!comes_in_any_order<Model>) {
+      key_at<Model, 0, Pack>(d, u, q).store(&keys_[first]);
+    }
     for (std::size_t lane = 0; lane < count; ++lane) {
       const std::size_t group = groups[lane];
       if ((kept >> lane & 1) == 0 || counts_[group] == most_roots) {
@@ -325,9 +263,8 @@ class GeneralBlock {
 
   /// Where a configuration closes and is regular, after a Newton step if need be.
   [[nodiscard]] static Truth settles(const Dimensions<Pack>& d, const Inputs<Pack>& u,
-                                     const Pack& longest, const Truth& wanted,
+                                     const Pack& longest, const Pack& unsure, const Truth& wanted,
                                      Configuration<Pack>& q) {
-    const Pack unsure = Pack(std::numeric_limits<double>::epsilon()) * longest;
     Truth closed = closes<Model, Pack>(d, u, q, longest * longest);
     if (!static_cast<bool>(closed | !wanted)) {
       closed = closed | polishes(d, u, longest, q);
@@ -367,12 +304,9 @@ class GeneralBlock {
     return largest;
   }
 
+  ScaledBlock<Model, Lanes, capacity> groups_;
   ArcSearch<N, Lanes, capacity> arcs_;
-  template <std::size_t Count>
-  using Kept = std::array<std::array<double, capacity>, Count>;
-  Kept<Columns<Dimensions<double>>::count> dimensions_;
-  Kept<Columns<Inputs<double>>::count> inputs_;
-  std::array<double, capacity> units_, longest_, noise_;
+  std::array<double, capacity> noise_;
   std::array<bool, capacity> settled_;
   std::array<std::size_t, capacity> counts_;
   std::array<std::array<std::size_t, most_roots>, capacity> lists_;

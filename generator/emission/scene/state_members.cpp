@@ -1,0 +1,52 @@
+#include "emission/scene/state_members.hpp"
+
+#include <assur/text/names.hpp>
+#include <functional>
+#include <utility>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// The names of what is there.
+std::string listed(const std::vector<std::pair<std::string, bool>>& names) {
+  std::vector<std::string> there;
+  for (const auto& [name, is_there] : names) {
+    if (is_there) {
+      there.push_back(name);
+    }
+  }
+  return text::joined(there, ", ", std::identity());
+}
+
+}  // namespace
+
+cpp::View::List member_list(const std::vector<std::string>& members) {
+  cpp::View::List list;
+  for (const std::string& member : members) {
+    list.push_back(cpp::View("member", member));
+    list.back().set("comma", list.size() < members.size() ? ", " : "");
+  }
+  return list;
+}
+
+void show_state_members(const SolverScene& solver, bool has_links, bool has_slides,
+                        cpp::View& view) {
+  const mechanism::Want& want = solver.plan.request().want;
+  const auto moving = [&](const char* place) {
+    return std::vector<std::pair<std::string, bool>>{
+        {place, want.position}, {"velocity", want.velocity}, {"acceleration", want.acceleration}};
+  };
+  auto of_output = moving("position");
+  of_output.insert(of_output.end(), {{"sensitivity", solver.parameters.count() > 0},
+                                     {"worst_case", solver.has_tolerances()},
+                                     {"rss", solver.has_tolerances()}});
+  view.set("motion_members", listed(moving("pose")));
+  view.set("slide_members", listed(moving("displacement")));
+  view.set("output_members", listed(of_output));
+  view.set("state_members", listed({{"links", has_links},
+                                    {"slides", has_slides},
+                                    {"outputs", !solver.mechanism().outputs().empty()}}));
+}
+
+}  // namespace assur::generator::emission::scene

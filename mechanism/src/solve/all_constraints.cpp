@@ -1,0 +1,339 @@
+#include "all_constraints.hpp"
+
+#include <algorithm>
+#include <assur/directions.hpp>
+#include <assur/support/redundant.hpp>
+#include <assur/support/rigid_motion.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+using Eigen::Vector2d;
+
+/// A vector turned by a quarter: how fast what is there moves where its origin's frame turns by
+/// one.
+Vector2d across(const Vector2d& arm) { return {-arm.y(), arm.x()}; }
+
+Vector2d place_of(const Pose<double>& pose) { return {pose.x, pose.y}; }
+Vector2d axis_of(const Pose<double>& pose) { return {pose.direction.cos, pose.direction.sin}; }
+
+/// The second derivative of c = R(-theta) d along i and j, from that of d and what is of first
+/// order: R(-theta) d_ij - theta_ij J c - theta_i J c_j - theta_j J c_i + theta_i theta_j c, J a
+/// quarter.
+Vector2d seen_twice(const Vector2d& d, double turn, const Vector2d& c, double turn_i,
+                    const Vector2d& c_i, double turn_j, const Vector2d& c_j) {
+  return d - turn * across(c) - turn_i * across(c_j) - turn_j * across(c_i) + turn_i * turn_j * c;
+}
+
+/// A frame in the axes of another one, with all rates and derivatives; both stand in a third.
+Frame seen_from(const Frame& one, const Frame& other) {
+  const Direction<double> back = reversed(one.pose.direction);
+  const auto turned_back = [&](const Vector2d& v) { return support::rotated<double>(back, v); };
+  const Vector2d c = turned_back(place_of(other.pose) - place_of(one.pose));
+  Frame result;
+  result.pose = {c.x(), c.y(), turned(other.pose.direction, back)};
+  const auto rate = [&](const Eigen::Vector3d& of_one, const Eigen::Vector3d& of_other) {
+    const Eigen::Vector3d apart = of_other - of_one;
+    Eigen::Vector3d seen;
+    seen << turned_back(apart.head<2>()) - of_one(2) * across(c), apart(2);
+    return seen;
+  };
+  result.velocity = rate(one.velocity, other.velocity);
+  const Eigen::Vector3d apart = other.acceleration - one.acceleration;
+  const double omega = one.velocity(2);
+  const Vector2d velocity = result.velocity.head<2>();
+  result.acceleration << seen_twice(turned_back(apart.head<2>()), one.acceleration(2), c, omega,
+                                    velocity, omega, velocity),
+      apart(2);
+  const Derivatives<3>& of_one = one.follows;
+  const Derivatives<3>& of_other = other.follows;
+  const Eigen::Index count = of_one.first.cols();
+  result.follows.set_zero(count, of_one.has_second());
+  for (Eigen::Index i = 0; i < count; ++i) {
+    result.follows.first.col(i) = rate(of_one.first.col(i), of_other.first.col(i));
+  }
+  for (Eigen::Index i = 0; of_one.has_second() && i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const auto between = [&](std::size_t row) {
+        return of_other.second[row](i, j) - of_one.second[row](i, j);
+      };
+      const Vector2d second =
+          seen_twice(turned_back({between(0), between(1)}), of_one.second[2](i, j), c,
+                     of_one.first(2, i), result.follows.first.col(i).head<2>(), of_one.first(2, j),
+                     result.follows.first.col(j).head<2>());
+      result.follows.second[0](i, j) = second.x();
+      result.follows.second[1](i, j) = second.y();
+      result.follows.second[2](i, j) = between(2);
+    }
+  }
+  return result;
+}
+
+/// An angle in [-pi, pi].
+double reduced(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
+
+}  // namespace
+
+Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
+  Table<LinkIndex, Pose<double>> poses;
+  for (const Frame& link : links) {
+    poses.add(link.pose);
+  }
+  return poses;
+}
+
+AllConstraints::AllConstraints(const Values& values)
+    : values_(values),
+      mechanism_(values.plan().mechanism),
+      column_of_(mechanism_.links().size(), -1),
+      pivot_on_(mechanism_.links().size(), FeatureIndex()) {
+  const std::vector<RedundantJoint>& redundant = values.plan().redundant;
+  for (const JointIndex joint : mechanism_.joints().keys()) {
+    const Joint& at = mechanism_.joints()[joint];
+    const bool stands_in = std::ranges::any_of(redundant, [&](const RedundantJoint& one) {
+      return std::ranges::find(at.between, one.slot) != at.between.end();
+    });
+    if (!stands_in) {
+      hold(at, mechanism_.driver_of(joint));
+    }
+  }
+  for (const RedundantJoint& joint : redundant) {
+    const bool are_lines = mechanism_.features()[joint.one].is_line;
+    pairs_.push_back({joint.one, joint.other, {!are_lines, true, are_lines}});
+  }
+  for (const Pair& pair : pairs_) {
+    rows_ += std::ranges::count(pair.holds, true);
+    for (const FeatureIndex feature : {pair.first, pair.second}) {
+      const LinkIndex link = mechanism_.features()[feature].link;
+      if (link != mechanism_.ground() && column_of_[link] < 0) {
+        column_of_[link] = unknowns();
+        pivot_on_[link] = feature;
+        moving_.push_back(link);
+      }
+    }
+  }
+}
+
+void AllConstraints::hold(const Joint& joint, DriverIndex driver) {
+  for (std::size_t other = 1; other < joint.between.size(); ++other) {
+    Pair pair{joint.between[0], joint.between[other], {true, true, false}, driver};
+    if (joint.type == JointType::prismatic) {
+      pair.holds = {driver.exists(), true, true};
+    } else if (joint.type == JointType::pin_in_slot) {
+      pair.holds = {driver.exists(), true, false};
+      if (!mechanism_.features()[pair.first].is_line) {
+        std::swap(pair.first, pair.second);
+      }
+    } else {
+      pair.holds = {true, true, driver.exists()};
+      pair.driven = 2;
+    }
+    pairs_.push_back(pair);
+  }
+}
+
+template <typename Visit>
+void AllConstraints::for_each_row(const Visit& visit) const {
+  Eigen::Index row = 0;
+  for (const Pair& pair : pairs_) {
+    for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
+      if (pair.holds[static_cast<std::size_t>(coordinate)]) {
+        visit(row++, coordinate, pair);
+      }
+    }
+  }
+}
+
+Pose<double> AllConstraints::placed(FeatureIndex feature, const Poses& links) const {
+  return support::pose_in(links[mechanism_.features()[feature].link], values_.frame(feature).pose);
+}
+
+Vector2d AllConstraints::pivot(LinkIndex link, const Poses& links) const {
+  return place_of(placed(pivot_on_[link], links));
+}
+
+Frame AllConstraints::relative(const Pair& pair, const Links& links) const {
+  const auto placed = [&](FeatureIndex feature) {
+    return composed(links[mechanism_.features()[feature].link], values_.frame(feature));
+  };
+  return seen_from(placed(pair.first), placed(pair.second));
+}
+
+Frame AllConstraints::along(JointIndex slide, const Links& links) const {
+  const std::vector<FeatureIndex>& between = mechanism_.joints()[slide].between;
+  const bool line_first = mechanism_.features()[between[0]].is_line;
+  return relative({between[line_first ? 0 : 1], between[line_first ? 1 : 0], {}}, links);
+}
+
+void AllConstraints::measure(const Poses& links) {
+  double longest = 0;
+  double farthest = 0;
+  const auto include = [&](FeatureIndex feature) {
+    const LinkIndex link = mechanism_.features()[feature].link;
+    const Vector2d at = place_of(placed(feature, links));
+    farthest = std::max(farthest, at.norm());
+    if (column_of_[link] >= 0) {
+      longest = std::max(longest, (at - pivot(link, links)).norm());
+      farthest = std::max(farthest, place_of(values_.frame(feature).pose).norm());
+    }
+  };
+  for (const Pair& pair : pairs_) {
+    include(pair.first);
+    include(pair.second);
+    longest = std::max(
+        longest,
+        (place_of(placed(pair.second, links)) - place_of(placed(pair.first, links))).norm());
+  }
+  size_ = longest > 0 ? longest : std::max(farthest, std::numeric_limits<double>::min());
+  reach_ = 1 + farthest / size_;
+}
+
+Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
+  Eigen::VectorXd result(rows_);
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+    const Pose<double> one = placed(pair.first, links);
+    const Pose<double> other = placed(pair.second, links);
+    const Vector2d apart = place_of(other) - place_of(one);
+    const Vector2d axis = axis_of(one);
+    const double wanted = pair.driver.exists() && pair.driven == coordinate
+                              ? values_.motion(pair.driver).position.value()
+                              : 0;
+    if (coordinate == 2) {
+      result(row) = reduced(angle_of(turned(other.direction, reversed(one.direction))) - wanted);
+    } else {
+      result(row) = ((coordinate == 0 ? axis : across(axis)).dot(apart) - wanted) / size_;
+    }
+  });
+  return result;
+}
+
+// What turns with the first feature's link sees the second one move against that, from its place.
+Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows_, unknowns());
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+    const Vector2d at = place_of(placed(pair.second, links));
+    const Vector2d axis = axis_of(placed(pair.first, links));
+    const Vector2d seen = coordinate == 0 ? axis : across(axis);
+    for (const auto& [feature, sense] :
+         {std::pair(pair.first, -1.0), std::pair(pair.second, 1.0)}) {
+      const LinkIndex link = mechanism_.features()[feature].link;
+      const Eigen::Index column = column_of_[link];
+      if (column < 0) {
+        continue;
+      }
+      if (coordinate < 2) {
+        result.block<1, 2>(row, column) += sense * seen.transpose();
+      }
+      result(row, column + 2) +=
+          sense * (coordinate == 2 ? 1 : seen.dot(across(at - pivot(link, links))) / size_);
+    }
+  });
+  return result;
+}
+
+void AllConstraints::move(const Eigen::VectorXd& step, Poses& links) const {
+  for (const LinkIndex link : moving_) {
+    const Eigen::Vector3d by = step.segment<3>(column_of_[link]);
+    const Direction<double> turn{std::cos(by(2)), std::sin(by(2))};
+    Pose<double>& pose = links[link];
+    const Vector2d about = pivot(link, links);
+    const Vector2d arm = place_of(pose) - about;
+    const Vector2d origin = about + size_ * by.head<2>() + support::rotated<double>(turn, arm);
+    const Direction<double> direction = turned(pose.direction, turn);
+    const double length = std::hypot(direction.cos, direction.sin);
+    pose = {origin.x(), origin.y(), {direction.cos / length, direction.sin / length}};
+  }
+}
+
+Eigen::VectorXd AllConstraints::step(const Poses& from, const Poses& to) const {
+  Eigen::VectorXd result(unknowns());
+  for (const LinkIndex link : moving_) {
+    const Vector2d shift = pivot(link, to) - pivot(link, from);
+    result.segment<3>(column_of_[link]) << shift / size_,
+        angle_of(turned(to[link].direction, reversed(from[link].direction)));
+  }
+  return result;
+}
+
+Eigen::MatrixXd AllConstraints::first_rates(const Links& links) const {
+  const Eigen::Index parameters = std::ssize(values_.columns());
+  Eigen::MatrixXd result(rows_, 1 + parameters);
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+    const Frame at = relative(pair, links);
+    result(row, 0) = at.velocity(coordinate);
+    result.row(row).tail(parameters) = at.follows.first.row(coordinate);
+    if (pair.driver.exists() && pair.driven == coordinate) {
+      const JointMotion& law = values_.motion(pair.driver);
+      result(row, 0) -= law.velocity;
+      if (law.position.derivatives().size() > 0) {
+        result.row(row).tail(parameters) -= law.position.derivatives().transpose();
+      }
+    }
+    result.row(row) /= unit(coordinate);
+  });
+  return result;
+}
+
+Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
+  const Eigen::Index parameters = values_.second_order() ? std::ssize(values_.columns()) : 0;
+  Eigen::MatrixXd result(rows_, 1 + parameters * parameters);
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+    const Frame at = relative(pair, links);
+    const bool is_driven = pair.driver.exists() && pair.driven == coordinate;
+    result(row, 0) =
+        at.acceleration(coordinate) - (is_driven ? values_.motion(pair.driver).acceleration : 0);
+    for (Eigen::Index one = 0; one < parameters; ++one) {
+      for (Eigen::Index other = 0; other < parameters; ++other) {
+        double& second = result(row, 1 + one * parameters + other);
+        second = at.follows.second[static_cast<std::size_t>(coordinate)](one, other);
+        if (is_driven && values_.motion(pair.driver).position.has_hessian()) {
+          second -= values_.motion(pair.driver).position.hessian()(one, other);
+        }
+      }
+    }
+    result.row(row) /= unit(coordinate);
+  });
+  return result;
+}
+
+Eigen::Vector3d AllConstraints::moved(LinkIndex link, const Pose<double>& pose,
+                                      const Eigen::VectorXd& rates) const {
+  const Eigen::Vector3d of = rates.segment<3>(column_of_[link]);
+  const Pose<double> about = support::pose_in(pose, values_.frame(pivot_on_[link]).pose);
+  Eigen::Vector3d result;
+  result << size_ * of.head<2>() + of(2) * across(place_of(pose) - place_of(about)), of(2);
+  return result;
+}
+
+void AllConstraints::add_first(const Eigen::MatrixXd& rates, Links& links) const {
+  for (const LinkIndex link : moving_) {
+    Frame& frame = links[link];
+    frame.velocity += moved(link, frame.pose, rates.col(0));
+    for (Eigen::Index column = 1; column < rates.cols(); ++column) {
+      frame.follows.first.col(column - 1) += moved(link, frame.pose, rates.col(column));
+    }
+  }
+}
+
+void AllConstraints::add_second(const Eigen::MatrixXd& rates, Links& links) const {
+  const Eigen::Index parameters = std::ssize(values_.columns());
+  for (const LinkIndex link : moving_) {
+    Frame& frame = links[link];
+    frame.acceleration += moved(link, frame.pose, rates.col(0));
+    for (Eigen::Index column = 1; column < rates.cols(); ++column) {
+      const Eigen::Vector3d second = moved(link, frame.pose, rates.col(column));
+      for (std::size_t row = 0; row < 3; ++row) {
+        frame.follows.second[row]((column - 1) / parameters, (column - 1) % parameters) +=
+            second(static_cast<Eigen::Index>(row));
+      }
+    }
+  }
+}
+
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,206 @@
+#include "settled_redundancy.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <assur/support/derivative_digits.hpp>
+#include <assur/support/redundant.hpp>
+#include <cmath>
+#include <limits>
+
+#include "plan/plan_data.hpp"
+#include "precision.hpp"
+#include "redundant_joints.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+using Factors = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+
+/// The work grows with the third power of the links.
+constexpr std::size_t most_links = 100;
+/// Below this part of the largest a singular value is one of rounding.
+constexpr double least_firmness = 1e-9;
+
+/// The least singular value to the largest, from the triangle R by inverse iteration.
+double firmness_of(const Factors& factors) {
+  const Eigen::Index count = factors.cols();
+  if (factors.rank() < count) {
+    return 0;
+  }
+  const auto triangle = factors.matrixR().topRows(count).triangularView<Eigen::Upper>();
+  Eigen::VectorXd direction = Eigen::VectorXd::Ones(count).normalized();
+  double least = 0;
+  for (int time = 0; time < 8; ++time) {
+    const Eigen::VectorXd once = triangle.transpose().solve(direction);
+    const Eigen::VectorXd twice = triangle.solve(once);
+    least = 1 / once.norm();
+    direction = twice.normalized();
+  }
+  return least / factors.maxPivot();
+}
+
+}  // namespace
+
+std::optional<SettledRedundancy> SettledRedundancy::made_for(const Values& values) {
+  const PlanData& plan = values.plan();
+  const bool is_usable = !plan.redundant.empty() && !plan.request.redundancy_tolerance.exists() &&
+                         plan.structure.reading.empty() &&
+                         plan.mechanism.links().size() <= most_links;
+  return is_usable ? std::optional(SettledRedundancy(values)) : std::nullopt;
+}
+
+double SettledRedundancy::missed(const AllConstraints::Poses& links) const {
+  return constraints_.misses(links).cwiseAbs().maxCoeff();
+}
+
+void SettledRedundancy::close(AllConstraints::Poses& links) const {
+  constexpr int most_tries = 40;
+  constexpr double longest_step = 0.1;
+  constexpr double least_gain = 0.9;
+  for (int time = 0; time < most_tries; ++time) {
+    const Eigen::VectorXd open = constraints_.misses(links);
+    if (!(open.norm() > constraints_.rounding() / 16)) {
+      return;
+    }
+    Factors factors;
+    factors.setThreshold(least_firmness);
+    factors.compute(constraints_.jacobian(links));
+    Eigen::VectorXd step = -factors.solve(open);
+    step *= std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
+    bool is_better = false;
+    for (int halving = 0; halving < 4 && !is_better; ++halving) {
+      AllConstraints::Poses moved = links;
+      constraints_.move(step, moved);
+      is_better = constraints_.misses(moved).norm() < least_gain * open.norm();
+      if (is_better) {
+        links = std::move(moved);
+      }
+      step /= 2;
+    }
+    if (!is_better) {
+      return;
+    }
+  }
+}
+
+double SettledRedundancy::settle(PlacedLinks& placed) {
+  const double without = gap_of_redundant(values_, placed.links, Status::ok);
+  AllConstraints::Poses poses = poses_of(placed.links);
+  constraints_.measure(poses);
+  close(poses);
+  for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
+    placed.links[link].pose = poses[link];
+  }
+  find_rates(poses, placed);
+  take_slides(placed);
+  const double open = missed(poses);
+  placed.residual = std::max(placed.residual, open * constraints_.size());
+  return open <= support::redundancy_slack(constraints_.reach(), Status::ok)
+             ? 0
+             : std::max(without, open * constraints_.size());
+}
+
+double SettledRedundancy::settle_nearby(PlacedLinks& placed) {
+  const PlacedLinks without = placed;
+  const double gap = settle(placed);
+  const double moved =
+      constraints_.step(poses_of(without.links), poses_of(placed.links)).cwiseAbs().maxCoeff();
+  // Rounding leaves one in which several meet off by no more.
+  constexpr double farthest = 1e-6;
+  if (gap == 0 && moved <= farthest) {
+    return 0;
+  }
+  placed = without;
+  return std::max(gap, moved * constraints_.size());
+}
+
+void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) const {
+  Factors factors;
+  factors.setThreshold(least_firmness);
+  const Eigen::MatrixXd jacobian = constraints_.jacobian(poses);
+  factors.compute(jacobian);
+  const double firmness = firmness_of(factors);
+  const double error = constraints_.rounding() / (firmness * firmness);
+  placed.is_crossing = !(error < 1);
+  if (!(error < two_digits)) {
+    return;
+  }
+  AllConstraints::Links links = placed.links;
+  const auto parameters = static_cast<Eigen::Index>(values_.columns().size());
+  for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
+    links[link].velocity.setZero();
+    links[link].acceleration.setZero();
+    links[link].follows.set_zero(parameters, values_.second_order());
+  }
+  const Eigen::MatrixXd open = constraints_.first_rates(links);
+  if (!open.allFinite()) {
+    return;
+  }
+  const Eigen::MatrixXd rates = -factors.solve(open);
+  constraints_.add_first(rates, links);
+  constexpr double rounding_of_rates = 1e-8;
+  const Eigen::MatrixXd contradicted = jacobian * rates + open;
+  const auto contradicts = [&](Eigen::Index column) {
+    return !(contradicted.col(column).norm() <= rounding_of_rates * open.col(column).norm());
+  };
+  const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
+  const bool is_known_twice = error / firmness < two_digits && open_twice.allFinite();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  constraints_.add_second(is_known_twice
+                              ? Eigen::MatrixXd(-factors.solve(open_twice))
+                              : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown),
+                          links);
+  placed.links = std::move(links);
+  placed.regularity = error < support::six_digits ? Status::ok : Status::near_singular;
+  placed.rates_known = true;
+  placed.derivatives_known = is_known_twice || !values_.second_order();
+  for (Eigen::Index column = 1; column < open.cols(); ++column) {
+    placed.derivatives_known = placed.derivatives_known && !contradicts(column);
+  }
+}
+
+void SettledRedundancy::take_slides(PlacedLinks& placed) const {
+  for (SlideState& slide : placed.slides) {
+    const Frame along = constraints_.along(slide.joint, placed.links);
+    slide.displacement = along.pose.x;
+    slide.velocity = along.velocity(0);
+    slide.acceleration = along.acceleration(0);
+    slide.follows.first = along.follows.first.row(0);
+    if (along.follows.has_second()) {
+      slide.follows.second = {along.follows.second[0]};
+    }
+  }
+}
+
+SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,
+                                                          const AllConstraints::Poses& second) {
+  constexpr double near = 0.01;
+  constexpr double much_better = 16;
+  constraints_.measure(first);
+  const Eigen::VectorXd between = constraints_.step(first, second);
+  if (!(between.cwiseAbs().maxCoeff() < near)) {
+    return Comparison::differ;
+  }
+  const double rounding = constraints_.rounding();
+  const double of_first = missed(first);
+  const double of_second = missed(second);
+  const auto is_much_better = [&](double one, double other) {
+    return other > (one > rounding ? much_better * one : rounding);
+  };
+  if (is_much_better(of_second, of_first)) {
+    return Comparison::first_is_none;
+  }
+  if (is_much_better(of_first, of_second)) {
+    return Comparison::second_is_none;
+  }
+  AllConstraints::Poses halfway = first;
+  constraints_.move(between / 2, halfway);
+  constexpr double alike = 4;
+  if (missed(halfway) <= alike * std::max({of_first, of_second, rounding})) {
+    return of_second < of_first ? Comparison::first_is_none : Comparison::second_is_none;
+  }
+  return Comparison::differ;
+}
+
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,47 @@
+#include "watched_limits.hpp"
+
+#include <algorithm>
+
+#include "limits.hpp"
+#include "plan/plan_data.hpp"
+
+namespace assur::mechanism::solve {
+
+WatchedLimits::WatchedLimits(const Placement& placement)
+    : placement_(placement), joints_(placement.structure().groups.size() + 1) {
+  const Table<LinkIndex, std::size_t> before = groups_before(placement.structure());
+  const Mechanism& mechanism = placement.plan().mechanism;
+  for (const JointIndex joint : mechanism.joints().keys()) {
+    if (mechanism.joints()[joint].lowest.exists()) {
+      std::size_t groups = 0;
+      for (const FeatureIndex feature : mechanism.joints()[joint].between) {
+        groups = std::max(groups, before[mechanism.features()[feature].link]);
+      }
+      joints_[groups].push_back(joint);
+      exist_ = true;
+    }
+  }
+}
+
+bool WatchedLimits::are_kept_at(std::size_t groups, std::vector<LimitBreach>& breaches) const {
+  bool keeps = true;
+  for (const JointIndex joint : joints_[groups]) {
+    const double beyond = beyond_limits(placement_.values(), placement_.placed().links,
+                                        placement_.placed().slides, joint);
+    if (beyond > 0) {
+      add_breach({joint, 1, beyond}, breaches);
+      keeps = false;
+    }
+  }
+  return keeps;
+}
+
+bool WatchedLimits::are_kept(std::vector<LimitBreach>& breaches) const {
+  bool keeps = true;
+  for (std::size_t groups = 0; groups < joints_.size(); ++groups) {
+    keeps = are_kept_at(groups, breaches) && keeps;
+  }
+  return keeps;
+}
+
+}  // namespace assur::mechanism::solve

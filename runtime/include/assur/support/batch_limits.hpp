@@ -1,0 +1,57 @@
+// Turns the coordinates of joints of several mechanisms and their limits into which of them keep
+// these, and of which that is certain.
+#pragma once
+
+#include <assur/numeric/pack.hpp>
+#include <assur/support/displaced_frame.hpp>
+#include <cstddef>
+
+namespace assur::support {
+
+/// Where limits are kept, and where that is certain, rounding of regular configurations counted:
+/// they keep six digits.
+template <typename Truth>
+struct KeptLimits {
+  Truth kept;
+  Truth certain;
+
+  /// Both. One that is certainly not kept decides.
+  friend KeptLimits operator&&(const KeptLimits& one, const KeptLimits& other) {
+    return {one.kept & other.kept, (one.certain & other.certain) | (one.certain & !one.kept) |
+                                       (other.certain & !other.kept)};
+  }
+};
+
+template <typename Scalar, std::size_t Lanes>
+[[nodiscard]] numeric::PackOf<Scalar, Lanes> pack_limit_slack(
+    const numeric::PackOf<Scalar, Lanes>& lowest, const numeric::PackOf<Scalar, Lanes>& highest) {
+  using Pack = numeric::PackOf<Scalar, Lanes>;
+  return Pack(1e-6) * larger(Pack(1), larger(abs(lowest), abs(highest)));
+}
+
+/// As `is_between` has it of one.
+template <typename Scalar, std::size_t Lanes>
+[[nodiscard]] auto is_between(const numeric::PackOf<Scalar, Lanes>& lowest,
+                              const numeric::PackOf<Scalar, Lanes>& displacement,
+                              const numeric::PackOf<Scalar, Lanes>& highest) {
+  const auto slack = pack_limit_slack(lowest, highest);
+  const auto inside = (lowest + slack < displacement) & (displacement < highest - slack);
+  const auto outside = (displacement < lowest - slack) | (highest + slack < displacement);
+  return KeptLimits<numeric::PackTruth<Scalar, Lanes>>{inside, inside | outside};
+}
+
+/// As `is_turned_between` has it of one.
+template <typename Scalar, std::size_t Lanes>
+[[nodiscard]] auto is_turned_between(const numeric::PackOf<Scalar, Lanes>& lowest,
+                                     const numeric::PackOf<Scalar, Lanes>& angle,
+                                     const numeric::PackOf<Scalar, Lanes>& highest) {
+  using Pack = numeric::PackOf<Scalar, Lanes>;
+  const Pack turn(6.283185307179586);
+  const Pack slack = pack_limit_slack(lowest, highest);
+  const Pack first = angle + turn * ceil((lowest - slack - angle) / turn);
+  const auto inside = (lowest + slack < first) & (first < highest - slack);
+  const auto outside = highest + slack < first;
+  return KeptLimits<numeric::PackTruth<Scalar, Lanes>>{inside, inside | outside};
+}
+
+}  // namespace assur::support

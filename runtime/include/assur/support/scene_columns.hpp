@@ -1,0 +1,101 @@
+// Turns the drivers and states of many instances of an emitted solver into columns of numbers.
+#pragma once
+
+#include <assur/model.hpp>
+#include <cstddef>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace assur::support {
+
+namespace columns {
+
+template <typename Part, typename = void>
+inline constexpr bool has_members = false;
+template <typename Part>
+inline constexpr bool has_members<Part, std::void_t<decltype(std::declval<Part&>().members())>> =
+    true;
+
+/// Calls `use` with every number of a part of a state, of a direction the cosine first, of a matrix
+/// column by column.
+template <typename Scalar, typename Use>
+void visit(Scalar& number, Use& use, Scalar* /*numbers*/) {
+  use(number);
+}
+template <typename Scalar, typename Use>
+void visit(Direction<Scalar>& direction, Use& use, Scalar* /*numbers*/) {
+  use(direction.cos);
+  use(direction.sin);
+}
+template <typename Scalar, typename Use>
+void visit(Pose<Scalar>& pose, Use& use, Scalar* numbers) {
+  use(pose.x);
+  use(pose.y);
+  visit(pose.direction, use, numbers);
+}
+template <typename Scalar, int Rows, int Columns, typename Use>
+void visit(Matrix<Scalar, Rows, Columns>& matrix, Use& use, Scalar* /*numbers*/) {
+  for (int place = 0; place < Rows * Columns; ++place) {
+    use(matrix.data()[place]);
+  }
+}
+template <typename Scalar, typename Part, typename Use,
+          std::enable_if_t<has_members<Part>, int> = 0>
+void visit(Part& part, Use& use, Scalar* numbers) {
+  std::apply([&](auto&... member) { (visit(member, use, numbers), ...); }, part.members());
+}
+
+/// How many numbers there are in a part.
+template <typename Scalar>
+constexpr std::size_t count(const Scalar* /*part*/, const Scalar* /*numbers*/) {
+  return 1;
+}
+template <typename Scalar>
+constexpr std::size_t count(const Pose<Scalar>* /*part*/, const Scalar* /*numbers*/) {
+  return 4;
+}
+template <typename Scalar, int Rows, int Columns>
+constexpr std::size_t count(const Matrix<Scalar, Rows, Columns>* /*part*/,
+                            const Scalar* /*numbers*/) {
+  return static_cast<std::size_t>(Rows) * static_cast<std::size_t>(Columns);
+}
+template <typename Scalar, typename... Members>
+constexpr std::size_t count_all(std::tuple<Members&...>* /*members*/, const Scalar* numbers);
+template <typename Scalar, typename Part, std::enable_if_t<has_members<Part>, int> = 0>
+constexpr std::size_t count(const Part* /*part*/, const Scalar* numbers) {
+  using Members = decltype(std::declval<Part&>().members());
+  return count_all(static_cast<Members*>(nullptr), numbers);
+}
+template <typename Scalar, typename... Members>
+constexpr std::size_t count_all(std::tuple<Members&...>* /*members*/,
+                                [[maybe_unused]] const Scalar* numbers) {
+  return (std::size_t{0} + ... + count(static_cast<const Members*>(nullptr), numbers));
+}
+
+}  // namespace columns
+
+/// How many numbers there are in the drivers, the parameters or a state of a solver, of which each
+/// has a column in a batch: column_count<Solver::State<double>>.
+template <typename Variables>
+inline constexpr std::size_t column_count = columns::count(static_cast<const Variables*>(nullptr),
+                                                           static_cast<const double*>(nullptr));
+
+/// Calls `use` with every number of drivers, parameters or a state, and with that of its column.
+template <template <typename> class Variables, typename Scalar, typename Use>
+void for_each_column(Variables<Scalar>& variables, const Use& use) {
+  std::size_t column = 0;
+  const auto use_next = [&](Scalar& number) { use(number, column++); };
+  columns::visit(variables, use_next, static_cast<Scalar*>(nullptr));
+}
+
+/// The number of the column of every number of a solver's drivers, parameters or states:
+/// column_numbers<Solver::State>().outputs.P.position(0).
+template <template <typename> class Variables>
+[[nodiscard]] Variables<std::size_t> column_numbers() {
+  Variables<std::size_t> numbers;
+  for_each_column(numbers, [](std::size_t& number, std::size_t column) { number = column; });
+  return numbers;
+}
+
+}  // namespace assur::support

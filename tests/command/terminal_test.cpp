@@ -1,0 +1,63 @@
+// Law: what is printed fits a terminal of 80 columns, holds no escape sequence where it goes to a
+// file, and with --quiet nothing stands beside it but errors.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "command/command.hpp"
+
+namespace assur::test::terminal_test {
+namespace {
+
+const std::string four_bar = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+
+/// The lines of tables are indented; the name of a scene and sentences are as long as they are.
+void expect_narrow_tables(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_EQ(line.find('\x1b'), std::string::npos) << line;
+    if (line.starts_with(" ")) {
+      EXPECT_LE(line.size(), 80U) << line;
+    }
+  }
+}
+
+TEST(Tables, FitATerminal) {
+  expect_narrow_tables(run_assur("catalogue").output);
+  for (const auto& scene : std::filesystem::directory_iterator(ASSUR_EXAMPLES)) {
+    if (scene.path().extension() == ".json") {
+      SCOPED_TRACE(scene.path().string());
+      const CommandResult solved = run_assur("solve " + scene.path().string());
+      EXPECT_EQ(solved.status, 0);
+      expect_narrow_tables(solved.output);
+    }
+  }
+}
+
+TEST(Quiet, IsAnOptionOfEverySubcommand) {
+  for (const char* name : {"catalogue", "derive", "emit", "solve", "draw", "sample", "map", "merge",
+                           "schema", "audit"}) {
+    const std::string help = run_assur(std::string(name) + " --help").output;
+    EXPECT_NE(help.find("--quiet"), std::string::npos) << name;
+  }
+}
+
+TEST(Quiet, LeavesOutRemarks) {
+  const std::string swept = "solve " + four_bar + " --format csv --set crank=150";
+  const CommandResult loud = run_assur(swept);
+  ASSERT_FALSE(loud.messages.empty()) << "the sweep has no stretch without configurations";
+  const CommandResult quiet = run_assur(swept + " --quiet");
+  EXPECT_EQ(quiet.messages, "");
+  EXPECT_EQ(quiet.output, loud.output);
+  EXPECT_EQ(quiet.status, loud.status);
+}
+
+TEST(Quiet, LeavesErrors) {
+  const CommandResult result = run_assur("solve no_such_scene.json --quiet");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_TRUE(result.messages.starts_with("error: ")) << result.messages;
+}
+
+}  // namespace
+}  // namespace assur::test::terminal_test
