@@ -1,5 +1,5 @@
 # Draws the columns that speed_accuracy writes: gnuplot -c speed_accuracy.gp DIRECTORY
-# speed_accuracy.svg has a panel a task, speed_summary.svg the four that tell most. Error over time,
+# speed_accuracy.svg has a panel per task, speed_summary.svg the four main ones. Error over time,
 # both logarithmic; a method's name stands at the right, a line leads to it.
 directory = ARG1
 columns = directory . "/speed_accuracy.dat"

@@ -28,7 +28,7 @@ struct ResidualDerivatives {
 
 /// Derivatives of a model: of its closures, and of the link poses p = (x, y, theta).
 struct Derivatives : ResidualDerivatives {
-  ExpressionMatrix pose_unknown_jacobian;    ///< dp/dq, three rows a link
+  ExpressionMatrix pose_unknown_jacobian;    ///< dp/dq, three rows per link
   ExpressionMatrix pose_dimension_jacobian;  ///< dp/dd
   ExpressionMatrix pose_input_jacobian;      ///< dp/du
   ExpressionMatrix pose_velocity;            ///< dp/dt, one row per link

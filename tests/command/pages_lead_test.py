@@ -1,11 +1,15 @@
 # Turns the links of all pages into a verdict: each leads to a file that exists, and to a heading of
-# it where it names one; docs/README.md leads to every page below docs.
+# it where it names one; docs/README.md leads to every page below docs; and pages that sources name
+# exist.
 import pathlib
 import re
 import sys
 
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^```.*?^```", re.M | re.S)
+SOURCES = ("bench", "cmake", "examples", "generator", "mechanism", "packaging", "python", "runtime",
+           "templates", "tests")
+SUFFIXES = (".cpp", ".hpp", ".txt", ".cmake", ".mustache", ".py", ".gp", ".gnuplot", ".audit")
 
 
 def anchors(page):
@@ -33,6 +37,13 @@ def main(root):
                 failures.append(f"{page.relative_to(root)}: no file {link}")
             elif anchor and anchor not in anchors(target):
                 failures.append(f"{page.relative_to(root)}: no heading {link}")
+    sources = (file for folder in SOURCES for file in (root / folder).rglob("*")
+               if file.suffix in SUFFIXES)
+    for source in sources:
+        for page in re.findall(r"\bdocs/[\w/]+\.(?:md|svg)\b", source.read_text()):
+            count += 1
+            if not (root / page).exists():
+                failures.append(f"{source.relative_to(root)}: no file {page}")
     index = root / "docs/README.md"
     told = {(index.parent / link.partition("#")[0]).resolve() for link in links(index)}
     failures += [f"docs/README.md does not lead to {page.relative_to(root)}"

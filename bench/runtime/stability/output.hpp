@@ -70,8 +70,8 @@ template <typename AnyRow>
   return families;
 }
 
-/// Two files a family. Errors, a block a method: distance, kappa, error. No error is drawn where
-/// more than half of the members failed: the rest would make the method look good. Failures:
+/// Two files per family. Errors, a block per method: distance, kappa, error. No error is drawn
+/// where more than half of the members failed: the rest would make the method look good. Failures:
 /// distance, number of the method, and gnuplot's point type, a cross for wrong or a ring for
 /// refused.
 inline void write_columns(const std::vector<Row>& rows, const std::filesystem::path& directory) {

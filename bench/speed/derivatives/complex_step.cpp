@@ -32,7 +32,7 @@ void displace(Direction<Complex>& direction) { direction = turning(direction, 1)
   return f.imag() / h;
 }
 
-/// df/dx, a column a variable of the given ones, which belong to the point.
+/// df/dx, a column per variable of the given ones, which belong to the point.
 template <typename Variables, typename Columns>
 [[gnu::always_inline]] inline void differentiate(Point& at, Variables& variables,
                                                  Columns& columns) {

@@ -8,9 +8,9 @@
 
 namespace assur::speed {
 
-/// A block a task, a line a row: ns, error, failures, label, family, scalar, task, height of the
-/// label, lowest and highest error of the panel. Families and scalars are numbered as the chart's
-/// legend has them.
+/// A block per task, a line per row: ns, error, failures, label, family, scalar, task, height of
+/// the label, lowest and highest error of the panel. Families and scalars are numbered as the
+/// chart's legend has them.
 void write_chart_columns(const std::vector<Task>& tasks, std::ostream& out);
 
 }  // namespace assur::speed

@@ -64,7 +64,7 @@ enum class ZeroResults : unsigned char { left_out, assigned };
                                       ZeroResults zeros = ZeroResults::left_out);
 /// The vector equations, and what the angles must satisfy beside them, a line each.
 [[nodiscard]] std::vector<std::string> closure_lines(const equations::ClosureEquations& equations);
-/// How the closed form comes about, a line a step.
+/// How the closed form comes about, one line per step.
 [[nodiscard]] std::vector<std::string> elimination_steps(
     const elimination::Elimination& elimination);
 

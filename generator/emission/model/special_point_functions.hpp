@@ -21,7 +21,7 @@ struct SpecialPointFunctions {
 [[nodiscard]] SpecialPointFunctions special_point_functions(
     const equations::ClosureEquations& equations, const special_points::SpecialPoints& special);
 
-/// What the special points are, a line a point, for reading; or why there are none.
+/// What the special points are, one line per point, for reading; or why there are none.
 [[nodiscard]] std::vector<std::string> special_point_lines(
     const equations::ClosureEquations& equations, const special_points::SpecialPoints& special);
 

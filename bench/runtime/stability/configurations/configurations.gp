@@ -1,5 +1,5 @@
 # Draws the columns that configurations_lab writes: gnuplot -c configurations.gp COLUMNS_DIRECTORY OUTPUT.svg
-# A row a family, a panel a method: bars up for what is invented, down for what is lost.
+# A row per family, a panel per method: bars go up for what is invented, down for what is lost.
 columns = ARG1
 set terminal svg size 1240,800 font "Helvetica,13" background "white"
 set output ARG2

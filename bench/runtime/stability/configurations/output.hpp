@@ -39,7 +39,7 @@ inline void write_listing_json(const std::vector<ListingRow>& rows, std::ostream
   return methods;
 }
 
-/// A file a family, a block a method: the place of the distance from the left, lost, invented.
+/// A file per family, a block per method: the place of the distance from the left, lost, invented.
 inline void write_listing_columns(const std::vector<ListingRow>& rows,
                                   const std::filesystem::path& directory) {
   const std::vector<double> distances = configuration_distances();
