@@ -8,6 +8,8 @@
 #include <limits>
 #include <string_view>
 
+#include "campaign/short_number.hpp"
+
 namespace assur::generator::campaign {
 
 namespace {
@@ -29,7 +31,7 @@ char* put_cell(Column::Kind kind, double number, char* at) {
     case Column::Kind::real:
       break;
   }
-  return std::isfinite(number) ? std::to_chars(at, at + widest_cell, number + 0.0).ptr : at;
+  return std::isfinite(number) ? put_shortest(number + 0.0, at) : at;
 }
 
 class CsvWriter : public TableWriter {

@@ -108,7 +108,9 @@ template <typename Model, std::size_t Lanes>
   batch::GeneralBlock<Model, Lanes> block;
   std::size_t alone = 0;
   for (std::size_t solved = 0; solved < batch.count;) {
-    const std::size_t left = (std::min)(batch.count - solved, block.capacity);
+    // What does not fill its packs overlaps with what was solved before, if there is enough.
+    const std::size_t most = (std::min)(batch.count - solved, block.capacity);
+    const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
     const std::size_t filled = (left + Lanes - 1) / Lanes * Lanes;
     const std::size_t first = solved + left - filled;
     block.solve(batch.dimensions, batch.inputs, first, filled);

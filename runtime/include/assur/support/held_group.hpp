@@ -5,6 +5,7 @@
 #include <array>
 #include <assur/detail/index.hpp>
 #include <assur/numeric/entries.hpp>
+#include <assur/status.hpp>
 #include <assur/support/placed_link.hpp>
 #include <assur/support/specialised.hpp>
 

@@ -113,8 +113,9 @@ class SceneBatch {
   [[nodiscard]] std::size_t run(std::size_t count) {
     std::size_t alone = 0;
     for (std::size_t solved = 0; solved < count;) {
-      // What does not fill its packs overlaps with what was solved before.
-      const std::size_t left = (std::min)(count - solved, packs * Lanes);
+      // What does not fill its packs overlaps with what was solved before, if there is enough.
+      const std::size_t most = (std::min)(count - solved, packs * Lanes);
+      const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
       const std::size_t filled = (left + Lanes - 1) / Lanes;
       const std::size_t first = solved + left - filled * Lanes;
       const Sets unsure = solve_together(first, filled);

@@ -1,11 +1,12 @@
 // Turns one configuration of an emitted solver into that of the same branch where the drivers stand
-// elsewhere.
+// elsewhere. Solvers include this for all that they call, batches too.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <assur/detail/branch_step.hpp>
 #include <assur/detail/products.hpp>
+#include <assur/support/scene_batch.hpp>
 #include <assur/support/scene_solve.hpp>
 #include <cmath>
 #include <cstddef>

@@ -82,7 +82,6 @@ Differences compare(std::size_t instances, std::size_t& alone) {
   alone = Solver::template solve_batch<Lanes>(instances, Given{given.data(), stride}, result);
 
   Differences differ;
-  std::vector<State> one(most);
   std::array<State, most> found;
   for (std::size_t instance = 0; instance < instances; ++instance) {
     const auto solution = Solver::solve(drivers[instance], found);

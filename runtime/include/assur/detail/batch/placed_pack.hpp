@@ -4,6 +4,8 @@
 
 #include <assur/detail/batch/pack_verdicts.hpp>
 #include <assur/detail/pivots.hpp>
+#include <assur/numeric/magnitude.hpp>
+#include <assur/support/discriminant.hpp>
 #include <assur/support/held_group.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/support/specialised.hpp>

@@ -7,6 +7,7 @@
 #include <assur/detail/batch/pack_columns.hpp>
 #include <assur/detail/batch/pack_verdicts.hpp>
 #include <assur/numeric/magnitude.hpp>
+#include <assur/numeric/pack.hpp>
 #include <assur/support/displaced_frame.hpp>
 #include <assur/support/scale.hpp>
 #include <cstddef>
