@@ -23,6 +23,13 @@ function nearlyLargest(numbers) {
   return numbers.length === 0 ? 0 : numbers[Math.floor(0.9 * (numbers.length - 1))];
 }
 
+/** The largest number of 1, 2 or 5 times a power of ten that is not above a positive one. */
+function roundBelow(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  // The logarithm of a number just below a power of ten may be rounded up, so 0.5 comes last.
+  return [5, 2, 1, 0.5].map((factor) => factor * power).find((one) => one <= most);
+}
+
 /** Rows of numbers, one for each step. */
 class Rows {
   constructor(numbers, count) {
@@ -61,21 +68,24 @@ class Branch {
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
+    this.size = Math.max(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
     this.way = this.wayOfOutputs();
     this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
     this.widest = this.widestSpread();
   }
 
-  /** The curves of all outputs, in the scene's coordinates. */
+  /** The curves of all outputs, in parts of the size of the branch from the corner of its box:
+   * browsers drop curves whose coordinates are very small. */
   wayOfOutputs() {
     const way = new Path2D();
+    const [left, low] = this.box;
     for (let column = 0; column < this.outputs.width; column += 6) {
       let goesOn = false;
       for (let step = 0; step < this.outputs.count; ++step) {
-        const x = this.outputs.value(step, column);
+        const x = (this.outputs.value(step, column) - left) / this.size;
         const isThere = !Number.isNaN(x);
         if (isThere) {
-          const y = this.outputs.value(step, column + 1);
+          const y = (this.outputs.value(step, column + 1) - low) / this.size;
           goesOn ? way.lineTo(x, y) : way.moveTo(x, y);
         }
         goesOn = isThere;
@@ -146,9 +156,7 @@ function magnification(widest, size) {
   if (!(widest > 0)) {
     return 0;
   }
-  const most = 0.1 * size / widest;
-  const power = 10 ** Math.floor(Math.log10(most));
-  return [5, 2, 1].map((factor) => factor * power).find((one) => one <= most);
+  return roundBelow(0.1 * size / widest);
 }
 
 class Film {
