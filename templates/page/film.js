@@ -1,11 +1,11 @@
 // Turns the data of the page into branches that can be asked where they are at any place of the sweep.
 
-/** What the page was made with: the data of `film_json.hpp`. */
+/** What the page was made with: the data of `film_json.hpp`, with places relative to `origin`. */
 function madeWith() {
   const data = JSON.parse(document.getElementById("film").textContent);
   for (const branch of data.branches) {
-    branch.points = numbersOf(branch.points);
-    branch.outputs = numbersOf(branch.outputs);
+    branch.points = placed(numbersOf(branch.points), 2, data.origin);
+    branch.outputs = placed(numbersOf(branch.outputs), 6, data.origin);
     branch.spreads = numbersOf(branch.spreads);
   }
   return data;
@@ -15,6 +15,16 @@ function madeWith() {
 function numbersOf(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   return new Float32Array(bytes.buffer);
+}
+
+/** Rows of numbers that begin with x and y each, with the scene's own coordinates for these. */
+function placed(numbers, width, origin) {
+  const there = Float64Array.from(numbers);
+  for (let at = 0; at < there.length; at += width) {
+    there[at] += origin[0];
+    there[at + 1] += origin[1];
+  }
+  return there;
 }
 
 /** What a tenth of some numbers are above; 0 of none. */
