@@ -2,6 +2,7 @@
 // file, and with --quiet nothing stands beside it but errors.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <sstream>
 
@@ -35,9 +36,18 @@ TEST(Tables, FitATerminal) {
   }
 }
 
+constexpr std::array subcommands = {"catalogue", "derive", "emit",  "solve",  "draw",
+                                    "sample",    "map",    "merge", "schema", "audit"};
+
+TEST(Help, FitsATerminal) {
+  expect_narrow_tables(run_assur("--help").output);
+  for (const char* name : subcommands) {
+    expect_narrow_tables(run_assur(std::string(name) + " --help").output);
+  }
+}
+
 TEST(Quiet, IsAnOptionOfEverySubcommand) {
-  for (const char* name : {"catalogue", "derive", "emit", "solve", "draw", "sample", "map", "merge",
-                           "schema", "audit"}) {
+  for (const char* name : subcommands) {
     const std::string help = run_assur(std::string(name) + " --help").output;
     EXPECT_NE(help.find("--quiet"), std::string::npos) << name;
   }
