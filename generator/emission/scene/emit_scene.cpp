@@ -12,6 +12,7 @@
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/limit_statements.hpp"
+#include "emission/scene/redundancy_tests.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
 #include "emission/scene/state_members.hpp"
@@ -223,6 +224,9 @@ class SceneEmitter {
     view_.set("redundant_list", cpp::comment_text(text::listed(redundant)));
     view_.set("limited", limits.empty() ? "" : "Limited");
     view_.set("limits", shown(limits));
+    const std::vector<std::string> gap = redundant_gap(solver_);
+    view_.set("has_redundant_gap", !gap.empty());
+    view_.set("redundant_gap", shown(gap));
     view_.set("slides", member_list(reported));
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));

@@ -16,32 +16,40 @@ std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, Sc
   return link.empty() ? own : "support::pose_in(" + link + ".pose, " + own + ")";
 }
 
-}  // namespace
-
-std::vector<std::string> redundancy_tests(const SolverScene& solver, SceneLines& lines) {
-  std::vector<std::string> tests;
-  const std::vector<mechanism::RedundantJoint>& joints = solver.plan.redundant();
-  if (joints.empty()) {
-    return tests;
-  }
+/// By how much each redundant joint misses; the lines get the poses of its features, and the size.
+std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
+  std::vector<std::string> gaps;
   std::vector<std::string> poses;
   for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
     if (!solver.is_ground(link)) {
       poses.push_back(solver.placed(link) + ".pose");
     }
   }
-  for (const mechanism::RedundantJoint& joint : joints) {
-    const std::string pair = "redundant_" + std::to_string(tests.size() + 1);
+  for (const mechanism::RedundantJoint& joint : solver.plan.redundant()) {
+    const std::string pair = "redundant_" + std::to_string(gaps.size() + 1);
     lines.add("const std::array<Pose<Scalar>, 2> " + pair + " = {{" +
               pose_of(solver, joint.one, lines) + ", " + pose_of(solver, joint.other, lines) +
               "}};");
     const bool are_lines = solver.mechanism().features()[joint.one].is_line;
     poses.insert(poses.end(), {pair + "[0]", pair + "[1]"});
-    tests.push_back((are_lines ? "support::lines_apart(" : "support::points_apart(") + pair +
-                    "[0], " + pair + "[1]" + (are_lines ? ", size" : "") + ") <= slack");
+    gaps.push_back((are_lines ? "support::lines_apart(" : "support::points_apart(") + pair +
+                   "[0], " + pair + "[1]" + (are_lines ? ", size" : "") + ")");
   }
   lines.add("const Scalar size = support::largest_coordinate(std::array<Pose<Scalar>, " +
             std::to_string(poses.size()) + ">{{" + text::joined(poses, ", ") + "}});");
+  return gaps;
+}
+
+}  // namespace
+
+std::vector<std::string> redundancy_tests(const SolverScene& solver, SceneLines& lines) {
+  std::vector<std::string> tests;
+  if (solver.plan.redundant().empty()) {
+    return tests;
+  }
+  for (const std::string& gap : gaps(solver, lines)) {
+    tests.push_back(gap + " <= slack");
+  }
   const std::string slack = "support::redundancy_slack(size, placed.regularity)";
   const mechanism::NumberIndex given = solver.plan.request().redundancy_tolerance;
   lines.add("const Scalar slack = " +
@@ -50,6 +58,16 @@ std::vector<std::string> redundancy_tests(const SolverScene& solver, SceneLines&
                             : slack) +
             ";");
   return tests;
+}
+
+std::vector<std::string> redundant_gap(const SolverScene& solver) {
+  if (solver.plan.redundant().empty() || solver.plan.request().redundancy_tolerance.exists()) {
+    return {};
+  }
+  SceneLines lines(solver.parameters, solver.numbers, solver.derivative_order);
+  const std::vector<std::string> missed = gaps(solver, lines);
+  lines.add("return (std::max)({" + text::joined(missed, ", ") + "}) / size;");
+  return lines.lines();
 }
 
 }  // namespace assur::generator::emission::scene

@@ -14,4 +14,8 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] std::vector<std::string> redundancy_tests(const SolverScene& solver,
                                                         SceneLines& lines);
 
+/// Statements that return by how much the worst of them misses, in parts of the largest coordinate;
+/// none without such joints, nor where the scene states a tolerance.
+[[nodiscard]] std::vector<std::string> redundant_gap(const SolverScene& solver);
+
 }  // namespace assur::generator::emission::scene

@@ -29,7 +29,8 @@ class Follower {
       : branches_(solver), left_(left), right_(right) {}
 
   std::optional<OneByOne> run() {
-    if (left_->count() != right_->count()) {
+    constexpr std::size_t most_branches = 32;  // Each is solved for with all others.
+    if (left_->count() != right_->count() || left_->count() > most_branches) {
       return std::nullopt;
     }
     Table<PointIndex, bool> taken(right_->count(), false);

@@ -11,8 +11,8 @@
 namespace assur::mechanism::follow {
 
 /// What continues each configuration of the left set, and where several of them go through one
-/// configuration. Nothing unless each is followed through, and each that goes through a singular
-/// configuration does so smoothly.
+/// configuration. Nothing unless there are few, each is followed through, and each that goes
+/// through a singular configuration does so smoothly.
 struct OneByOne {
   Table<PointIndex, PointIndex> to_right;
   std::vector<SingularEvent> crossings;

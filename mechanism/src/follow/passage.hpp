@@ -34,6 +34,9 @@ class Passage {
   [[nodiscard]] bool covers(double parameter, double sense) const {
     return after_.set != nullptr && sense * (after_.set->parameter - parameter) > 0;
   }
+  /// The numbers of the branches that lead into it, and of those that lead out of it.
+  [[nodiscard]] std::vector<int> branches_before() const { return told(before_); }
+  [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
   /// The rows of a step. Each configuration goes to the branch that is expected nearest to it, at
   /// first to one that goes through; then a singular one to all others that have none, for several
   /// may meet in it. Each of those that go through it has a row, with its own rates where they are
@@ -41,6 +44,11 @@ class Passage {
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
 
  private:
+  [[nodiscard]] static std::vector<int> told(const PassageEnd& end) {
+    std::vector<int> numbers = end.branches.items();
+    std::erase(numbers, 0);
+    return numbers;
+  }
   /// A branch at one end of the passage.
   struct Lead {
     int branch;

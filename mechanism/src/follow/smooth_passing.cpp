@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/error.hpp>
 #include <cmath>
 #include <limits>
 
@@ -81,6 +82,22 @@ class Passing {
     return point.state().determinants[group_];
   }
 
+  /// Determinants are compared where the links of the group play the same roles.
+  [[nodiscard]] bool plays_its_roles(const BranchPoint& point) const {
+    return point.set->roles[group_] == from_.set->roles[group_];
+  }
+
+  /// Where a formula has no value there, the closures are open beyond all bounds.
+  [[nodiscard]] double closure_error(const EventLocation& location) const {
+    SnapshotSolver& solver = branches_.solver();
+    try {
+      return solve::closure_error(solver.values_at(location.parameter), location.configuration,
+                                  solver.length());
+    } catch (const MechanismError&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+
   /// Samples by turns before and after the centre, from the inside out; empty if one is not found.
   [[nodiscard]] std::vector<BranchPoint> samples(double width) {
     std::vector<BranchPoint> found;
@@ -90,7 +107,7 @@ class Passing {
       const auto earlier = branches_.continued(before, centre_ - width * place);
       const auto later =
           earlier ? branches_.continued(after, centre_ + width * place) : std::nullopt;
-      if (!later) {
+      if (!later || !plays_its_roles(*earlier) || !plays_its_roles(*later)) {
         return {};
       }
       found.push_back(before = *earlier);
@@ -120,11 +137,8 @@ class Passing {
       passing.place += weight * found[index].here().at;
       blend.add(found[index].state(), weight);
     }
-    SnapshotSolver& solver = branches_.solver();
     passing.location.configuration = blend.result();
-    passing.location.configuration.residual =
-        solve::closure_error(solver.values_at(passing.location.parameter),
-                             passing.location.configuration, solver.length());
+    passing.location.configuration.residual = closure_error(passing.location);
     const Eigen::VectorXd way = found[1].here().at - found[0].here().at;
     passing.slope = way / (found[1].set->parameter - found[0].set->parameter);
     for (std::size_t inner = 0; inner < inner_samples; ++inner) {
@@ -137,7 +151,7 @@ class Passing {
   /// From the inside out, by turns on both sides.
   [[nodiscard]] static bool is_monotonic(const Eigen::VectorXd& nodes) {
     for (Eigen::Index index = 0; index < nodes.size(); ++index) {
-      const double nearer = index < 2 ? 0 : nodes(index - 2) * (nodes(index % 2) > 0 ? 1 : -1);
+      const double nearer = index < 2 ? 0 : std::abs(nodes(index - 2));
       if (!(std::abs(nodes(index)) > nearer) || nodes(index) * nodes(index % 2) < 0 ||
           nodes(0) * nodes(1) > 0) {
         return false;

@@ -23,6 +23,10 @@ constexpr double beside = 1e-5;
 /// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
 /// or the end of a short sweep: what is close to a change point is not a matter of the steps.
 constexpr double farthest_beside = 0.25;
+/// What is this near to a step, in parts of the way that moves the mechanism by its size, happens
+/// there: well above what rounding makes of it, which depends on the listing and the unit, and well
+/// below where sets can be followed.
+constexpr double at_a_step = 5e-15;
 
 class Sweeper {
  public:
@@ -38,7 +42,7 @@ class Sweeper {
       const SnapshotPointer set = solver_.at_step(value_at(step));
       observer_.solved(set->parameter, set->solution);
       if (passage_ && passage_->covers(value_at(step), sense())) {
-        pass_within(step, *set);
+        pass_later(step, *set);
       } else if (set->separable) {
         passage_.reset();
         pass(step, set);
@@ -91,14 +95,10 @@ class Sweeper {
     }
     take_events();
     report_events(step - 1, value);
-    PassageEnd to;
+    const bool is_told_before = !after && !tracker_.running() && gap_;
     if (after && tracker_.running()) {
       tracker_.advance(after);
       take_events();
-      if (later_.empty() && kind == EventKind::degenerate) {
-        later_.push_back(
-            gap_event(kind, value, from.branches.items(), tracker_.branches().items()));
-      }
     } else if (after) {
       begin(after);
       if (step == 0) {
@@ -106,13 +106,15 @@ class Sweeper {
       }
     } else if (before && step + 1 == count()) {
       add_end_events(before, value);
-    } else if (tracker_.running() && kind == EventKind::degenerate) {
-      later_.push_back(gap_event(kind, value, tracker_.stop(), {}));
-      gap_ = kind;
-    } else if (!tracker_.running() && !gap_ && kind == EventKind::degenerate) {
-      later_.push_back(gap_event(kind, value, {}, {}));
+    } else if (kind == EventKind::degenerate) {
+      (void)tracker_.stop();
       gap_ = kind;
     }
+    if (later_.empty() && kind == EventKind::degenerate && !is_told_before) {
+      later_.push_back(gap_event(kind, value, from.branches.items(),
+                                 after ? tracker_.branches().items() : std::vector<int>{}));
+    }
+    PassageEnd to;
     if (after) {
       to = {after, tracker_.branches()};
     }
@@ -120,6 +122,20 @@ class Sweeper {
     forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
     pass_within(step, *set);
+  }
+
+  /// A step that the passage of an earlier one covers.
+  void pass_later(int step, const Snapshot& set) {
+    if (set.solution.status == SolutionStatus::degenerate) {
+      const auto place = std::ranges::find_if(later_, [&](const BranchEvent& event) {
+        return sense() * (event.parameter - set.parameter) >= 0;
+      });
+      if (place == later_.end() || place->parameter != set.parameter) {
+        later_.insert(place, gap_event(EventKind::degenerate, set.parameter,
+                                       passage_->branches_before(), passage_->branches_after()));
+      }
+    }
+    pass_within(step, set);
   }
 
   void pass_within(int step, const Snapshot& set) {
@@ -153,16 +169,19 @@ class Sweeper {
     tracker_.advance(set);
   }
 
-  /// The nearest set that can be followed, on one side of a step. Where the step's set tells no
-  /// configurations, not beyond its neighbours; nor behind what is followed already.
+  /// The nearest set that can be followed, on one side of a step; not behind what is followed
+  /// already, nor beyond the neighbours of the step where sets tell no configurations.
   [[nodiscard]] SnapshotPointer set_beside(int step, const Snapshot& set, int side) {
     const double value = set.parameter;
     const double width = std::abs(range()) / std::max(1, count() - 1);
     const bool is_at_end = side < 0 ? step == 0 : step + 1 == count();
-    const bool may_go_far = set.solution.status != SolutionStatus::degenerate &&
-                            (side > 0 || step == 0 || tracker_.running());
+    const bool is_degenerate = set.solution.status == SolutionStatus::degenerate;
+    const bool may_go_far =
+        !(is_at_end && is_degenerate) && (side > 0 || step == 0 || tracker_.running());
     const double nearby = is_at_end ? 0 : width / 2;
-    const double farthest = may_go_far ? std::max(nearby, reach(set)) : nearby;
+    const Snapshot& moving = set.count() == 0 && tracker_.running() ? *tracker_.current() : set;
+    const double farthest =
+        may_go_far ? std::max(nearby, farthest_beside * way_of_size(moving)) : nearby;
     double distance = std::min(beside * std::abs(range()), width / 8);
     for (; distance > 0 && distance < farthest; distance *= 4) {
       const double place = value + sense() * side * distance;
@@ -171,25 +190,31 @@ class Sweeper {
       if (passed) {
         break;
       }
-      if (SnapshotPointer found = solver_.at(place); found->separable) {
+      SnapshotPointer found = solver_.at(place);
+      if (found->separable) {
         return found;
+      }
+      if (found->solution.status == SolutionStatus::degenerate && distance >= nearby) {
+        break;
       }
     }
     return nullptr;
   }
 
-  /// How far the parameter goes while it moves driven links, or features on their links, by a part
-  /// of the mechanism's size; the same part of a parameter that moves none.
-  [[nodiscard]] double reach(const Snapshot& set) {
+  /// How far the parameter goes while it moves driven links, or features on their links, by the
+  /// mechanism's size; its own size where it moves none.
+  [[nodiscard]] double way_of_size(const Snapshot& set) {
+    if (set.count() == 0) {
+      return 0;
+    }
     const Table<LinkIndex, bool> is_driven = solver_.plan().structure().placed_by_drivers();
     double speed = solver_.speed_of_features(set.parameter);
     for (const LinkIndex link : is_driven.keys()) {
-      if (is_driven[link] && set.count() > 0) {
+      if (is_driven[link]) {
         speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());
       }
     }
-    return set.count() == 0 ? 0
-                            : farthest_beside * (speed > 0 ? 1 / speed : std::abs(set.parameter));
+    return speed > 0 ? 1 / speed : std::abs(set.parameter);
   }
 
   /// A fold at the first or last value itself.
@@ -238,11 +263,15 @@ class Sweeper {
   /// What happens at a step to within rounding happens there, and nothing is told of what happens
   /// beyond the ends of the sweep.
   void take_events() {
+    const double way = tracker_.running() ? way_of_size(*tracker_.current()) : 0;
+    const double nearest =
+        at_a_step * way + 4 * std::numeric_limits<double>::epsilon() *
+                              std::max(std::abs(solver_.from()), std::abs(solver_.to()));
     for (BranchEvent& event : tracker_.take_events()) {
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
       const double step =
           value_at(static_cast<int>(std::clamp<double>(std::round(place), 0, count() - 1)));
-      if (std::abs(event.parameter - step) <= event.uncertainty) {
+      if (std::abs(event.parameter - step) <= std::max(event.uncertainty, nearest)) {
         event.parameter = step;
       }
       if (is_within(event)) {

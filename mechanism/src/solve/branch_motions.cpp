@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/followed_parts.hpp>
-#include <assur/numeric/order.hpp>
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "branch_order.hpp"
 #include "branch_walk.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
@@ -15,47 +16,6 @@
 namespace assur::mechanism::solve {
 
 namespace {
-
-/// What an order of branches that does not depend on the listing can rely on, by the names of links
-/// and slides: angular velocities, velocities of slides, and their accelerations.
-using Rates = std::array<std::vector<double>, 4>;
-
-Rates rates_of(const Configuration& configuration, const NamedParts& parts) {
-  Rates rates;
-  for (const LinkIndex link : parts.links) {
-    rates[0].push_back(configuration.links[link].velocity(2));
-    rates[2].push_back(configuration.links[link].acceleration(2));
-  }
-  for (const NamedSlide& named : parts.slides) {
-    for (const SlideState& slide : configuration.slides) {
-      if (slide.joint == named.joint) {
-        rates[1].push_back(named.sense * slide.velocity);
-        rates[3].push_back(named.sense * slide.acceleration);
-      }
-    }
-  }
-  return rates;
-}
-
-/// By the first rates that differ by more than rounding leaves of the largest.
-bool goes_before(const Rates& one, const Rates& other) {
-  constexpr double rounding = 1e-4;
-  for (std::size_t kind = 0; kind < one.size(); ++kind) {
-    double largest = 0;
-    for (const std::vector<double>* of : {&one[kind], &other[kind]}) {
-      for (const double rate : *of) {
-        largest = std::max(largest, std::abs(rate));
-      }
-    }
-    for (std::size_t place = 0; place < one[kind].size(); ++place) {
-      const double difference = one[kind][place] - other[kind][place];
-      if (std::abs(difference) > rounding * largest) {
-        return difference < 0;
-      }
-    }
-  }
-  return false;
-}
 
 /// Where the first order determines velocities to two digits, but not what follows from it.
 void forget_accelerations(const PlanData& plan, Configuration& configuration) {
@@ -89,25 +49,11 @@ Motions along_parameter(const Values& values, Eigen::Index column) {
   return motions;
 }
 
-/// Whether what drives the mechanism is known; a law that reads a singular group's links is not,
-/// nor is how such a group shapes others, nor how a driver changes a link whose features hardly
-/// define its frame.
-bool are_known(const Motions& motions, const Values& values, const PlacedLinks& placed) {
-  for (const ReadingDriver& reading : values.plan().structure.reading) {
-    if (reading.groups_before > 0 &&
-        !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known) {
-      return false;
-    }
-  }
-  for (const GroupIndex group : values.plan().structure.groups.keys()) {
-    const Values::GroupNumbers& numbers = values.numbers_of(group);
-    if (!precision_of_shape(numbers.firmness).second_rates_known || !numbers.d_rate.allFinite() ||
-        !numbers.d_second_rate.allFinite()) {
-      return false;
-    }
-  }
-  return std::ranges::all_of(motions.drivers, [](const models::Series& motion) {
-    return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
+/// Whether a law reads links of a group whose rates are not known.
+bool reads_unknown(const Values& values, const PlacedLinks& placed) {
+  return std::ranges::any_of(values.plan().structure.reading, [&](const ReadingDriver& reading) {
+    return reading.groups_before > 0 &&
+           !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known;
   });
 }
 
@@ -155,23 +101,23 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   if (!moves_drivers_alone(values, column)) {
     return;
   }
-  const Motions motions = along_parameter(values, column);
-  if (!are_known(motions, values, placed)) {
+  if (reads_unknown(values, placed)) {
     return;
   }
-  const std::vector<Configuration> found = motions_through(values, placed, configuration, motions);
-  if (found.size() == 1) {
-    take_derivatives(found.front(), column, configuration);
+  const auto found =
+      motions_through(values, placed, configuration, along_parameter(values, column));
+  if (found && found->size() == 1) {
+    take_derivatives(found->front(), column, configuration);
     configuration.path_known = true;
   }
 }
 
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
-  const Motions motions = in_time(values);
-  if (!are_known(motions, values, placed)) {
+  auto known = motions_through(values, placed, configuration, in_time(values));
+  if (!known) {
     return;
   }
-  std::vector<Configuration> found = motions_through(values, placed, configuration, motions);
+  std::vector<Configuration>& found = *known;
   // What the constraints that were left out stop is no motion of the mechanism.
   std::erase_if(
       found, [&](const Configuration& branch) { return !moves_redundantly(values, branch.links); });
@@ -183,20 +129,7 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     forget_accelerations(values.plan(), configuration);
     return;
   }
-  const NamedParts& parts = values.plan().named_parts;
-  std::vector<Rates> rates;
-  rates.reserve(found.size());
-  for (const Configuration& branch : found) {
-    rates.push_back(rates_of(branch, parts));
-  }
-  // What is equal but for rounding is no order that a faster sort could rely on.
-  numeric::insertion_sort(
-      found.size(),
-      [&](std::size_t one, std::size_t other) { return goes_before(rates[one], rates[other]); },
-      [&](std::size_t one, std::size_t other) {
-        std::swap(found[one], found[other]);
-        std::swap(rates[one], rates[other]);
-      });
+  put_in_order(values.plan().named_parts, found);
   configuration.branches = std::move(found);
 }
 

@@ -1,8 +1,10 @@
 #include "branch_walk.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "group_branches.hpp"
+#include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 
@@ -25,7 +27,9 @@ class BranchWalk {
   BranchWalk(const Values& values, const PlacedLinks& placed, const Configuration& configuration,
              const Motions& motions)
       : motions_(motions),
-        values_(values),
+        settled_(motions.in_time && !values.plan().structure.reading.empty() ? std::optional(values)
+                                                                             : std::nullopt),
+        values_(settled_ ? *settled_ : values),
         structure_(values.plan().structure),
         placed_(placed),
         configuration_(configuration),
@@ -35,17 +39,62 @@ class BranchWalk {
 
   std::vector<Configuration> run() {
     links_[structure_.linkage.ground] = models::at_rest({0, 0, {1, 0}});
+    is_known_ = settled_ || std::ranges::all_of(motions_.drivers, is_finite);
     descend(0);
     return std::move(found_);
   }
+  /// Whether what moves the groups was known on all branches.
+  [[nodiscard]] bool is_known() const { return is_known_; }
 
  private:
   void move_carried_links(std::size_t groups_before) {
+    auto reading = std::ranges::lower_bound(structure_.reading, groups_before, {},
+                                            &ReadingDriver::groups_before);
+    const auto settle_what_reads = [&](std::size_t links) {
+      for (; settled_ && reading != structure_.reading.end() &&
+             reading->groups_before == groups_before && reading->links_before <= links;
+           ++reading) {
+        settle(reading->driver);
+      }
+    };
     for (std::size_t place = 0; place < structure_.carried.size(); ++place) {
+      settle_what_reads(place);
       if (structure_.carried[place].groups_before == groups_before) {
         move_carried_link(place);
       }
     }
+    settle_what_reads(structure_.carried.size());
+  }
+
+  /// Of a driver whose law reads where links are, which have their motions on this branch.
+  void settle(DriverIndex driver) {
+    const Mechanism& mechanism = values_.plan().mechanism;
+    const auto coordinate = [&](JointIndex joint) {
+      const DriverIndex other = mechanism.driver_of(joint);
+      models::Series moving = other.exists()
+                                  ? motions_.drivers[other]
+                                  : moving_coordinate({links_, slides_, configuration_}, joint);
+      moving.c[0] = other.exists() ? values_.motion(other).position.value() : moving.c[0];
+      return moving;
+    };
+    models::Series motion = moving_law(values_, driver, coordinate);
+    motion.c[0] = 0;
+    motions_.drivers[driver] = motion;
+    is_known_ = is_known_ && is_finite(motion);
+    settled_->settle(driver, [&](JointIndex joint) {
+      const models::Series moving = coordinate(joint);
+      return JointMotion{values_.constant(moving.value()), moving.rate(), moving.second_rate()};
+    });
+  }
+
+  static bool is_finite(const models::Series& motion) {
+    return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
+  }
+  /// How a singular group shapes others is not known, nor how a driver changes a link whose
+  /// features hardly define its frame.
+  [[nodiscard]] static bool is_known(const Values::GroupNumbers& numbers) {
+    return precision_of_shape(numbers.firmness).second_rates_known && numbers.d_rate.allFinite() &&
+           numbers.d_second_rate.allFinite();
   }
 
   void move_carried_link(std::size_t place) {
@@ -122,6 +171,10 @@ class BranchWalk {
     }
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
+    is_known_ = is_known_ && is_known(numbers);
+    if (!is_known_) {
+      return;
+    }
     put_base(group);
     const models::FlatSeries u = inputs(numbers);
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
@@ -138,10 +191,9 @@ class BranchWalk {
       const std::size_t before = slides_.size();
       for (const values::MeasuredSlide& slide : numbers.slides) {
         const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
-        const bool shifts = motions_.in_time;
-        slides_.push_back(
-            {slide.joint, slide.sense * (moved.rate() + (shifts ? slide.shift_rate : 0)),
-             slide.sense * (moved.second_rate() + (shifts ? slide.shift_second_rate : 0))});
+        const models::Series shift =
+            motions_.in_time ? models::moving(0, slide.shift_rate, slide.shift_second_rate) : 0;
+        slides_.push_back({slide.joint, slide.sense * (moved + shift)});
       }
       descend(depth + 1);
       slides_.resize(before);
@@ -212,20 +264,16 @@ class BranchWalk {
     for (const MovingSlide& moving : slides_) {
       for (SlideState& slide : result.slides) {
         if (slide.joint == moving.joint) {
-          slide.velocity = moving.velocity;
-          slide.acceleration = moving.acceleration;
+          slide.velocity = moving.moved.rate();
+          slide.acceleration = moving.moved.second_rate();
         }
       }
     }
   }
 
-  struct MovingSlide {
-    JointIndex joint;
-    double velocity, acceleration;
-  };
-
-  const Motions& motions_;
-  const Values& values_;
+  Motions motions_;
+  std::optional<Values> settled_;  ///< where laws read links
+  const Values& values_;           ///< one or the other
   const Structure& structure_;
   const PlacedLinks& placed_;
   const Configuration& configuration_;
@@ -234,14 +282,18 @@ class BranchWalk {
   bool has_relative_groups_;
   std::vector<MovingSlide> slides_;
   std::vector<Configuration> found_;
+  bool is_known_ = true;
 };
 
 }  // namespace
 
-std::vector<Configuration> motions_through(const Values& values, const PlacedLinks& placed,
-                                           const Configuration& configuration,
-                                           const Motions& motions) {
-  return BranchWalk(values, placed, configuration, motions).run();
+std::optional<std::vector<Configuration>> motions_through(const Values& values,
+                                                          const PlacedLinks& placed,
+                                                          const Configuration& configuration,
+                                                          const Motions& motions) {
+  BranchWalk walk(values, placed, configuration, motions);
+  std::vector<Configuration> found = walk.run();
+  return walk.is_known() ? std::optional(std::move(found)) : std::nullopt;
 }
 
 }  // namespace assur::mechanism::solve

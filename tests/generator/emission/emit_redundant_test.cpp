@@ -88,6 +88,55 @@ int main() {
   }
 }
 
+/// Beside where the cranks are flat, the one that was left out almost fits in an antiparallelogram.
+TEST(EmitRedundant, SolversFindOneConfigurationBesideTheLine) {
+  if (!is_whole_campaign()) {
+    GTEST_SKIP() << "a solver is compiled by `ctest -L long`";
+  }
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  nlohmann::ordered_json scene = three_cranks().scene();
+  scene["outputs"] = {{"G", "third.G"}};
+  const auto file = directory.write("cranks.json", scene.dump());
+  ASSERT_EQ(run_assur("emit --scene " + file.string() + " --output " + root).status, 0);
+  const auto source = directory.write("driver.cpp", R"(#include <assur/scenes/cranks.hpp>
+#include <cstdio>
+template <typename Scalar>
+void print(double phi) {
+  using S = assur::scenes::Cranks;
+  std::array<S::State<Scalar>, S::max_configurations> states;
+  S::Drivers<Scalar> drivers;
+  drivers.A.position = static_cast<Scalar>(phi);
+  const int count = S::solve(drivers, states).count;
+  std::printf("%d %.17g\n", count, static_cast<double>(states[0].links.coupler.pose.direction.sin));
+}
+int main() {
+  for (double beside = 1e-2; beside > 1e-11; beside /= 10) {
+    for (const double phi : {beside, -beside, 3.141592653589793 - beside}) {
+      print<double>(phi);
+      print<float>(phi);
+    }
+  }
+}
+)");
+  compile(ASSUR_COMPILER, "-O0 -o " + root + "/driver", source, directory);
+  ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
+  std::istringstream printed(read_file(directory.path() / "printed"));
+  for (double beside = 1e-2; beside > 1e-11; beside /= 10) {
+    for (int place = 0; place < 6; ++place) {
+      SCOPED_TRACE(std::to_string(std::log10(beside)) + " " + std::to_string(place));
+      const bool is_float = place % 2 == 1;
+      int count = 0;
+      double sine = 0;
+      printed >> count >> sine;
+      EXPECT_EQ(count, 1);
+      // Both are one to the root of rounding.
+      const double off = beside > 2e-7 ? 4e-15 / beside : 1e-7;
+      EXPECT_NEAR(sine, 0, is_float ? 2e-3 : off);
+    }
+  }
+}
+
 /// A door on three hinges of which one is driven, a flap on two hinges that a cylinder moves, a ram
 /// in two guides in one line, and three cranks of which the groups have two configurations each.
 std::vector<nlohmann::ordered_json> scenes_with_redundant_joints() {

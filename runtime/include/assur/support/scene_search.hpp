@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -81,6 +82,13 @@ struct Access {
   /// positions.
   static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
   static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
+  template <typename Those>
+  static auto gaps_of(int)
+      -> decltype(Those::redundant_gap(std::declval<const Placed&>()), std::true_type());
+  template <typename Those>
+  static std::false_type gaps_of(...);
+  /// Whether it tells by how much constraints miss that are too many.
+  static constexpr bool has_gaps = decltype(gaps_of<Parts>(0))::value;
   /// Of each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
@@ -137,6 +145,8 @@ struct Access {
   [[nodiscard]] static auto keeps_limits(const Placed& placed) {
     return Parts::keeps_limits(placed);
   }
+  /// By how much constraints that are too many miss, in parts of the largest coordinate.
+  [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
   /// What tells one state from another, and puts them in order.
   static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
 };
@@ -186,6 +196,9 @@ class Search {
       solution_.status = AssemblyStatus::degenerate;
     }
     if constexpr (capacity > 1) {
+      if constexpr (Own::has_gaps) {
+        leave_out_almost_closed();
+      }
       put_found_in_order();
     }
     return solution_;
@@ -208,6 +221,42 @@ class Search {
             }
           },
           Own::first_key);
+    }
+  }
+
+  /// Where a mechanism without the constraints that are too many is singular, these hold but for
+  /// little beside where they hold: what misses much more than a configuration nearby is none.
+  void leave_out_almost_closed() {
+    constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
+    constexpr Scalar much_more = 16;
+    constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
+    const auto is_none_beside = [&](std::size_t one, std::size_t other) {
+      if (!(gaps_[one] > (std::max)(much_more * gaps_[other], rounding))) {
+        return false;
+      }
+      for (std::size_t place = Own::first_key; place < Own::lengths_from; ++place) {
+        if (!(std::abs(keys_[one][place] - keys_[other][place]) < near)) {
+          return false;
+        }
+      }
+      return true;
+    };
+    for (std::size_t one = 0; one < static_cast<std::size_t>(solution_.count); ++one) {
+      bool is_none = false;
+      for (std::size_t other = 0; other < static_cast<std::size_t>(solution_.count); ++other) {
+        is_none = is_none || is_none_beside(one, other);
+      }
+      if (is_none) {
+        const auto last = static_cast<std::size_t>(--solution_.count);
+        states_[one] = states_[last];
+        keys_[one] = keys_[last];
+        gaps_[one] = gaps_[last];
+        if constexpr (Keeps) {
+          kept_[one] = kept_[last];
+        }
+        ++solution_.left_out;
+        --one;
+      }
     }
   }
 
@@ -240,6 +289,9 @@ class Search {
       const auto slot = static_cast<std::size_t>(solution_.count++);
       Own::list(placed, states_[slot]);
       Own::key(placed, keys_[slot]);
+      if constexpr (Own::has_gaps) {
+        gaps_[slot] = Own::gap(placed);
+      }
       if constexpr (Keeps) {
         kept_[slot] = current_;
       }
@@ -333,6 +385,7 @@ class Search {
   std::array<int, group_count> mobilities_{};       ///< of groups that move
   std::array<std::array<Set, capacity / 64 + 1>, group_count> counted_{};  ///< families
   std::array<Configurations, Keeps ? capacity : 0> kept_;
+  std::array<Scalar, Own::has_gaps ? capacity : 0> gaps_;
 };
 
 }  // namespace assur::support

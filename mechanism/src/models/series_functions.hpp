@@ -1,0 +1,21 @@
+// Turns functions that laws of drivers name into their Taylor coefficients, of what moves.
+#pragma once
+
+#include "models/series.hpp"
+
+namespace assur::mechanism::models {
+
+[[nodiscard]] Series operator/(const Series& a, const Series& b);
+[[nodiscard]] Series pow(const Series& base, double exponent);
+[[nodiscard]] Series sqrt(const Series& a);
+[[nodiscard]] Series exp(const Series& a);
+[[nodiscard]] Series log(const Series& a);
+[[nodiscard]] Series sin(const Series& a);
+[[nodiscard]] Series cos(const Series& a);
+[[nodiscard]] Series tan(const Series& a);
+[[nodiscard]] Series asin(const Series& a);
+[[nodiscard]] Series acos(const Series& a);
+[[nodiscard]] Series atan(const Series& a);
+[[nodiscard]] Series atan2(const Series& y, const Series& x);
+
+}  // namespace assur::mechanism::models

@@ -1,0 +1,13 @@
+// Turns the motions through one configuration into an order that the listing does not change.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <vector>
+
+namespace assur::mechanism::solve {
+
+/// By the first rates, in the order of names, that differ by more than rounding: angular
+/// velocities, velocities of slides, and their accelerations.
+void put_in_order(const NamedParts& parts, std::vector<Configuration>& branches);
+
+}  // namespace assur::mechanism::solve

@@ -1,0 +1,56 @@
+#include "moving_laws.hpp"
+
+#include <algorithm>
+#include <assur/directions.hpp>
+
+#include "models/series_functions.hpp"
+#include "plan/plan_data.hpp"
+#include "values/rates.hpp"
+
+namespace assur::mechanism::solve {
+
+models::Series moving_coordinate(const MovingParts& parts, JointIndex index) {
+  const Mechanism& mechanism = parts.configuration.plan->mechanism;
+  const Joint& joint = mechanism.joints()[index];
+  if (joint.type != JointType::revolute) {
+    models::Series moved = std::ranges::find(parts.slides, index, &MovingSlide::joint)->moved;
+    moved.c[0] =
+        std::ranges::find(parts.configuration.slides, index, &SlideState::joint)->displacement;
+    return moved;
+  }
+  const auto direction = [&](std::size_t place) {
+    return parts.links[mechanism.features()[joint.between[place]].link].direction;
+  };
+  const Direction<models::Series> between = turned(direction(1), reversed(direction(0)));
+  models::Series angle = atan2(between.sin, between.cos);
+  const std::vector<CountedAngle>& counted = parts.configuration.counted;
+  if (const auto known = std::ranges::find(counted, index, &CountedAngle::joint);
+      known != counted.end()) {
+    angle.c[0] = known->angle;
+  }
+  return angle;
+}
+
+models::Series moving_law(const Values& values, DriverIndex index,
+                          const std::function<models::Series(JointIndex)>& coordinate_of) {
+  const Driver& driver = values.plan().mechanism.drivers()[index];
+  const auto in_time = [&](ParameterIndex parameter) {
+    const Dual& number = values.in_time(parameter);
+    models::Series moving(number.value());
+    moving.c[1] = values::rate_of(number);
+    moving.c[2] = values::second_rate_of(number) / 2;
+    return moving;
+  };
+  models::Series law =
+      values.plan().mechanism.numbers()[driver.position].formula.evaluate<models::Series>(
+          in_time, coordinate_of);
+  if (driver.velocity.exists() || driver.acceleration.exists()) {
+    law.c[1] = driver.velocity.exists() ? values.number(driver.velocity).value() : law.c[1];
+    law.c[2] =
+        driver.acceleration.exists() ? values.number(driver.acceleration).value() / 2 : law.c[2];
+    law.c[3] = law.c[4] = 0;
+  }
+  return law;
+}
+
+}  // namespace assur::mechanism::solve
