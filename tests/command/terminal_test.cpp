@@ -4,6 +4,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "command/command.hpp"
@@ -34,6 +35,23 @@ TEST(Tables, FitATerminal) {
       expect_narrow_tables(solved.output);
     }
   }
+}
+
+TEST(Tables, KeepTheirColumnsWithAnyName) {
+  const std::string path = testing::TempDir() + "/names.json";
+  std::ofstream(path) << R"({"links": {"ground": {"A": [0, 0]}, "ä": {"A": [0, 0], "B": [1, 0]},
+    "the_longest_of_all_links": {"B": [0, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "ä.A"]},
+               "B": {"type": "revolute", "between": ["ä.B", "the_longest_of_all_links.B"]}},
+    "drivers": {"A": {"position": 0}, "B": {"position": 0}}, "want": ["position"]})";
+  const std::string column(17, ' ');
+  const std::string output = run_assur("solve " + path).output;
+  EXPECT_NE(output.find("\n    ä" + column.substr(2) + column + "0" + column + "0"),
+            std::string::npos)
+      << output;
+  EXPECT_NE(output.find("\n    the_longest_of_all_links\n" + column + "   " + column + "1"),
+            std::string::npos)
+      << output;
 }
 
 constexpr std::array subcommands = {"catalogue", "derive", "emit",  "solve",  "draw",
