@@ -110,7 +110,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
 void add_campaign_options(CLI::App& command, CampaignOptions& options,
                           const CLI::Validator& not_empty) {
   command
-      .add_option("--output", options.output, "the table to write: .csv or .h5; or .svg, a picture")
+      .add_option("--output", options.output,
+                  "the table to write: .csv or .h5;\nor .svg, a picture")
       ->required()
       ->check(not_empty);
   command.add_option("--plot", options.plot, "a picture beside the table: .svg")->check(not_empty);
@@ -158,8 +159,9 @@ int run(int argc, char** argv) {
       ->add_option("KIND_OR_MODEL", derivation.what, "a kind such as RRP-RRR, or a model's number")
       ->required();
   command
-      ->add_option("--group", derivation.group,
-                   "the group of the model (default: tetrad) or of the kind (default: by spelling)")
+      ->add_option(
+          "--group", derivation.group,
+          "the group of the model (default: tetrad)\nor of the kind (default: by spelling)")
       ->check(one_of(group_names()));
   command->add_option("--format", derivation.format)
       ->check(one_of({"text", "latex", "json"}))
@@ -167,7 +169,7 @@ int run(int argc, char** argv) {
   command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
 
   EmitOptions emit;
-  command = app.add_subcommand("emit", "write C++ for one scene, for models, or for closures");
+  command = app.add_subcommand("emit", "write C++ for one scene, models, or closures");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
@@ -177,16 +179,17 @@ int run(int argc, char** argv) {
   what->require_option(1);
   command
       ->add_option("--variable", emit.variables,
-                   "with --scene: parameters X,Y that stay arguments of the solver, or all")
+                   "with --scene: parameters X,Y that stay arguments\nof the solver, or all")
       ->delimiter(',');
   command
       ->add_option("--want", emit.wants,
-                   "with --scene: the results that the solver gives (position, velocity, "
-                   "acceleration, sensitivity), in place of the scene's")
+                   "with --scene: the results that the solver gives\n(position, velocity, "
+                   "acceleration, sensitivity),\nin place of the scene's")
       ->delimiter(',');
   command
-      ->add_option("--interface", emit.interface,
-                   "with --scene: c writes a C header and its implementation beside the C++ header")
+      ->add_option(
+          "--interface", emit.interface,
+          "with --scene: c writes a C header and its\nimplementation beside the C++ header")
       ->check(one_of({"cpp", "c"}))
       ->capture_default_str();
   command->add_option("--group", emit.group, "the group that --model refers to")
@@ -209,13 +212,13 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   command
       ->add_option("--branch", solve.branch,
-                   "report configuration N only; of a sweep, the rows of branch N")
+                   "report configuration N only;\nof a sweep, the rows of branch N")
       ->type_name("N")
       ->check(whole_number_text);
   command
       ->add_flag("--nearest", solve.nearest,
-                 "report only the configuration nearest to the scene's reference; of a sweep, "
-                 "the branch that begins there")
+                 "report only the configuration nearest to the\nscene's reference; of a sweep, "
+                 "the branch that\nbegins there")
       ->excludes("--branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
@@ -233,10 +236,10 @@ int run(int argc, char** argv) {
       ->check(whole_number_text);
   command
       ->add_flag("--nearest", draw.nearest,
-                 "draw only the configuration nearest to the scene's reference")
+                 "draw only the configuration nearest to the\nscene's reference")
       ->excludes("--configuration");
   command->add_flag("--moving", draw.moving,
-                    ".svg: draw a branch of the sweep in motion, numbered by --configuration");
+                    ".svg: draw a branch of the sweep in motion,\nnumbered by --configuration");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);
@@ -245,15 +248,14 @@ int run(int argc, char** argv) {
   });
 
   SampleOptions sample;
-  command =
-      app.add_subcommand("sample", "solve a scene under random deviations within its tolerances");
+  command = app.add_subcommand("sample", "sample parameters within the tolerances of a scene");
   add_computing_options(*command, sample, not_empty);
   command->add_option("--count", sample.count, "number of samples")->required();
   command->add_option("--seed", sample.seed, "seed of the random numbers")->required();
   command
       ->add_option(
           "--branch", sample.branch,
-          "follow configuration N; default: the one nearest to the scene's reference, or 1")
+          "follow configuration N; default: the one nearest\nto the scene's reference, or 1")
       ->type_name("N")
       ->check(whole_number_text);
   command->callback([&] {
@@ -303,7 +305,7 @@ int run(int argc, char** argv) {
       ->check(one_of({"text", "markdown", "json", "github"}))
       ->capture_default_str();
   command->add_flag("--run", audit.run,
-                    "compile and run the programs that 'printed run' names, on this machine");
+                    "compile and run the programs that 'printed run'\nnames, on this machine");
   command->add_option("--flags", audit.flags, "with --run: further flags for the compiler")
       ->allow_extra_args(false);
   command->add_option("--time-limit", audit.seconds, "with --run: seconds that a program may take")
@@ -313,7 +315,7 @@ int run(int argc, char** argv) {
 
   for (CLI::App* each : app.get_subcommands(nullptr)) {
     each->add_flag_callback("--quiet", silence_remarks,
-                            "no progress bar and no remarks on standard error; errors alone");
+                            "print no progress bar and no remarks, only errors");
   }
 
   try {

@@ -1,11 +1,11 @@
 // Turns the data of the page into branches that can be asked where they are at any place of the sweep.
 
-/** What the page was made with: the data of `film_json.hpp`. */
+/** What the page was made with: the data of `film_json.hpp`, with places relative to `origin`. */
 function madeWith() {
   const data = JSON.parse(document.getElementById("film").textContent);
   for (const branch of data.branches) {
-    branch.points = numbersOf(branch.points);
-    branch.outputs = numbersOf(branch.outputs);
+    branch.points = placed(numbersOf(branch.points), 2, data.origin);
+    branch.outputs = placed(numbersOf(branch.outputs), 6, data.origin);
     branch.spreads = numbersOf(branch.spreads);
   }
   return data;
@@ -17,10 +17,27 @@ function numbersOf(text) {
   return new Float32Array(bytes.buffer);
 }
 
+/** Rows of numbers that begin with x and y each, with the scene's own coordinates for these. */
+function placed(numbers, width, origin) {
+  const there = Float64Array.from(numbers);
+  for (let at = 0; at < there.length; at += width) {
+    there[at] += origin[0];
+    there[at + 1] += origin[1];
+  }
+  return there;
+}
+
 /** What a tenth of some numbers are above; 0 of none. */
 function nearlyLargest(numbers) {
   numbers.sort((one, other) => one - other);
   return numbers.length === 0 ? 0 : numbers[Math.floor(0.9 * (numbers.length - 1))];
+}
+
+/** The largest number of 1, 2 or 5 times a power of ten that is not above a positive one. */
+function roundBelow(most) {
+  const power = 10 ** Math.floor(Math.log10(most));
+  // The logarithm of a number just below a power of ten may be rounded up, so 0.5 comes last.
+  return [5, 2, 1, 0.5].map((factor) => factor * power).find((one) => one <= most);
 }
 
 /** Rows of numbers, one for each step. */
@@ -61,21 +78,24 @@ class Branch {
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
+    this.size = Math.max(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
     this.way = this.wayOfOutputs();
     this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
     this.widest = this.widestSpread();
   }
 
-  /** The curves of all outputs, in the scene's coordinates. */
+  /** The curves of all outputs, in parts of the size of the branch from the corner of its box:
+   * browsers drop curves whose coordinates are very small. */
   wayOfOutputs() {
     const way = new Path2D();
+    const [left, low] = this.box;
     for (let column = 0; column < this.outputs.width; column += 6) {
       let goesOn = false;
       for (let step = 0; step < this.outputs.count; ++step) {
-        const x = this.outputs.value(step, column);
+        const x = (this.outputs.value(step, column) - left) / this.size;
         const isThere = !Number.isNaN(x);
         if (isThere) {
-          const y = this.outputs.value(step, column + 1);
+          const y = (this.outputs.value(step, column + 1) - low) / this.size;
           goesOn ? way.lineTo(x, y) : way.moveTo(x, y);
         }
         goesOn = isThere;
@@ -146,9 +166,7 @@ function magnification(widest, size) {
   if (!(widest > 0)) {
     return 0;
   }
-  const most = 0.1 * size / widest;
-  const power = 10 ** Math.floor(Math.log10(most));
-  return [5, 2, 1].map((factor) => factor * power).find((one) => one <= most);
+  return roundBelow(0.1 * size / widest);
 }
 
 class Film {

@@ -88,8 +88,9 @@ class Stage {
     const margin = 30 * this.unit;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
-    const sizes = [box[2] - box[0], box[3] - box[1]];
-    const zoom = Math.min((width - 2 * margin) / sizes[0], (height - 2 * margin) / sizes[1]);
+    // A window that is being opened or changed may have no room between the margins for a moment.
+    const room = [width, height].map((side) => Math.max(side - 2 * margin, 1));
+    const zoom = Math.min(room[0] / (box[2] - box[0]), room[1] / (box[3] - box[1]));
     this.zoom = Number.isFinite(zoom) ? zoom : 1;
     this.left = width / 2 - this.zoom * (box[0] + box[2]) / 2;
     this.top = height / 2 + this.zoom * (box[1] + box[3]) / 2;
@@ -144,9 +145,10 @@ class Stage {
     if (!options.ways) {
       return;
     }
-    const { context, zoom } = this;
+    const { context } = this;
+    const zoom = this.zoom * branch.size;
     context.save();
-    context.transform(zoom, 0, 0, -zoom, this.left, this.top);
+    context.transform(zoom, 0, 0, -zoom, ...this.at(branch.box[0], branch.box[1]));
     context.lineWidth /= zoom;
     context.stroke(branch.way);
     context.restore();
@@ -358,9 +360,7 @@ class Stage {
   }
 
   scale() {
-    const longest = 90 * this.unit / this.zoom;
-    const power = 10 ** Math.floor(Math.log10(longest));
-    const length = [5, 2, 1].map((factor) => factor * power).find((one) => one <= longest);
+    const length = roundBelow(90 * this.unit / this.zoom);
     const [x, y] = [12, this.canvas.clientHeight - 14];
     const end = x + length * this.zoom;
     this.context.strokeStyle = colour("ink");

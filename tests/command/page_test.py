@@ -1,6 +1,6 @@
 """Law: in a browser, the page of a scene says where `assur solve` has its outputs, on every branch at
 every step; its keys and buttons do what they say; what its sliders solve is what `assur solve --set`
-solves; what cannot be assembled is told; and the console has no error."""
+solves; what cannot be assembled is told; any size is drawn; and the console has no error."""
 
 import csv
 import io
@@ -232,6 +232,25 @@ def check_without_solver(chromium, assur, scene, folder):
     expect(chromium.value("page.film.branches.length > 0 && page.isPlaying"), "the page moves")
 
 
+def check_sizes(chromium, assur, scene, folder):
+    """A window with no room and a mechanism of nanometres in metres are drawn, paths included."""
+    lengths = {"ground": 80, "crank": 40, "coupler": 100, "rocker": 100, "reach": 200}
+    small = [word for name, length in lengths.items() for word in ("--set", f"{name}={length}e-10")]
+    opened(chromium, assur, scene, folder, *small)
+    paths = chromium.value("""(() => {
+      page.play(false);
+      const box = document.getElementById("ways");
+      const drawn = () => (page.show(), page.stage.canvas.toDataURL());
+      const before = drawn();
+      box.checked = false;
+      return before !== drawn();
+    })()""")
+    expect(paths, f"{scene.stem}: the paths of a small mechanism are drawn")
+    chromium.open((folder / f"{scene.stem}.html").as_uri(), width=30, height=60)
+    lengths = chromium.value("[999.9999999999999, 1000, 7].map(roundBelow)")
+    expect(lengths == [500, 1000, 5], f"round lengths {lengths}")
+
+
 def main():
     assur, examples = sys.argv[1], pathlib.Path(sys.argv[2])
     with tempfile.TemporaryDirectory() as name, Browser(browser, name + "/profile") as chromium:
@@ -240,6 +259,7 @@ def main():
         check(chromium, assur, examples / "quintero_2011_rrp_rrr.json", folder, "E", "phi")
         check_sliders(chromium, assur, examples / "jansen_leg.json", folder)
         check_without_solver(chromium, assur, examples / "slider_crank.json", folder)
+        check_sizes(chromium, assur, examples / "four_bar_coupler_curve.json", folder)
         expect(not chromium.errors, f"the console says {chromium.errors}")
     sys.exit(1 if failures else 0)
 

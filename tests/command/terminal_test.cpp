@@ -2,7 +2,9 @@
 // file, and with --quiet nothing stands beside it but errors.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "command/command.hpp"
@@ -35,9 +37,35 @@ TEST(Tables, FitATerminal) {
   }
 }
 
+TEST(Tables, KeepTheirColumnsWithAnyName) {
+  const std::string path = testing::TempDir() + "/names.json";
+  std::ofstream(path) << R"({"links": {"ground": {"A": [0, 0]}, "ä": {"A": [0, 0], "B": [1, 0]},
+    "the_longest_of_all_links": {"B": [0, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "ä.A"]},
+               "B": {"type": "revolute", "between": ["ä.B", "the_longest_of_all_links.B"]}},
+    "drivers": {"A": {"position": 0}, "B": {"position": 0}}, "want": ["position"]})";
+  const std::string column(17, ' ');
+  const std::string output = run_assur("solve " + path).output;
+  EXPECT_NE(output.find("\n    ä" + column.substr(2) + column + "0" + column + "0"),
+            std::string::npos)
+      << output;
+  EXPECT_NE(output.find("\n    the_longest_of_all_links\n" + column + "   " + column + "1"),
+            std::string::npos)
+      << output;
+}
+
+constexpr std::array subcommands = {"catalogue", "derive", "emit",  "solve",  "draw",
+                                    "sample",    "map",    "merge", "schema", "audit"};
+
+TEST(Help, FitsATerminal) {
+  expect_narrow_tables(run_assur("--help").output);
+  for (const char* name : subcommands) {
+    expect_narrow_tables(run_assur(std::string(name) + " --help").output);
+  }
+}
+
 TEST(Quiet, IsAnOptionOfEverySubcommand) {
-  for (const char* name : {"catalogue", "derive", "emit", "solve", "draw", "sample", "map", "merge",
-                           "schema", "audit"}) {
+  for (const char* name : subcommands) {
     const std::string help = run_assur(std::string(name) + " --help").output;
     EXPECT_NE(help.find("--quiet"), std::string::npos) << name;
   }

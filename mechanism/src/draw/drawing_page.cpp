@@ -1,9 +1,12 @@
 // Turns a mechanism and its sweep into one HTML page that needs no other file.
 #include <algorithm>
+#include <array>
 #include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <bit>
+#include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <map>
 
 #include "draw/drawing_text.hpp"
@@ -43,6 +46,31 @@ std::string base_64(const std::vector<double>& numbers) {
   }
   text.append((4 - text.size() % 4) % 4, '=');
   return text;
+}
+
+/// Takes a point of the film off all coordinates and returns it: 32 bits then hold the mechanism
+/// to a part of its own size, however far it is from the scene's origin.
+std::array<double, 2> brought_near(Film& film) {
+  std::array<double, 2> origin = {0, 0};
+  for (const FilmedBranch& branch : film.branches) {
+    const auto x = std::find_if(branch.points.begin(), branch.points.end(),
+                                [](double number) { return std::isfinite(number); });
+    if (x != branch.points.end()) {
+      origin = {*x, *std::next(x)};
+      break;
+    }
+  }
+  const auto move = [&](std::vector<double>& rows, std::size_t width) {
+    for (std::size_t at = 0; at < rows.size(); at += width) {
+      rows[at] -= origin[0];
+      rows[at + 1] -= origin[1];
+    }
+  };
+  for (FilmedBranch& branch : film.branches) {
+    move(branch.points, 2);
+    move(branch.outputs, 6);
+  }
+  return origin;
 }
 
 /// JSON inside an element of HTML: no text of it may end the element.
@@ -112,8 +140,14 @@ std::string page_of(const Mechanism& mechanism, const Request& request, const Js
   const std::size_t left = taken < most_page_bytes ? most_page_bytes - taken : 0;
   const auto most_numbers = static_cast<std::size_t>(
       static_cast<double>(std::min(left, most_number_bytes)) / bytes_of_number);
-  const Film film = film_of(mechanism, request, most_numbers);
+  Film film = film_of(mechanism, request, most_numbers);
+  if (film.shapes.empty()) {
+    throw MechanismError("",
+                         "there is nothing to draw: the mechanism has no joints and no outputs");
+  }
+  const std::array<double, 2> origin = brought_near(film);
   Json data = film_json(mechanism, request, film, base_64);
+  data["origin"] = origin;
   data["scene"] = scene;
   return filled(
       file_of_page("page.html"),

@@ -12,9 +12,14 @@ namespace assur::mechanism::report {
 
 namespace {
 
-/// One row of a table: a name, then numbers with ten significant digits.
+/// One row of a table: a name, on a line of its own if it is longer than its column, then numbers
+/// with ten significant digits.
 std::string table_row(const std::string& name, const std::vector<double>& numbers) {
-  std::string row = "    " + name + std::string(name.size() < 16 ? 16 - name.size() : 1, ' ');
+  // Bytes that continue a letter of UTF-8 take no column.
+  const auto letters = static_cast<std::size_t>(
+      std::count_if(name.begin(), name.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+  std::string row = "    " + name;
+  row += letters <= 16 ? std::string(16 - letters, ' ') : "\n" + std::string(20, ' ');
   for (const double number : numbers) {
     std::array<char, 32> text{};
     if (!std::isfinite(number)) {

@@ -27,6 +27,7 @@ Json data_of(const std::string& page) {
   return Json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
+/// What the page has in 32 bits.
 std::vector<float> numbers_of(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<std::uint8_t> bytes;
@@ -52,6 +53,17 @@ std::vector<float> numbers_of(const std::string& text) {
   return numbers;
 }
 
+/// The same, with rows that begin with x and y, in the scene's own coordinates.
+std::vector<double> placed(const std::string& text, std::size_t width, const Json& origin) {
+  const std::vector<float> numbers = numbers_of(text);
+  std::vector<double> there(numbers.begin(), numbers.end());
+  for (std::size_t at = 0; at < there.size(); at += width) {
+    there[at] += origin[0].get<double>();
+    there[at + 1] += origin[1].get<double>();
+  }
+  return there;
+}
+
 /// The platform is swept along a length, so that its links change their shapes from step to step.
 TEST(PageOfASweptLength, HasOutputsAndPinsWhereTheyAreSolved) {
   const Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/platform_3rpr.json");
@@ -73,8 +85,8 @@ TEST(PageOfASweptLength, HasOutputsAndPinsWhereTheyAreSolved) {
     const mechanism::Solution solution = plan.solve(plan.values({{"leg1", leg}}));
     std::vector<bool> found(solution.configurations.size(), false);
     for (const Json& branch : data["branches"]) {
-      const std::vector<float> points = numbers_of(branch["points"]);
-      const std::vector<float> outputs = numbers_of(branch["outputs"]);
+      const std::vector<double> points = placed(branch["points"], 2, data["origin"]);
+      const std::vector<double> outputs = placed(branch["outputs"], 6, data["origin"]);
       ASSERT_EQ(points.size(), 2 * count * data["points"].get<std::size_t>());
       ASSERT_EQ(outputs.size(), 12 * count);
       const std::size_t at = 2 * (step * data["points"].get<std::size_t>() + point);
@@ -147,10 +159,29 @@ TEST(PageWithoutASweep, HasTheConfigurationsAtOneStep) {
   const Json data = data_of(drawing_page(odd.mechanism, odd.request));
   EXPECT_EQ(data["count"], 1);
   ASSERT_EQ(data["branches"].size(), 1U);
-  const std::vector<float> output = numbers_of(data["branches"][0]["outputs"]);
+  const std::vector<double> output = placed(data["branches"][0]["outputs"], 6, data["origin"]);
   ASSERT_EQ(output.size(), 6U);
   EXPECT_NEAR(output[0], 2 * std::cos(1), 1e-6);
   EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed of a unit turn upwards
+}
+
+/// A crank of two units, thousands of kilometres away in metres: single precision has steps of half
+/// a metre there.
+TEST(PageOfAFarPlace, HasPlacesToAPartOfTheMechanism) {
+  Mechanism m("A far crank");
+  m.add_parameter("phi", 1);
+  m.add_link("ground");
+  m.add_point("ground.A", 4.5e5, 5.4e6);
+  m.add_link("crank");
+  m.add_point("crank.A", 0, 0);
+  m.add_point("crank.B", 2, 0);
+  m.add_joint("A", JointType::revolute, {"ground.A", "crank.A"});
+  m.add_driver("A", "phi", 1);
+  m.add_output("B", "crank.B");
+  const Json data = data_of(drawing_page(m, {}));
+  const std::vector<double> output = placed(data["branches"][0]["outputs"], 6, data["origin"]);
+  EXPECT_NEAR(output[0], 4.5e5 + 2 * std::cos(1), 1e-6);
+  EXPECT_NEAR(output[1], 5.4e6 + 2 * std::sin(1), 1e-6);
 }
 
 /// The crank with a swept angle: its length has a value of its own, twice the length has not.
@@ -242,6 +273,10 @@ TEST(PageOfNothing, IsRefused) {
   EXPECT_THROW((void)drawing_page(scene.mechanism, scene.request), mechanism::MechanismError);
   scene.request.sweep.reset();
   EXPECT_THROW((void)drawing_page(scene.mechanism, scene.request), mechanism::MechanismError);
+  Mechanism ground("The ground alone");
+  ground.add_link("ground");
+  ground.add_point("ground.A", 0, 0);
+  EXPECT_THROW((void)drawing_page(ground, {}), mechanism::MechanismError);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@ import pathlib
 import pytest
 
 nbformat = pytest.importorskip("nbformat", reason="nbconvert is not installed")
-preprocessors = pytest.importorskip("nbconvert.preprocessors")
-pytest.importorskip("ipykernel")
+preprocessors = pytest.importorskip("nbconvert.preprocessors", reason="nbconvert is not installed")
+pytest.importorskip("ipykernel", reason="ipykernel is not installed")
 
 NOTEBOOKS = sorted((pathlib.Path(os.environ["ASSUR_SOURCE"]) / "examples/python").glob("*.ipynb"))
 
