@@ -15,7 +15,12 @@ namespace assur::numeric {
 /// and as many integers of their size.
 template <typename Scalar, std::size_t Lanes>
 struct SideBySide {
-  typedef Scalar Type __attribute__((vector_size(Lanes * sizeof(Scalar))));
+  /// What Eigen's matrices give their entries: 16 bytes without AVX, however many lanes there are.
+  /// A compiler may rely on what a type asks for, and one that asks for more is misread there.
+  static constexpr std::size_t alignment = Lanes * sizeof(Scalar) < EIGEN_MAX_ALIGN_BYTES
+                                               ? Lanes * sizeof(Scalar)
+                                               : EIGEN_MAX_ALIGN_BYTES;
+  typedef Scalar Type __attribute__((vector_size(Lanes * sizeof(Scalar)), aligned(alignment)));
   /// The same as they stand among others.
   struct [[gnu::packed, gnu::may_alias]] Anywhere {
     Type numbers;
@@ -56,7 +61,9 @@ class PackTruth {
 #endif
     unsigned result = 0;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      result |= (holds_[lane] < 0 ? 1u : 0u) << lane;
+      // In one expression GCC 12 reads the lane before it is set where shifts are sanitized.
+      const unsigned holds = holds_[lane] < 0 ? 1u : 0u;
+      result |= holds << lane;
     }
     return result;
   }
