@@ -64,8 +64,8 @@ class Values {
   /// A number of a joint's or an output's feature, of a driver or a tolerance, with its
   /// derivatives.
   [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
-  /// A parameter as a function of time: its derivative is its rate, its second derivative the second
-  /// one; a constant where it is at rest.
+  /// A parameter as a function of time: its derivative is its rate, its second derivative the
+  /// second one; a constant where it is at rest.
   [[nodiscard]] const Dual& in_time(ParameterIndex parameter) const {
     return parameters_in_time_[parameter];
   }
