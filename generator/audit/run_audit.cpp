@@ -6,6 +6,7 @@
 
 #include "audit/slip_guess.hpp"
 #include "closures/formula_text.hpp"
+#include "closures/read_formula.hpp"
 
 namespace assur::generator::audit {
 

@@ -332,8 +332,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe and a file that may not grow are errors of writing, with a line and a status, and
-  // not the end of the process.
+  // A closed pipe and a file that may not grow are errors of writing, with a status, and not the
+  // end of the process.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -343,6 +343,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
   } catch (const OtherRankFailed&) {  // that one tells why
+  } catch (const ClosedPipe&) {       // whoever closed it knows
   } catch (const std::exception& error) {
     std::cerr << "error: internal: " << error.what() << '\n';
   }

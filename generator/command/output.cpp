@@ -11,6 +11,9 @@ namespace {
 
 [[noreturn]] void fail() {
   const int reason = errno;
+  if (reason == EPIPE) {
+    throw ClosedPipe();
+  }
   throw text::InputError(std::string("standard output: cannot be written: ") +
                          std::strerror(reason));
 }

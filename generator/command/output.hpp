@@ -5,8 +5,11 @@
 
 namespace assur::generator::command {
 
-/// Writes to standard output. Throws InputError where that fails: the disk is full, or nothing
-/// reads the pipe any more.
+/// Nothing reads the pipe any more, as `| head` does not: there is nobody who misses the rest.
+struct ClosedPipe {};
+
+/// Writes to standard output. Throws InputError where that fails, because the disk is full for
+/// instance, and ClosedPipe.
 void print(const std::string& text);
 
 /// Writes out what is still held back, and throws as `print` does.

@@ -1,26 +1,16 @@
-// Law: unusable input gets one line on standard error that says where, what, and the mend; nothing
-// on standard output; exit status 2.
+// Law: a scene that cannot be used gets one line on standard error that says where, what, and the
+// mend; nothing on standard output; exit status 2.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "command/command.hpp"
+#include "command/one_line.hpp"
 
 namespace assur::test::bad_input_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-void expect_one_line(const CommandResult& result, const std::string& expected) {
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.output, "");
-  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << result.messages;
-  EXPECT_EQ(result.messages.rfind("error: ", 0), 0U) << result.messages;
-  EXPECT_NE(result.messages.find(expected), std::string::npos)
-      << "expected: " << expected << "\nfound:    " << result.messages;
-}
 
 /// A change of the worked example that makes it unusable, and what the message must say.
 struct Fault {
@@ -281,124 +271,6 @@ TEST(BadFile, EndlessExpression) {
   const auto file = directory.write(
       "scene.json", R"({"joints": {}, "links": {"ground": {"A": [")" + sum + R"(", 0]}}})");
   expect_one_line(run_assur("solve " + file.string()), "longer than 10000 characters");
-}
-
-TEST(BadArguments, UnknownSetting) {
-  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AC=3"),
-                  "--set: no parameter named 'AC'");
-}
-TEST(BadArguments, SettingWithoutValue) {
-  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set A=3"),
-                  "--set: 'A' is a driver and no parameter; let its 'position' be a formula in a "
-                  "parameter, and set that");
-  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB=50mm"),
-                  "--set AB: expected an operator, found 'm' (a product is written with '*')");
-  expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB"),
-                  "--set: expected NAME=EXPR");
-}
-TEST(BadArguments, UnknownSubcommand) {
-  const CommandResult result = run_assur("solv");
-  expect_one_line(result, "see assur --help");
-  expect_one_line(result, "no subcommand 'solv' (did you mean 'solve'?)");
-}
-TEST(BadArguments, NameTheirSubcommand) {
-  expect_one_line(run_assur("solve a b"), "solve: The following argument was not expected: b");
-  expect_one_line(run_assur("derive"),
-                  "derive: KIND_OR_MODEL is required (see assur derive --help)");
-}
-
-TEST(BadArguments, SuggestWhatWasMeant) {
-  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
-  const std::vector<std::array<std::string, 2>> calls = {
-      {"sovle " + scene,
-       "error: no subcommand 'sovle' (did you mean 'solve'?); the subcommands are "},
-      {"solve --fromat json " + scene, "solve: no option '--fromat' (did you mean '--format'?)"},
-      {"solve --fromat=json", "solve: no option '--fromat' (did you mean '--format'?)"},
-      {"emit --sceen " + scene, "emit: no option '--sceen' (did you mean '--scene'?)"},
-      {"solve --format jsn " + scene,
-       "--format: 'jsn' is not one of text, json, csv (did you mean 'json'?)"},
-      {"derive RRR-RRR --group tetrd",
-       "--group: 'tetrd' is not one of dyad, triad, tetrad (did you mean"},
-      {"solve --branch 0 " + scene, "--branch: expected a whole number from 1 on, found '0' (see"},
-      {"solve --branch -1 " + scene,
-       "--branch: expected a whole number from 1 on, found '-1' (see"},
-      {"emit --all --variable x --output .", "--variable: parameters are a scene's; give it with"},
-      {"emit --all --want position --output .", "--want: results are a scene's; give it with"},
-      {"emit --all --interface c --output .", "--interface: solvers of scenes have one; give it"},
-      {"derive RXR", "derive: no kind 'RXR' (did you mean 'RRR'?); give a kind such as RRR or a"},
-      {"solve --nearest " + scene,
-       "reference: there is no angle of a link to be near to; give the angles of"},
-      {"map --over coupler=-1e308:1e308:3 --output x.csv " + scene,
-       "--over: the range from FROM to TO is not finite"},
-      {"solve --branch 99999999999 " + scene,
-       "expected a whole number from 1 on, found '99999999999'"}};
-  for (const auto& [call, message] : calls) {
-    expect_one_line(run_assur(call), message);
-  }
-}
-
-/// A cylinder whose ends meet: it has no direction, be its length a driver's or a parameter's.
-Json cylinder(const Json& position) {
-  Json scene;
-  const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
-  scene["parameters"]["long"] = 0;
-  scene["links"]["ground"] = {{"A", {0, 0}}, {"Q", {3, 0}}};
-  scene["links"]["crank"] = {{"A", {0, 0}}, {"P", {3, 0}}};
-  scene["links"]["tube"] = {{"Q", {0, 0}}, {"axis", axis}};
-  scene["links"]["rod"] = {{"P", {0, 0}}, {"axis", axis}};
-  const auto pin = [](const char* one, const char* other) {
-    return Json{{"type", "revolute"}, {"between", Json::array({one, other})}};
-  };
-  scene["joints"] = {
-      {"A", pin("ground.A", "crank.A")},
-      {"Q", pin("ground.Q", "tube.Q")},
-      {"P", pin("rod.P", "crank.P")},
-      {"S", {{"type", "prismatic"}, {"between", Json::array({"tube.axis", "rod.axis"})}}}};
-  scene["drivers"]["S"]["position"] = position;
-  return scene;
-}
-
-TEST(BadArguments, EmissionOfALengthThatIsZero) {
-  const TemporaryDirectory directory;
-  const std::string root = directory.path().string();
-  const std::string file = directory.write("cylinder.json", cylinder(0).dump()).string();
-  expect_one_line(run_assur("emit --scene " + file + " --output " + root),
-                  "a length that depends on drivers.S.position is zero at the scene's own numbers");
-}
-
-/// What a sweep has to say of its steps is not told of a branch that it does not have.
-TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
-  const TemporaryDirectory directory;
-  Json scene = cylinder("long");
-  scene["sweep"] = {{"parameter", "long"}, {"from", 0}, {"to", 0}, {"count", 3}};
-  const std::string file = directory.write("cylinder.json", scene.dump()).string();
-  expect_one_line(run_assur("solve --format csv --branch 3 " + file), "no branch 3; there are 0");
-}
-
-TEST(BadArguments, SettingThatASweepOverrides) {
-  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
-  expect_one_line(
-      run_assur("solve --format csv --set phi=1 " + scene),
-      "--set phi: the sweep gives 'phi' its values; leave this out, or change the sweep");
-  EXPECT_EQ(run_assur("solve --format json --set phi=1 " + scene).status, 0);
-}
-TEST(BadArguments, NoSubcommand) { expect_one_line(run_assur(""), "subcommand"); }
-TEST(BadArguments, UnknownFormat) {
-  expect_one_line(run_assur("catalogue --format xml"), "--format");
-}
-TEST(BadArguments, UnknownModel) {
-  expect_one_line(run_assur("emit --model 25 --output /tmp"), "no tetrad model 25");
-}
-TEST(BadArguments, UnknownModelOfAGroup) {
-  expect_one_line(run_assur("emit --group triad --model 21 --output /tmp"),
-                  "no triad model 21; the models are 1 to 20");
-}
-TEST(BadArguments, UnknownGroup) {
-  expect_one_line(run_assur("emit --group pentad --model 1 --output /tmp"),
-                  "--group: 'pentad' is not one of dyad, triad, tetrad");
-}
-TEST(BadArguments, OutputNotWritable) {
-  expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");
 }
 
 }  // namespace

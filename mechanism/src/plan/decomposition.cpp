@@ -4,6 +4,8 @@
 #include <array>
 #include <set>
 
+#include "strong_components.hpp"
+
 namespace assur::mechanism::plan {
 
 namespace {
@@ -12,7 +14,6 @@ struct Body;
 using BodyIndex = Index<Body>;
 struct Tie;
 using TieIndex = Index<Tie>;
-using ComponentIndex = Index<struct StrongComponent>;
 /// The place of a component in the order.
 using RankIndex = Index<Component>;
 
@@ -40,55 +41,6 @@ struct Tie {
 /// Whether links that drivers tie together are one body, or each is one and the drivers constrain
 /// it.
 enum class DrivenAs : unsigned char { one_body, bodies };
-
-/// The strongly connected components of bodies that depend on one another (Tarjan).
-class StrongComponents {
- public:
-  explicit StrongComponents(const Table<BodyIndex, std::vector<BodyIndex>>& needs)
-      : needs_(needs),
-        order_(needs.size(), -1),
-        lowest_(needs.size(), -1),
-        component_(needs.size()) {
-    for (const BodyIndex body : needs.keys()) {
-      if (order_[body] < 0) {
-        visit(body);
-      }
-    }
-  }
-
-  [[nodiscard]] std::size_t count() const { return count_; }
-  [[nodiscard]] ComponentIndex of(BodyIndex body) const { return component_[body]; }
-
- private:
-  void visit(BodyIndex body) {
-    order_[body] = lowest_[body] = next_++;
-    open_.push_back(body);
-    for (const BodyIndex needed : needs_[body]) {
-      if (order_[needed] < 0) {
-        visit(needed);
-        lowest_[body] = std::min(lowest_[body], lowest_[needed]);
-      } else if (!component_[needed].exists()) {
-        lowest_[body] = std::min(lowest_[body], order_[needed]);
-      }
-    }
-    if (lowest_[body] == order_[body]) {
-      const ComponentIndex component(count_++);
-      BodyIndex closed;
-      do {
-        closed = open_.back();
-        open_.pop_back();
-        component_[closed] = component;
-      } while (closed != body);
-    }
-  }
-
-  const Table<BodyIndex, std::vector<BodyIndex>>& needs_;
-  Table<BodyIndex, int> order_, lowest_;
-  Table<BodyIndex, ComponentIndex> component_;
-  std::vector<BodyIndex> open_;
-  int next_ = 0;
-  std::size_t count_ = 0;
-};
 
 class StructuralGraph {
  public:

@@ -24,9 +24,9 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
       names.push_back(at.name);
     }
   }
-  std::ranges::sort(names);                       // roles follow the listing, names do not
-  const auto twice = std::ranges::unique(names);  // a pin of several links, or a pin in a slot
-  names.erase(twice.begin(), twice.end());
+  std::ranges::sort(names);  // roles follow the listing, names do not
+  // A pin of several links, or a pin in a slot, is named once.
+  names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }
 

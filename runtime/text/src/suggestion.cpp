@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <assur/text/suggestion.hpp>
+#include <cctype>
 #include <numeric>
 
 namespace assur::text {
 
 namespace {
 
-/// Levenshtein's distance.
+char lower(char letter) {
+  return static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+}
+
+/// Levenshtein's distance, to which the case of a letter counts nothing.
 std::size_t edit_distance(const std::string& left, const std::string& right) {
   std::vector<std::size_t> row(right.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
@@ -14,7 +19,7 @@ std::size_t edit_distance(const std::string& left, const std::string& right) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= right.size(); ++j) {
-      const std::size_t replaced = diagonal + (left[i - 1] == right[j - 1] ? 0 : 1);
+      const std::size_t replaced = diagonal + (lower(left[i - 1]) == lower(right[j - 1]) ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
     }

@@ -1,0 +1,140 @@
+// Turns numbers of a scene, their rates and their slopes into the text that computes them.
+#include <algorithm>
+
+#include "emission/scene/parameter_text.hpp"
+#include "emission/scene/scene_numbers.hpp"
+
+namespace assur::generator::emission::scene {
+
+bool SceneNumbers::moves(const SceneNumber& number) const {
+  return number.has_formula() && movers_.move(number.formula());
+}
+
+std::string SceneNumbers::spelled(const GiNaC::ex& formula) const {
+  return cpp_formula(formula.subs(spellings_));
+}
+
+std::vector<std::string> SceneNumbers::rates(const SceneNumber& number, int order) const {
+  const GiNaC::ex formula = number.formula();
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& one : {movers_.rate(formula), movers_.second_rate(formula)}) {
+    texts.push_back(spelled(shortened(at_run_time(one))));
+  }
+  texts.resize(static_cast<std::size_t>(order));
+  return texts;
+}
+
+std::vector<std::string> SceneNumbers::rates(const Direction<SceneNumber>& direction,
+                                             int order) const {
+  const auto [x, y, square] = lengthened(direction);
+  const GiNaC::ex first = (x * movers_.rate(y) - y * movers_.rate(x)) / square;
+  const GiNaC::ex second = (x * movers_.second_rate(y) - y * movers_.second_rate(x)) / square -
+                           movers_.rate(square) / square * first;
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& one : {first, second}) {
+    texts.push_back(spelled(shortened(at_run_time(one.expand()))));
+  }
+  texts.resize(static_cast<std::size_t>(order));
+  return texts;
+}
+
+bool SceneNumbers::varies(const GiNaC::ex& formula) const {
+  const GiNaC::ex whole = symbols_.written_out(formula);
+  return std::any_of(variables_.begin(), variables_.end(),
+                     [&](const GiNaC::symbol& variable) { return whole.has(variable); });
+}
+
+bool SceneNumbers::varies(const SceneNumber& number) const {
+  return number.has_formula() && varies(number.formula());
+}
+
+/// With r^2 = R: r' = R' / (2 r) and r'' = (R'' / 2 - r'^2) / r.
+const std::vector<SceneNumbers::NamedStep>& SceneNumbers::steps(int order) const {
+  const auto add = [&](const GiNaC::symbol& symbol, const GiNaC::ex& formula) {
+    steps_.push_back({symbol.get_name(), spelled(shortened(at_run_time(formula)))});
+  };
+  while (roots_in_steps_ < symbols_.roots().size()) {
+    const Root& root = symbols_.roots()[roots_in_steps_++];
+    if (!varies(root.radicand)) {
+      continue;
+    }
+    steps_.push_back(
+        {root.symbol.get_name(), "std::sqrt(" + spelled(at_run_time(root.radicand)) + ")"});
+    if (!movers_.names_rates(root)) {
+      continue;
+    }
+    if (order > 0) {
+      add(root.velocity, movers_.rate(root.radicand) / (2 * root.symbol));
+    }
+    if (order > 1) {
+      add(root.acceleration,
+          (movers_.second_rate(root.radicand) / 2 - GiNaC::pow(root.velocity, 2)) / root.symbol);
+    }
+  }
+  return steps_;
+}
+
+std::string SceneNumbers::text(const SceneNumber& number) const {
+  return spelled(at_run_time(number.formula()));
+}
+
+GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
+  GiNaC::ex result = formula;
+  for (GiNaC::ex before = result + 1; !result.is_equal(before);) {
+    before = result;  // a parameter's rates may hold those of others
+    result = result.subs(parameter_rates_);
+  }
+  const std::deque<Root>& roots = symbols_.roots();
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) {
+    if (!varies(root->radicand)) {
+      result = result.subs(root->symbol == GiNaC::sqrt(root->radicand));
+    }
+  }
+  return result.subs(deviations_);
+}
+
+GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const {
+  const auto to = GiNaC::ex_to<GiNaC::symbol>(symbol);
+  GiNaC::ex slope = symbols_.derivative(formula, to);
+  const auto column = std::ranges::find_if(
+      modelled_, [&](const GiNaC::ex& modelled) { return modelled.is_equal(symbol); });
+  slope += movers_.slope(formula, static_cast<std::size_t>(column - modelled_.begin()));
+  return at_run_time(slope);
+}
+
+std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& symbol : modelled_) {
+    const GiNaC::ex slope = derivative(number.formula(), symbol);
+    texts.push_back(slope.is_zero() ? "" : spelled(slope));
+  }
+  return texts;
+}
+
+SceneNumbers::LongDirection SceneNumbers::lengthened(
+    const Direction<SceneNumber>& direction) const {
+  LongDirection result{direction.cos.formula(), direction.sin.formula(), 1};
+  for (const Root& root : symbols_.roots()) {
+    const bool occurs = result.x.has(root.symbol) || result.y.has(root.symbol);
+    const GiNaC::ex longer_x = result.x * root.symbol;
+    const GiNaC::ex longer_y = result.y * root.symbol;
+    if (occurs && !longer_x.has(root.symbol) && !longer_y.has(root.symbol)) {
+      result = {longer_x, longer_y, result.square * GiNaC::pow(root.symbol, 2)};
+    }
+  }
+  return result;
+}
+
+/// Of (x, y) / r the angle has the slope (x dy - y dx) / r^2, whatever r is.
+std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
+  const auto [x, y, square] = lengthened(direction);
+  std::vector<std::string> texts;
+  for (const GiNaC::ex& symbol : modelled_) {
+    const GiNaC::ex slope =
+        shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / square));
+    texts.push_back(slope.is_zero() ? "" : spelled(slope));
+  }
+  return texts;
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,115 @@
+// Turns a mechanism into others: driven on, without a joint, with a slot for a pin, or a part of
+// it.
+#include <assur/mechanism/mechanism.hpp>
+
+namespace assur::mechanism {
+
+void Mechanism::renumber_drivers(const Table<JointIndex, JointIndex>& joint_of) {
+  Table<DriverIndex, Driver> kept;
+  for (Driver driver : drivers_) {
+    driver.joint = joint_of[driver.joint];
+    if (driver.joint.exists()) {
+      Formula& law = numbers_[driver.position].formula;
+      law = law.renumbered(joint_of);
+      kept.add(driver);
+    }
+  }
+  drivers_ = std::move(kept);
+}
+
+Mechanism Mechanism::driven_on(double by) const {
+  Mechanism moved = *this;
+  for (const Driver& driver : drivers_) {
+    Formula& law = moved.numbers_[driver.position].formula;
+    law = Formula::difference(law, Formula(-by));
+  }
+  return moved;
+}
+
+Mechanism Mechanism::without(JointIndex joint, FeatureIndex feature) const {
+  Mechanism part = *this;
+  std::vector<FeatureIndex>& between = part.joints_[joint].between;
+  std::erase(between, feature);
+  if (between.size() > 1) {
+    return part;
+  }
+  Table<JointIndex, JointIndex> joint_of(joints_.size());
+  part.joints_ = {};
+  for (const JointIndex index : joints_.keys()) {
+    if (index != joint) {
+      joint_of[index] = part.joints_.add(joints_[index]);
+    }
+  }
+  part.renumber_drivers(joint_of);
+  return part;
+}
+
+Mechanism Mechanism::with_slot(JointIndex pin, FeatureIndex feature,
+                               FeatureIndex along_from) const {
+  Mechanism part = *this;
+  Feature slot = features_[feature];
+  slot.is_line = true;
+  slot.name = joints_[pin].name + " as a slot";
+  const auto along = [&](NumberIndex to, NumberIndex from) {
+    return part.numbers_.add(
+        {Formula::difference(numbers_[to].formula, numbers_[from].formula), numbers_[to].part});
+  };
+  slot.along_x = along(slot.x, features_[along_from].x);
+  slot.along_y = along(slot.y, features_[along_from].y);
+  const FeatureIndex line = part.add_feature(std::move(slot));
+  const std::vector<FeatureIndex>& between = joints_[pin].between;
+  const FeatureIndex other = between[0] == feature ? between[1] : between[0];
+  Joint relaxed{joints_[pin].name, JointType::pin_in_slot, {other, line}, {}, {}};
+  if (between.size() == 2) {
+    part.joints_[pin] = std::move(relaxed);
+  } else {
+    std::erase(part.joints_[pin].between, feature);
+    relaxed.name += " of " + links_[features_[feature].link].name;
+    part.joints_.add(std::move(relaxed));
+  }
+  return part;
+}
+
+Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
+  Mechanism part = *this;
+  part.features_ = {};
+  part.links_ = {};
+  part.joints_ = {};
+  part.outputs_ = {};
+  Table<FeatureIndex, FeatureIndex> feature_of(features_.size());
+  for (const LinkIndex link : links_.keys()) {
+    if (!kept[link]) {
+      continue;
+    }
+    const LinkIndex own = part.links_.add({links_[link].name, {}});
+    for (const FeatureIndex index : links_[link].features) {
+      Feature feature = features_[index];
+      feature.link = own;
+      feature_of[index] = part.add_feature(std::move(feature));
+    }
+  }
+  Table<JointIndex, JointIndex> joint_of(joints_.size());
+  for (const JointIndex index : joints_.keys()) {
+    Joint joint{joints_[index].name,
+                joints_[index].type,
+                {},
+                joints_[index].lowest,
+                joints_[index].highest};
+    for (const FeatureIndex feature : joints_[index].between) {
+      if (feature_of[feature].exists()) {
+        joint.between.push_back(feature_of[feature]);
+      }
+    }
+    if (joint.between.size() > 1) {
+      joint_of[index] = part.joints_.add(std::move(joint));
+    }
+  }
+  part.renumber_drivers(joint_of);
+  for (Output output : outputs_) {
+    output.point = feature_of[output.point];
+    part.outputs_.add(std::move(output));
+  }
+  return part;
+}
+
+}  // namespace assur::mechanism

@@ -1,0 +1,80 @@
+// Law: closures that no header can be made of get one line that names where and what.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "command/command.hpp"
+
+namespace assur::test::refused_closures_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A file that no header can be made of, and what the message says.
+struct Refusal {
+  const char* name;
+  const char* text;
+  const char* message;
+};
+
+void PrintTo(const Refusal& refusal, std::ostream* out) { *out << refusal.name; }
+
+class Refused : public testing::TestWithParam<Refusal> {};
+
+TEST_P(Refused, GetsOneLineAndWritesNothing) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.write("mine.audit", GetParam().text);
+  const fs::path output = directory.path() / "output";
+  const CommandResult result =
+      run_assur("emit --closures " + file.string() + " --output " + output.string());
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(std::count(result.messages.begin(), result.messages.end(), '\n'), 1) << result.messages;
+  EXPECT_NE(result.messages.find(GetParam().message), std::string::npos)
+      << "expected: " << GetParam().message << "\nfound:    " << result.messages;
+  EXPECT_FALSE(fs::exists(output));
+}
+
+#define DECLARED "length a s\nangle p q\nunknown q\nmoving p\n"
+INSTANTIATE_TEST_SUITE_P(
+    Closures, Refused,
+    testing::Values(
+        Refusal{"AModel", "model RRR-RRR\n", "mine.audit:1:1: closures are emitted as they are"},
+        Refusal{"NoClosure", DECLARED, "mine.audit: there is no closure to emit"},
+        Refusal{"NoUnknown", "angle p\nclosure f = cos(p)\n", "mine.audit: no symbol is unknown"},
+        Refusal{"UndeclaredName", DECLARED "closure f = b*cos(q)\n",
+                "mine.audit:5:13: no symbol named 'b'"},
+        Refusal{"UnknownStatement", DECLARED "closur f = a*cos(q)\n",
+                "mine.audit:5:1: no statement 'closur' (did you mean 'closure'?)"},
+        Refusal{"BareAngle", DECLARED "closure f = a*q\n",
+                "closure f: the angle 'q' stands outside a sine or cosine"},
+        Refusal{"LengthAsAngle", DECLARED "closure f = cos(a + q)\n",
+                "closure f: 'a' is used as an angle and is not declared as one"},
+        Refusal{"HalfAnAngle", DECLARED "closure f = cos(q/2)\n",
+                "'q/2' is not a whole multiple of a declared angle"},
+        Refusal{"NumberAsAngle", DECLARED "closure f = cos(q + 0.3)\n",
+                "is not a whole multiple of a declared angle; declare"},
+        Refusal{"BareArc", DECLARED "closure f = acos(a/s) + cos(q)\n",
+                "closure f: 'acos(a/s)' stands outside a sine or cosine"},
+        Refusal{"NegativeRoot", DECLARED "closure f = sqrt(-4)*cos(q)\n", "is not a real number"},
+        Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
+                "the power 65 is higher than 64"},
+        Refusal{"ProductOfAngles", DECLARED "closure f = cos(p*q)\n", "closure f: 'p*q'"},
+        Refusal{"RateInAClosure", DECLARED "closure f = a*cos(q) + rate(cos(p))\n",
+                "is a derivative"},
+        Refusal{"NoFile", "printed code J none.cpp J of f by q\n", "no closure to emit"}),
+    [](const testing::TestParamInfo<Refusal>& at) { return std::string(at.param.name); });
+
+TEST(Refused, AMissingFileAndADirectoryAreRefused) {
+  for (const std::string file : {"/nowhere.audit", "/"}) {
+    for (const std::string command : {"emit --output /nowhere --closures ", "audit "}) {
+      const CommandResult result = run_assur(command + file);
+      EXPECT_EQ(result.status, 2);
+      EXPECT_EQ(result.messages,
+                "error: " + file + ": cannot be read (does it exist, and is it a file?)\n");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::refused_closures_test
