@@ -34,8 +34,8 @@ class AskedPoints {
       : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
 
   /// The points of comparisons: where a given length is negative comes last, since a program may
-  /// take none such; unknown ones have either sign. Throws FormulaError where there are too few,
-  /// and NotAlgebraic.
+  /// refuse such lengths; unknown ones have either sign. Throws FormulaError where there are too
+  /// few, and NotAlgebraic.
   [[nodiscard]] std::vector<Asked> drawn();
   /// Points of few and small numbers, for counterexamples that can be checked with a pencil; may be
   /// none.

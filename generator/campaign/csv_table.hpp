@@ -13,8 +13,8 @@ namespace assur::generator::campaign {
 [[nodiscard]] std::string csv_head(const std::vector<mechanism::Column>& columns);
 [[nodiscard]] std::vector<std::string> names_in_csv_head(const std::string& line);
 
-/// Lines of rows. Numbers have the fewest digits that tell them from all others; what there is none
-/// of is an empty cell.
+/// Lines of rows. Numbers have the fewest digits that tell them from all others; a number that
+/// does not exist is an empty cell.
 [[nodiscard]] std::string csv_lines(const std::vector<mechanism::Column>& columns,
                                     const std::vector<double>& rows);
 

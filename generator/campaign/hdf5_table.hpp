@@ -11,8 +11,8 @@ namespace assur::generator::campaign {
 void expect_hdf5(const std::string& where);
 
 /// A data set for each column, as long as there are rows: 64-bit whole numbers, outcomes as an
-/// enumeration, doubles with NaN for what there is none of. The attribute `description` holds the
-/// lines that a file of CSV has as comments, with the line of names behind them.
+/// enumeration, doubles with NaN for a number that does not exist. The attribute `description`
+/// holds the lines that a file of CSV has as comments, with the line of names behind them.
 [[nodiscard]] std::unique_ptr<TableWriter> hdf5_writer(PartialFile& file,
                                                        const Description& description);
 [[nodiscard]] std::unique_ptr<TableReader> hdf5_reader(const std::filesystem::path& file);

@@ -1,4 +1,4 @@
-// Turns the name of a function in a part of this program that is loaded when it is needed into it.
+// Turns the name of a function into that function of a module, which is loaded when it is needed.
 #pragma once
 
 #include <string>

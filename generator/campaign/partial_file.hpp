@@ -32,7 +32,7 @@ class PartialFile {
   int descriptor_ = -1;
 };
 
-/// Writes a whole text so.
+/// Writes a whole text in this way.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Throws InputError where something has that name, unless it may be replaced.

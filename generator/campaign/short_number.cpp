@@ -29,7 +29,7 @@ constexpr auto powers_of_five = [] {
 
 /// digits x 10^(exponent - 16), of 17 digits with zeros at their end.
 struct Decimal {
-  std::uint64_t digits = 0;  ///< zero: not told here
+  std::uint64_t digits = 0;  ///< zero where this function does not tell them
   int exponent = 0;
 };
 

@@ -21,7 +21,7 @@ namespace assur::generator::campaign {
   return text.data();
 }
 
-/// What XML gives a meaning, and what it cannot hold, in other words.
+/// A text with XML's own characters as entities, and with '?' for those that XML cannot hold.
 [[nodiscard]] inline std::string escaped(const std::string& text) {
   std::string result;
   for (const char letter : text) {

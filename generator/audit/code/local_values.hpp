@@ -35,7 +35,7 @@ class LocalValues {
   }
   /// Whatever is spelled `NAME(...)` is a call of a function of the file.
   void declare_function(const std::string& name) { functions_.insert(name); }
-  /// Whatever is spelled `.NAME` can not be read, for that reason.
+  /// Whatever is spelled `.NAME` cannot be read, for that reason.
   void declare_member(const std::string& name, const std::string& reason) {
     members_[name] = reason;
   }

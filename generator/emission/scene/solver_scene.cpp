@@ -33,8 +33,8 @@ std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) 
   return variable;
 }
 
-/// Those that have a tolerance or are variable, all if none is so, and none if no output's
-/// sensitivity is wanted.
+/// The parameters that have a tolerance or are variable; all parameters where there are no such,
+/// and no parameter where no output's sensitivity is wanted.
 ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechanism::Values& values,
                                        const std::vector<VariableParameter>& variable) {
   const auto& parameters = plan.mechanism().parameters();

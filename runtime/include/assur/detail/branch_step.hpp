@@ -15,7 +15,7 @@
 
 namespace assur::detail {
 
-/// Largest entry, NaN if there is one; lengths count by the size of the group.
+/// The largest entry, or NaN if there is one; lengths count in parts of the group's size.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar turn_of(const Vector<Scalar, Model::unknown_count>& step,
                              Scalar inverse_size) {

@@ -32,7 +32,8 @@ class ClosedSearch {
   using Displacement = support::DisplacementOf<Number>;
 
  public:
-  /// Most groups, as they are. False if a closer look is needed; the list is undefined then.
+  /// Searches most groups as they are. False if a closer look is needed; the list is undefined
+  /// then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                const Displacement& displaced,
                                                Assemblies<Model, Number>& result) {

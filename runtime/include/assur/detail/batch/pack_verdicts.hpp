@@ -12,7 +12,7 @@
 
 namespace assur::detail::batch {
 
-/// Where all directions are numbers; what is not finite times zero is none.
+/// Where all directions are numbers: zero times what is not finite is NaN.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] auto are_finite_directions(const Variables<Pack>& variables) {
   Pack zero(0);
