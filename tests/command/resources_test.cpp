@@ -7,7 +7,6 @@
 
 #include "command/command.hpp"
 #include "mechanism/many_dyads.hpp"
-#include "whole_campaign.hpp"
 
 namespace assur::test::resources_test {
 namespace {
@@ -116,11 +115,9 @@ TEST(Resources, OfManyGroups) {
 }
 
 /// Two bars of a length behind eleven dyads, both with their ends at one point: wherever that is,
-/// they turn freely. And derivatives of second order to 100 parameters, of 16384 configurations.
-TEST(Resources, OfManyFamiliesAndNumbers) {
-  if (!is_whole_campaign()) {
-    GTEST_SKIP() << "takes a second and 0.9 GB: `ctest -L long`";
-  }
+/// they turn freely. And derivatives of second order to 100 parameters, of 16384 configurations,
+/// which take 0.9 GB.
+TEST(LongResources, OfManyFamiliesAndNumbers) {
   const std::string mend =
       "; give joints limits, or ask for one only: for the nearest to a reference of more links, "
       "or by a low number\n";

@@ -11,6 +11,7 @@
 #include <random>
 
 #include "audit/audit.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::roots_test {
 namespace {
@@ -194,7 +195,7 @@ Truth numeric_truth(const Statement& statement) {
 TEST(Roots, StatementsAreDecidedAsTheirValuesAre) {
   std::map<Truth, int> count;
   int undecided = 0;
-  for (const Statement& statement : statements) {
+  for (const Statement& statement : share_of(statements, 2)) {
     const std::string text = std::string(statement.left) + " = " + statement.right;
     ASSERT_EQ(numeric_truth(statement), statement.truth) << text;
     const AuditReport report =

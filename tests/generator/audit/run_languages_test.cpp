@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"OctaveWrong", "f.m",
                  "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]';\nend\n",
                  CALL, 1, "the matrix is transposed"}},
-        2)),
+        4)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 }  // namespace

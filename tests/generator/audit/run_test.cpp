@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "#include <cstdlib>\n" CPP("if (std::getenv(\"ASSUR_SECRET\")) std::abort();"
                                             "return {{-l*sin(theta), -1}, {l*cos(theta), 0}};"),
                  CALL, 0, "all 4 agree"}},
-        2)),
+        4)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -169,7 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
                  CALL, 1, "the same call gives another value later"},
          Program{"Pencil", "a.cpp", CPP("return {{l*sin(theta), -1}, {l*cos(theta), 0}};"), CALL, 1,
                  "at          l = 2, (cos, sin)(theta) = (4/5, 3/5)"}},
-        2)),
+        4)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 INSTANTIATE_TEST_SUITE_P(
@@ -223,7 +223,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "no points are found"},
          Program{"WrongCondition", "a.cpp", CPP("return {};"), CALL "\n  where lenth", 2,
                  "mine.audit:8:9: no symbol named 'lenth'"}},
-        2)),
+        4)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 }  // namespace

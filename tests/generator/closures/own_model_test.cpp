@@ -239,7 +239,7 @@ int main() {
 }
 )";
 
-TEST(OwnModel, TheRuntimeSolvesAsItDoesModels) {
+TEST(LongOwnModel, TheRuntimeSolvesAsItDoesModels) {
   const TemporaryDirectory directory;
   emit(own_model / "gear_five_bar.audit", directory);
   const std::string output = output_of(directory, solving);

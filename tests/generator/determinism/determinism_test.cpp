@@ -53,7 +53,8 @@ std::vector<Call> calls() {
     }
   }
   for (const std::string format : {"text", "latex", "json"}) {
-    for (const std::string model : {"--group dyad 2", "--group triad 3", "2", "7"}) {
+    for (const std::string& model :
+         share_of(std::vector<std::string>{"7", "--group dyad 2", "2", "--group triad 3"}, 2)) {
       std::string name = "Derive_" + model + "_" + format;
       std::erase(name, '-');
       std::replace(name.begin(), name.end(), ' ', '_');

@@ -8,6 +8,7 @@
 
 #include "audit/audit_report.hpp"
 #include "audit/latex/paper_audit.hpp"
+#include "whole_campaign.hpp"
 
 namespace assur::test::latex_test {
 namespace {
@@ -257,7 +258,7 @@ TEST(Latex, EquationsThatStandSideBySideAreSeveral) {
 
 TEST(Latex, SurvivesRandomChanges) {
   constexpr unsigned seed = 2011;
-  constexpr int rounds = 1500;
+  const int rounds = is_whole_campaign() ? 1500 : 500;
   constexpr double most_seconds = 5;
   const std::string good = R"(\newcommand{\rod}[1]{\theta#1}
 \begin{align}
