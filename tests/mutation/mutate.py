@@ -1,15 +1,18 @@
 #!/usr/bin/env python3
 """Turns sources and the tests that hold them into a list of mutants and of those that survive.
 
-mutate.py BUILD SUBJECT [--count N] [--seed S] [--output FILE]
+mutate.py BUILD SUBJECT [--count N] [--seed S] [--harmless FILE] [--output FILE]
 
 A mutant is one operator, comparison, sign or constant changed in one place. SUBJECT is `derivation`
 or `runtime`. Each mutant is compiled in BUILD, whose sources are changed and put back, so that it
-should be a clone of its own; what does not compile, or compiles to nothing new, is not counted.
-Then its killers run, one after the other, until one of them fails: that kills it. Whoever
-interrupts this has one changed line left, which git tells.
+should be a clone of its own; what does not compile, or changes no program, is not counted. Its
+killers run, one after the other, until one of them fails: that kills it. The exit status is 1 if
+one survives that FILE does not list with the reason why it is harmless, a line each:
+`PATH | LINE AS IT IS | LINE AS IT WAS MUTATED | REASON`. Whoever interrupts this has one changed
+line left, which git tells.
 """
 import argparse
+import hashlib
 import pathlib
 import random
 import re
@@ -32,22 +35,21 @@ CHANGES = [
     (r"std::max\b", "std::min"),
 ]
 
-# What is mutated, what is built, and the commands that kill, the quick ones first.
+# What is mutated, and what kills: programs with the arguments that they are run with, the quick ones
+# first, for each is built only where those before it have not killed.
 SUBJECTS = {
     "derivation": (
         ["generator/equations/*.cpp", "generator/derivatives/*.cpp", "generator/elimination/*.cpp",
          "generator/pivoting/*.cpp", "generator/special_points/*.cpp", "generator/structure/*.cpp"],
-        ["assur"],
-        [["{build}/assur", "emit", "--all", "--output", "{source}/generated", "--check"],
-         ["{build}/assur", "catalogue", "--format", "json"]]),
+        [("assur", "assur", [["emit", "--all", "--output", "{source}/generated", "--check"],
+                             ["catalogue", "--format", "json"]])]),
     "runtime": (
         ["runtime/include/assur/*.hpp", "runtime/include/assur/detail/*.hpp",
          "runtime/include/assur/numeric/*.hpp"],
-        ["configurations_test", "verdicts_test", "trigonometric_roots_test", "status_tests",
-         "body_motion_tests"],
-        [["{build}/tests/runtime/" + name, "--gtest_brief=1"]
-         for name in ("trigonometric_roots_test", "configurations_test", "verdicts_test",
-                      "status_tests", "body_motion_tests")]),
+        [(name, "tests/runtime/" + name, [["--gtest_brief=1"]])
+         for name in ("matrix4_test", "trigonometric_roots_test", "special_points_test",
+                      "status_tests", "invariance_test", "verdicts_test", "configurations_test",
+                      "body_motion_tests", "float_groups_test")]),
 }
 
 
@@ -78,19 +80,37 @@ def run(command, seconds):
         return None
 
 
-def verdict_of(build, targets, killers):
-    """How a mutant fares: `stillborn`, or what killed it, or `survives`."""
-    made = run(["cmake", "--build", str(build), "--target", *targets], 900)
-    if made is None or made.returncode != 0:
-        return "stillborn"
-    for killer in killers:
-        words = [word.format(build=build, source=SOURCE) for word in killer]
-        result = run(words, 300)
-        if result is None:
-            return "killed: takes too long: " + pathlib.Path(words[0]).name
-        if result.returncode != 0:
-            return "killed: " + " ".join([pathlib.Path(words[0]).name, *words[1:2]])
-    return "survives"
+def verdict_of(build, killers, originals=None):
+    """How a mutant fares: `stillborn`, `same` where no program changes, or what killed it, or
+    `survives`. Without the originals' contents programs are run in any case, and remembered."""
+    changed = originals is None
+    contents = {}
+    for target, path, calls in killers:
+        made = run(["cmake", "--build", str(build), "--target", target], 900)
+        if made is None or made.returncode != 0:
+            return "stillborn", contents
+        contents[target] = hashlib.sha256((build / path).read_bytes()).digest()
+        if originals is not None and contents[target] == originals[target]:
+            continue
+        changed = True
+        for call in calls:
+            words = [str(build / path)] + [word.format(source=SOURCE) for word in call]
+            result = run(words, 300)
+            if result is None:
+                return "killed: takes too long: " + target, contents
+            if result.returncode != 0:
+                return "killed: " + " ".join([target, *call[:1]]), contents
+    return ("survives" if changed else "same"), contents
+
+
+def harmless_of(file):
+    """What is known to survive, as (path, line, mutated line)."""
+    entries = set()
+    for entry in file.read_text().splitlines() if file else []:
+        if entry and not entry.startswith("#"):
+            path, line, mutated, _ = entry.split(" | ", 3)
+            entries.add((path, line, mutated))
+    return entries
 
 
 def main():
@@ -99,19 +119,22 @@ def main():
     parser.add_argument("subject", choices=SUBJECTS)
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--harmless", type=pathlib.Path)
     parser.add_argument("--output", type=pathlib.Path)
     options = parser.parse_args()
-    patterns, targets, killers = SUBJECTS[options.subject]
+    patterns, killers = SUBJECTS[options.subject]
     build = options.build.resolve()
-    if verdict_of(build, targets, killers) != "survives":
+    verdict, originals = verdict_of(build, killers)
+    if verdict != "survives":
         sys.exit("the sources as they are do not build and pass; nothing was mutated")
+    harmless = harmless_of(options.harmless)
     sites = sites_of(patterns)
     random.Random(options.seed).shuffle(sites)
-    counts = {"killed": 0, "survives": 0, "stillborn": 0}
+    counts = {"killed": 0, "survives": 0, "harmless": 0, "stillborn": 0, "same": 0}
     began = time.monotonic()
     lines = []
     for path, number, (begin, end), by in sites:
-        if counts["killed"] + counts["survives"] == options.count:
+        if counts["killed"] + counts["survives"] + counts["harmless"] == options.count:
             break
         text = path.read_text()
         mutated = text.split("\n")
@@ -119,21 +142,27 @@ def main():
         mutated[number] = line[:begin] + by + line[end:]
         try:
             path.write_text("\n".join(mutated))
-            verdict = verdict_of(build, targets, killers)
+            verdict, _ = verdict_of(build, killers, originals)
         finally:
             path.write_text(text)
+        own = str(path.relative_to(SOURCE))
+        if verdict == "survives" and (own, line.strip(), mutated[number].strip()) in harmless:
+            verdict = "harmless"
         counts[verdict.split(":")[0]] += 1
-        place = f"{path.relative_to(SOURCE)}:{number + 1}"
+        place = f"{own}:{number + 1}"
         lines.append(f"{verdict}\t{place}\t{line.strip()}\t{mutated[number].strip()}")
         print(lines[-1], flush=True)
     minutes = (time.monotonic() - began) / 60
     lines.append(f"# {options.subject}, seed {options.seed}, {len(sites)} places: "
-                 f"{counts['killed']} killed, {counts['survives']} survive, "
-                 f"{counts['stillborn']} do not compile; {minutes:.0f} minutes")
+                 f"{counts['killed']} killed, {counts['harmless']} harmless, "
+                 f"{counts['survives']} survive, {counts['stillborn']} do not compile, "
+                 f"{counts['same']} change no program; "
+                 f"{minutes:.0f} minutes")
     print(lines[-1])
     if options.output:
         options.output.write_text("\n".join(lines) + "\n")
+    return 1 if counts["survives"] else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
