@@ -32,7 +32,13 @@ set tics scale 0 nomirror font ",12" textcolor rgb "#505050"
 unset key
 do for [figure = 1:2] {
   panels = 0
-  do for [task = 1:tasks] { panels = panels + (figure == 1 || summary(titles[task])) }
+  array occurs[7] = [0, 0, 0, 0, 0, 0, 0]
+  do for [task = 1:tasks] {
+    if (figure == 1 || summary(titles[task])) {
+      panels = panels + 1
+      stats columns index task - 1 using (occurs[int($5)] = 1, 1) nooutput
+    }
+  }
   rows = (panels + 1) / 2
   head = 96.0
   each = 302.0
@@ -42,9 +48,13 @@ do for [figure = 1:2] {
   set multiplot
   set label 30 "Largest relative error over the nanoseconds of an evaluation: lower left is better" \
     at screen 0.02, 1 - 20 / height font ",16"
+  entry = 0
   do for [n = 1:7] {
-    set label n families[n] at screen (24 + 122 * (n - 1)) / 900.0, 1 - 46 / height \
-      point pt 7 ps 0.9 lc rgb colours[n] offset 0.8,-0.25 textcolor rgb colours[n]
+    if (occurs[n]) {
+      set label n families[n] at screen (24 + 122 * entry) / 900.0, 1 - 46 / height \
+        point pt 7 ps 0.9 lc rgb colours[n] offset 0.8,-0.25 textcolor rgb colours[n]
+      entry = entry + 1
+    }
   }
   do for [n = 1:3] {
     set label 10 + n scalars[n] at screen (24 + 122 * (n - 1)) / 900.0, 1 - 68 / height \
