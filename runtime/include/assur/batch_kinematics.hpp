@@ -49,20 +49,18 @@ namespace detail::batch {
 
 /// A matrix of packs, entry by entry.
 template <typename Pack, int Rows, int Columns>
-[[nodiscard]] Matrix<Pack, Rows, Columns> load_matrix(const double* from, std::size_t stride,
-                                                      std::size_t first) {
+[[nodiscard, gnu::always_inline]] inline Matrix<Pack, Rows, Columns> load_matrix(
+    const double* from, std::size_t stride, std::size_t first) {
   Matrix<Pack, Rows, Columns> matrix;
-  for (std::size_t place = 0; place < detail::size(Rows * Columns); ++place) {
-    matrix.data()[place] = Pack::load(from + place * stride + first);
-  }
+  for_each_place<Rows * Columns>(
+      [&](std::size_t place) { matrix.data()[place] = Pack::load(from + place * stride + first); });
   return matrix;
 }
 template <typename Pack, int Rows, int Columns>
-void store_matrix(const Matrix<Pack, Rows, Columns>& matrix, double* to, std::size_t stride,
-                  std::size_t first) {
-  for (std::size_t place = 0; place < detail::size(Rows * Columns); ++place) {
-    matrix.data()[place].store(to + place * stride + first);
-  }
+[[gnu::always_inline]] inline void store_matrix(const Matrix<Pack, Rows, Columns>& matrix,
+                                                double* to, std::size_t stride, std::size_t first) {
+  for_each_place<Rows * Columns>(
+      [&](std::size_t place) { matrix.data()[place].store(to + place * stride + first); });
 }
 /// The same of one configuration.
 template <int Rows>
@@ -84,23 +82,23 @@ void put_matrix(const Matrix<double, Rows, Columns>& matrix, double* to, std::si
 
 /// Looks at variables, or at the entries of a vector.
 template <typename Pack, template <typename> class Variables>
-void look_at(const Variables<Pack>& variables, FiniteNumbers<Pack>& numbers) {
+[[gnu::always_inline]] inline void look_at(const Variables<Pack>& variables,
+                                           FiniteNumbers<Pack>& numbers) {
   for_each_number(variables, [&numbers](const Pack& number, std::size_t place) {
     numbers.look_at(number, place);
   });
 }
 template <typename Pack, int Rows>
-void look_at(const Vector<Pack, Rows>& vector, FiniteNumbers<Pack>& numbers) {
-  for (std::size_t row = 0; row < detail::size(Rows); ++row) {
-    numbers.look_at(vector.data()[row], row);
-  }
+[[gnu::always_inline]] inline void look_at(const Vector<Pack, Rows>& vector,
+                                           FiniteNumbers<Pack>& numbers) {
+  for_each_place<Rows>([&](std::size_t row) { numbers.look_at(vector.data()[row], row); });
 }
 /// Where all of it is finite and a configuration is certainly regular.
 template <typename Model, typename Pack, typename... Rates>
-[[nodiscard]] auto are_certain(const typename Model::template Dimensions<Pack>& d,
-                               const typename Model::template Inputs<Pack>& u,
-                               const typename Model::template Configuration<Pack>& q,
-                               const Rates&... rates) {
+[[nodiscard, gnu::always_inline]] inline auto are_certain(
+    const typename Model::template Dimensions<Pack>& d,
+    const typename Model::template Inputs<Pack>& u,
+    const typename Model::template Configuration<Pack>& q, const Rates&... rates) {
   FiniteNumbers<Pack> numbers;
   look_at(d, numbers);
   look_at(u, numbers);
@@ -129,7 +127,8 @@ struct GivenPack {
   typename Model::template Configuration<Pack> q;
 };
 template <typename Model, typename Pack>
-void store_motion(const Motion<Model, Pack>& motion, const BatchMotion& result, std::size_t first) {
+[[gnu::always_inline]] inline void store_motion(const Motion<Model, Pack>& motion,
+                                                const BatchMotion& result, std::size_t first) {
   store_matrix(motion.velocity, result.velocity, result.stride, first);
   store_matrix(motion.acceleration, result.acceleration, result.stride, first);
 }
@@ -139,8 +138,9 @@ void put_motion(const Motion<Model, double>& motion, const BatchMotion& result, 
   put_matrix(motion.acceleration, result.acceleration, result.stride, index);
 }
 template <typename Model, typename Pack>
-void store_sensitivities(const Sensitivities<Model, Pack>& sensitive,
-                         const BatchSensitivities& result, std::size_t first) {
+[[gnu::always_inline]] inline void store_sensitivities(const Sensitivities<Model, Pack>& sensitive,
+                                                       const BatchSensitivities& result,
+                                                       std::size_t first) {
   store_matrix(sensitive.to_dimensions, result.to_dimensions, result.stride, first);
   store_matrix(sensitive.to_inputs, result.to_inputs, result.stride, first);
 }
@@ -151,8 +151,9 @@ void put_sensitivities(const Sensitivities<Model, double>& sensitive,
   put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
 }
 
-/// Calls `several` with the first of each pack; it returns where configurations are to be looked at
-/// by themselves, for which `alone` is called. The last pack overlaps the one before.
+/// Calls `several` with the first of each pack, without calls of its own, which would leave packs
+/// in memory; it returns where configurations are to be looked at by themselves, for which `alone`
+/// is called. The last pack overlaps the one before.
 template <std::size_t Lanes, typename Several, typename Alone>
 void for_each_pack(std::size_t count, const Several& several, const Alone& alone) {
   if (count < Lanes) {
@@ -183,7 +184,7 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
   using namespace detail::batch;
   for_each_pack<Lanes>(
       count,
-      [&](std::size_t first) {
+      [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
         Sensitivities<Model, Pack> sensitive;
         Model::sensitivities(at.d, at.u, at.q, sensitive.to_dimensions, sensitive.to_inputs);
@@ -211,7 +212,7 @@ void motion(std::size_t count, const BatchConfigurations<Model>& given, const Ba
   using namespace detail::batch;
   for_each_pack<Lanes>(
       count,
-      [&](std::size_t first) {
+      [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
         const GivenRates<Model, Pack> u(rates, first);
         Motion<Model, Pack> moving;
@@ -243,7 +244,7 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
   using namespace detail::batch;
   for_each_pack<Lanes>(
       count,
-      [&](std::size_t first) {
+      [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
         const GivenRates<Model, Pack> u(rates, first);
         Sensitivities<Model, Pack> sensitive;

@@ -14,20 +14,22 @@ namespace assur::detail {
 // By indices, not by nested calls of std::apply: every model has variables of its own, and what is
 // instantiated for each of them is most of what its users compile.
 template <typename Members, typename Use, std::size_t... Index>
-constexpr void visit(Members&& members, Use&& use, std::index_sequence<Index...>) {
+[[gnu::always_inline]] constexpr void visit(Members&& members, Use&& use,
+                                            std::index_sequence<Index...>) {
   (use(std::get<Index>(members), Index), ...);
 }
 template <typename Members, typename Use>
-constexpr void visit(Members&& members, Use&& use) {
+[[gnu::always_inline]] constexpr void visit(Members&& members, Use&& use) {
   visit(members, use, std::make_index_sequence<std::tuple_size_v<std::decay_t<Members>>>());
 }
 
 template <typename One, typename Other, typename Use, std::size_t... Index>
-constexpr void visit_both(One&& one, Other&& other, Use& use, std::index_sequence<Index...>) {
+[[gnu::always_inline]] constexpr void visit_both(One&& one, Other&& other, Use& use,
+                                                 std::index_sequence<Index...>) {
   (use(std::get<Index>(one), std::get<Index>(other)), ...);
 }
 template <typename One, typename Other, typename Use>
-constexpr void visit_both(One&& one, Other&& other, Use& use) {
+[[gnu::always_inline]] constexpr void visit_both(One&& one, Other&& other, Use& use) {
   visit_both(one, other, use, std::make_index_sequence<std::tuple_size_v<std::decay_t<One>>>());
 }
 

@@ -38,7 +38,8 @@ struct Bounded {
   [[nodiscard]] Bound size() const { return std::abs(static_cast<Bound>(value)); }
   /// Larger than the true bound, for up to a thousand operations one after the other.
   [[nodiscard]] Bound certain_bound() const {
-    return bound * (1 + power_of_two<Bound>(12) * std::numeric_limits<Bound>::epsilon());
+    constexpr Bound larger = 1 + power_of_two<Bound>(12) * std::numeric_limits<Bound>::epsilon();
+    return bound * larger;
   }
   /// Whether the sign of the exact number is known.
   [[nodiscard]] bool sign_is_certain() const { return size() > certain_bound(); }

@@ -44,7 +44,8 @@ constexpr DoubleWord<Part> fast_two_sum(Part a, Part b) {
 template <typename Part>
 constexpr DoubleWord<Part> halves_of(Part a) {
   constexpr int half = (std::numeric_limits<Part>::digits + 1) / 2;
-  const Part shifted = (power_of_two<Part>(half) + 1) * a;
+  constexpr Part shift = power_of_two<Part>(half) + 1;
+  const Part shifted = shift * a;
   const Part high = shifted - (shifted - a);
   return {high, a - high};
 }
@@ -171,6 +172,8 @@ template <typename Part>
 class std::numeric_limits<assur::numeric::DoubleWord<Part>> : public std::numeric_limits<Part> {
  public:
   static constexpr assur::numeric::DoubleWord<Part> epsilon() noexcept {
-    return {assur::numeric::power_of_two<Part>(5 - 2 * std::numeric_limits<Part>::digits), Part(0)};
+    constexpr Part part =
+        assur::numeric::power_of_two<Part>(5 - 2 * std::numeric_limits<Part>::digits);
+    return {part, Part(0)};
   }
 };

@@ -12,7 +12,8 @@ struct PartOf {
   using Type = Scalar;
 };
 
-/// 2^exponent, where the scalar has it.
+/// 2^exponent, where the scalar has it. Only for constants: Clang 14 calls it wherever it stands
+/// otherwise.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar power_of_two(int exponent) {
   Scalar power(1);

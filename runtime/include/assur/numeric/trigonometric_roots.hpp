@@ -135,8 +135,9 @@ class TrigonometricRootSearch {
     // All that follows is linear in T, but for ratios of degree four: keep them far from overflow
     // and underflow. (The sum itself may have overflowed.)
     using Part = typename PartOf<Scalar>::Type;
-    if (!(sum < Scalar(power_of_two<Part>(most_power))) ||
-        sum < Scalar(power_of_two<Part>(-most_power))) {
+    constexpr Part most = power_of_two<Part>(most_power);
+    constexpr Part least = power_of_two<Part>(-most_power);
+    if (!(sum < Scalar(most)) || sum < Scalar(least)) {
       const bool large = !(sum < Scalar(1));
       constexpr Part scales = power_of_two<Part>(3 * most_power);
       const Scalar scale(large ? 1 / scales : scales);

@@ -60,8 +60,8 @@ template <typename Scalar>
   using Limits = std::numeric_limits<Scalar>;
   using Bits = std::conditional_t<Limits::digits == 24, std::uint32_t, std::uint64_t>;
   static_assert(sizeof(Bits) == sizeof(Scalar), "a power is made of bits of double or float");
-  if (!(length >= (Limits::min)() &&
-        length < numeric::power_of_two<Scalar>(Limits::max_exponent - 1))) {
+  constexpr Scalar largest = numeric::power_of_two<Scalar>(Limits::max_exponent - 1);
+  if (!(length >= (Limits::min)() && length < largest)) {
     return std::ldexp(Scalar(1), (std::min)(-std::ilogb(length), Limits::max_exponent - 1));
   }
   Bits bits = 0;

@@ -2,16 +2,29 @@
 #pragma once
 
 #include <assur/columns.hpp>
+#include <assur/detail/index.hpp>
 #include <assur/variables.hpp>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 namespace assur::detail::batch {
+
+/// Calls `use` with 0, 1, ..., each by itself: where no place is a variable, compilers keep packs
+/// in registers.
+template <typename Use, std::size_t... Place>
+[[gnu::always_inline]] inline void for_each_place(const Use& use, std::index_sequence<Place...>) {
+  (use(Place), ...);
+}
+template <int Count, typename Use>
+[[gnu::always_inline]] inline void for_each_place(const Use& use) {
+  for_each_place(use, std::make_index_sequence<size(Count)>());
+}
 
 /// Calls `use` with every number of variables and its place: of a direction the cosine, then the
 /// sine.
 template <typename Variables, typename Use>
-void for_each_number(Variables& variables, Use use) {
+[[gnu::always_inline]] inline void for_each_number(Variables& variables, Use use) {
   std::size_t place = 0;
   for_each_member(variables, [&](auto& member, std::size_t) {
     if constexpr (is_direction<std::decay_t<decltype(member)>>) {
@@ -25,7 +38,8 @@ void for_each_number(Variables& variables, Use use) {
 
 /// The variables of the groups from `first` on.
 template <typename Packed, typename Variables>
-[[nodiscard]] Packed load_groups(const Columns<Variables>& columns, std::size_t first) {
+[[nodiscard, gnu::always_inline]] inline Packed load_groups(const Columns<Variables>& columns,
+                                                            std::size_t first) {
   Packed packed;
   for_each_number(packed, [&](auto& number, std::size_t place) {
     number = std::decay_t<decltype(number)>::load(columns.data + place * columns.stride + first);
@@ -34,7 +48,9 @@ template <typename Packed, typename Variables>
 }
 
 template <typename Packed, typename Variables>
-void store_groups(const Packed& packed, const Columns<Variables>& columns, std::size_t first) {
+[[gnu::always_inline]] inline void store_groups(const Packed& packed,
+                                                const Columns<Variables>& columns,
+                                                std::size_t first) {
   for_each_number(packed, [&](const auto& number, std::size_t place) {
     number.store(columns.data + place * columns.stride + first);
   });
@@ -52,7 +68,7 @@ template <typename One, typename Packed>
 
 /// Exchanges two lists where something holds.
 template <typename Truth, typename Packed>
-void exchange_where(const Truth& holds, Packed& one, Packed& other) {
+[[gnu::always_inline]] inline void exchange_where(const Truth& holds, Packed& one, Packed& other) {
   const auto exchange = [&holds](auto& first, auto& second) {
     const auto kept = first;
     first = select(holds, second, first);
