@@ -4,11 +4,20 @@
 
 #include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
 
 #include "plan/evaluation_order.hpp"
 #include "plan/redundancy.hpp"
 
 namespace assur::mechanism {
+
+/// What was described of a mechanism that is planned without some of its constraints.
+struct Described {
+  Mechanism mechanism;
+  Request request;
+};
 
 /// What is planned once: the mechanism, what is wanted of it, the order of its links and formulas.
 struct PlanData {
@@ -20,6 +29,8 @@ struct PlanData {
   /// What holds beside the structure, and what to say where it does not.
   std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
+  /// With all constraints, where others may be left out in place of these; else null.
+  std::shared_ptr<const Described> described;
 };
 
 }  // namespace assur::mechanism

@@ -171,6 +171,19 @@ Frame AllConstraints::along(JointIndex slide, const Links& links) const {
   return relative({between[line_first ? 0 : 1], between[line_first ? 1 : 0], {}}, links);
 }
 
+void AllConstraints::set_slides(const Links& links, std::vector<SlideState>& slides) const {
+  for (SlideState& slide : slides) {
+    const Frame along = this->along(slide.joint, links);
+    slide.displacement = along.pose.x;
+    slide.velocity = along.velocity(0);
+    slide.acceleration = along.acceleration(0);
+    slide.follows.first = along.follows.first.row(0);
+    if (along.follows.has_second()) {
+      slide.follows.second = {along.follows.second[0]};
+    }
+  }
+}
+
 void AllConstraints::measure(const Poses& links) {
   double longest = 0;
   double farthest = 0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 #include <limits>
 #include <vector>
@@ -35,6 +36,9 @@ class AllConstraints {
   }
 
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * std::ssize(moving_); }
+  /// The links that q moves, and the first of the three rows of one.
+  [[nodiscard]] const std::vector<LinkIndex>& moving() const { return moving_; }
+  [[nodiscard]] Eigen::Index column_of(LinkIndex link) const { return column_of_[link]; }
   /// f(q).
   [[nodiscard]] Eigen::VectorXd misses(const Poses& links) const;
   /// The derivative of f to q.
@@ -52,9 +56,8 @@ class AllConstraints {
   void add_first(const Eigen::MatrixXd& rates, Links& links) const;
   void add_second(const Eigen::MatrixXd& rates, Links& links) const;
 
-  /// The second feature of a slide in the frame of the line, which is the first one of a prismatic
-  /// joint: its x is the displacement.
-  [[nodiscard]] Frame along(JointIndex slide, const Links& links) const;
+  /// Where links place the slides of some joints, and how these move.
+  void set_slides(const Links& links, std::vector<SlideState>& slides) const;
 
  private:
   /// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
@@ -72,6 +75,9 @@ class AllConstraints {
   [[nodiscard]] Eigen::Vector3d moved(LinkIndex link, const Pose<double>& pose,
                                       const Eigen::VectorXd& rates) const;
   [[nodiscard]] Frame relative(const Pair& pair, const Links& links) const;
+  /// The second feature of a slide in the frame of the line, which is the first one of a prismatic
+  /// joint: its x is the displacement.
+  [[nodiscard]] Frame along(JointIndex slide, const Links& links) const;
   [[nodiscard]] double unit(Eigen::Index coordinate) const { return coordinate == 2 ? 1 : size_; }
   /// Calls `visit(row, coordinate, pair)` for each row of f.
   template <typename Visit>

@@ -62,16 +62,40 @@ double gap_of(const Pair& pair) {
                         : support::points_apart(pair.one.pose, pair.other.pose);
 }
 
-bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links, const Pair& pair) {
-  const Eigen::Vector2d rate = pair.other.velocity.head<2>() - pair.one.velocity.head<2>();
-  if (!rate.allFinite() || values.plan().request.redundancy_tolerance.exists()) {
+/// Which part of the fastest rates, and of the fastest second rates, may be rounding.
+struct RoundingOfRates {
+  double first, second;
+};
+
+/// Whether features stay together, to first and second order; what is not known contradicts
+/// nothing.
+bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
+             const RedundantJoint& joint, const RoundingOfRates& rounding) {
+  if (values.plan().request.redundancy_tolerance.exists()) {
     return true;
   }
-  constexpr double rounding_of_rates = 1e-8;
+  const Pair pair = placed(values, links, joint);
+  const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
+  const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
   const Fastest fastest = fastest_of(links, pair.size);
-  const double turning = pair.other.velocity(2) - pair.one.velocity(2);
-  return pair.are_lines ? std::abs(turning) <= rounding_of_rates * fastest.turning
-                        : rate.norm() <= rounding_of_rates * fastest.speed;
+  double speeding_up = fastest.speed * fastest.turning;
+  for (const Frame& link : links) {
+    speeding_up = std::max({speeding_up, link.acceleration.head<2>().norm(),
+                            std::abs(link.acceleration(2)) * pair.size});
+  }
+  const bool is_first = !rate.allFinite() ||
+                        (pair.are_lines ? std::abs(rate(2)) <= rounding.first * fastest.turning
+                                        : rate.head<2>().norm() <= rounding.first * fastest.speed);
+  const double apart =
+      pair.are_lines ? std::abs(second_rate(2)) * pair.size : second_rate.head<2>().norm();
+  return is_first && !(apart > rounding.second * speeding_up);
+}
+
+bool go_on(const Values& values, const Table<LinkIndex, Frame>& links,
+           const RoundingOfRates& rounding) {
+  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
+    return goes_on(values, links, joint, rounding);
+  });
 }
 
 /// What is said of a mechanism with too many constraints, and what it does without them.
@@ -106,33 +130,14 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
   return worst;
 }
 
-bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
-  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return goes_on(values, links, placed(values, links, joint));
-  });
+bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
+                         Status regularity) {
+  constexpr double anything = std::numeric_limits<double>::infinity();
+  return go_on(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
 }
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
-  constexpr double rounding_of_branches = 1e-6;
-  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    const Pair pair = placed(values, links, joint);
-    const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
-    const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
-    if (!second_rate.allFinite() || values.plan().request.redundancy_tolerance.exists()) {
-      return true;
-    }
-    const Fastest fastest = fastest_of(links, pair.size);
-    double speeding_up = fastest.speed * fastest.turning;
-    for (const Frame& link : links) {
-      speeding_up = std::max({speeding_up, link.acceleration.head<2>().norm(),
-                              std::abs(link.acceleration(2)) * pair.size});
-    }
-    return pair.are_lines
-               ? std::abs(rate(2)) <= rounding_of_branches * fastest.turning &&
-                     std::abs(second_rate(2)) * pair.size <= rounding_of_branches * speeding_up
-               : rate.head<2>().norm() <= rounding_of_branches * fastest.speed &&
-                     second_rate.head<2>().norm() <= rounding_of_branches * speeding_up;
-  });
+  return go_on(values, links, {1e-6, 1e-6});
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {

@@ -11,8 +11,10 @@
 
 namespace assur::mechanism::solve {
 
-/// Whether the rates of the redundant joints of a plan hold to rounding, where all rates are known.
-[[nodiscard]] bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
+/// Whether the rates of the redundant joints of a plan hold to rounding, where all rates are known,
+/// and where the configuration is regular, which tells them well enough, their second rates.
+[[nodiscard]] bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
+                                       Status regularity);
 
 /// Whether they hold along one of several motions through a configuration in which they do: to
 /// first and second order, for at a change point all motions agree to first order.

@@ -1,6 +1,9 @@
 #include "redundant_plan.hpp"
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,14 +38,35 @@ Request request_of_part(const Mechanism& mechanism, const Request& request, cons
   return result;
 }
 
+constexpr std::array left_out_at_most = {plan::LeftOut::joints, plan::LeftOut::doubles,
+                                         plan::LeftOut::constraints};
+
+/// A mechanism of which constraints are left out; `mechanism` is that of the part, wherever its
+/// drivers stand.
+PlanData planned_part(const Described& described, const plan::BalancedMechanism& part,
+                      const OverConstrained& excess, const Mechanism& mechanism) {
+  std::vector<FeatureIndex> features;
+  for (const RedundantJoint& joint : part.redundant) {
+    features.insert(features.end(), {joint.one, joint.other});
+  }
+  PlanData data = *planned_whole(
+      mechanism, request_of_part(described.mechanism, described.request, part.mechanism),
+      part.structure, features);
+  data.redundant = part.redundant;
+  data.excess = excess;
+  return data;
+}
+
 /// Whether a plan without redundant joints can be assembled, whether these hold in a configuration
 /// then, and if not, what is said of it.
 struct Trial {
   bool holds;
   bool assembles = true;
+  bool moves = false;  ///< without those joints, and what they leave of that was not asked
   std::optional<OverConstrained> refusal = {};
 };
 
+/// A family counts where other ways are known, by which it is one of the whole mechanism.
 Trial tried(const std::shared_ptr<const PlanData>& plan) {
   try {
     const Values values(plan, {});
@@ -51,55 +75,109 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
     solver.solve({}, solution);
     if (solution.status == SolutionStatus::no_assembly) {
       solver.solve({.measures_gap = true}, solution);
-      return {false, false, refusal_without_assembly(*plan, solution.reason)};
+      return {false, false, false, refusal_without_assembly(*plan, solution.reason)};
     }
-    return {!solution.configurations.empty()};
+    if (!solution.configurations.empty()) {
+      return {true};
+    }
+    const bool is_known = plan->described != nullptr;
+    return {is_known && std::ranges::any_of(solution.families,
+                                            [](const Family& one) { return one.mobility > 0; }),
+            true, !is_known};
   } catch (const OverConstrained& refusal) {
-    return {false, true, refusal};
+    return {false, true, false, refusal};
   }
 }
 
-/// A mechanism without the constraints that it has too many, if these hold at its own numbers and
-/// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else null,
-/// and the refusal is that of the way that fails by least, or of the first that says anything.
-std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
-                                                const Request& request,
-                                                const OverConstrained& excess,
-                                                OverConstrained& refusal) {
-  std::vector<FeatureIndex> features;
-  for (const RedundantJoint& joint : part.redundant) {
-    features.insert(features.end(), {joint.one, joint.other});
-  }
-  const auto planned_with = [&](const Mechanism& whole) {
-    PlanData data = *planned_whole(whole, request, part.structure, features);
-    data.redundant = part.redundant;
-    data.excess = excess;
-    return std::make_shared<const PlanData>(std::move(data));
-  };
-  constexpr double on = 0.01;
-  constexpr double rounding = 1e-9;  // of ways that are alike the first is told
-  const std::shared_ptr<const PlanData> plan = planned_with(part.mechanism);
-  Trial trial = tried(plan);
-  if (trial.holds) {
-    if (part.mechanism.drivers().empty()) {
-      return plan;
+/// Looks for a mechanism without the constraints that it has too many.
+class Planner {
+ public:
+  Planner(const Mechanism& mechanism, const Request& request, const OverConstrained& excess)
+      : described_(std::make_shared<const Described>(Described{mechanism, request})),
+        excess_(excess),
+        refusal_(excess),
+        kept_(reported_joints(mechanism, request)) {}
+
+  /// Throws OverConstrained where no way is found.
+  [[nodiscard]] std::shared_ptr<const PlanData> plan() {
+    bool is_tried = false;
+    std::optional<MechanismError> flaw;
+    for (const plan::LeftOut most : left_out_at_most) {
+      for (const plan::BalancedMechanism& part :
+           plan::balanced(described_->mechanism, excess_, most, kept_)) {
+        try {
+          if (auto plan = planned_without(part, false)) {
+            return plan;
+          }
+          is_tried = true;
+        } catch (const MechanismError& error) {
+          flaw = error;  // as where a slot would lead from a pin to another one in its place
+        }
+      }
     }
-    bool assembles = false;
-    for (const double by : {on, -on}) {
-      const Trial further = tried(planned_with(part.mechanism.driven_on(by)));
-      if (further.holds) {
+    if (moving_) {
+      if (auto plan = planned_without(*moving_, true)) {
         return plan;
       }
-      assembles = assembles || further.assembles;
     }
-    trial.refusal = refusal_where_driven_on(*plan, assembles);
+    if (flaw && !is_tried) {
+      throw MechanismError(*flaw);
+    }
+    throw OverConstrained(refusal_);
   }
-  if (trial.refusal && (trial.refusal->gap < refusal.gap * (1 - rounding) ||
-                        std::string(refusal.what()) == excess.what())) {
-    refusal = *trial.refusal;
+
+ private:
+  /// A mechanism without the constraints that it has too many, if these hold at its own numbers and
+  /// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else
+  /// null, and the refusal is that of the way that fails by least, or of the first that says
+  /// anything. `moves`: the others may leave it free to move, as far as all other ways do.
+  [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
+                                                                bool moves) {
+    const auto planned_on = [&](double by) {
+      PlanData data = planned_part(*described_, part, excess_,
+                                   by == 0 ? part.mechanism : part.mechanism.driven_on(by));
+      if (moves) {
+        data.described = by == 0 ? described_
+                                 : std::make_shared<const Described>(Described{
+                                       described_->mechanism.driven_on(by), described_->request});
+      }
+      return std::make_shared<PlanData>(std::move(data));
+    };
+    constexpr double on = 0.01;
+    constexpr double rounding = 1e-9;  // of ways that are alike the first is told
+    const std::shared_ptr<PlanData> plan = planned_on(0);
+    Trial trial = tried(plan);
+    if (trial.moves && !moving_) {
+      moving_ = part;
+    }
+    if (trial.holds) {
+      plan->described = described_;
+      if (part.mechanism.drivers().empty()) {
+        return plan;
+      }
+      bool assembles = false;
+      for (const double by : {on, -on}) {
+        const Trial further = tried(planned_on(by));
+        if (further.holds) {
+          return plan;
+        }
+        assembles = assembles || further.assembles;
+      }
+      trial.refusal = refusal_where_driven_on(*plan, assembles);
+    }
+    if (trial.refusal && (trial.refusal->gap < refusal_.gap * (1 - rounding) ||
+                          std::string(refusal_.what()) == excess_.what())) {
+      refusal_ = *trial.refusal;
+    }
+    return nullptr;
   }
-  return nullptr;
-}
+
+  std::shared_ptr<const Described> described_;
+  const OverConstrained& excess_;
+  OverConstrained refusal_;
+  std::vector<std::string> kept_;
+  std::optional<plan::BalancedMechanism> moving_;  ///< the first that moves at its own numbers
+};
 
 }  // namespace
 
@@ -109,34 +187,40 @@ std::shared_ptr<const PlanData> planned_whole(const Mechanism& mechanism, const 
   plan::EvaluationOrder order = plan::evaluation_order(mechanism, request, more);
   NamedParts parts = structure.named_parts(mechanism);
   return std::make_shared<const PlanData>(PlanData{
-      mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}});
+      mechanism, request, std::move(structure), std::move(order), std::move(parts), {}, {}, {}});
 }
 
 std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechanism,
                                                         const Request& request,
                                                         const OverConstrained& excess) {
-  OverConstrained refusal = excess;
-  const std::vector<std::string> kept = reported_joints(mechanism, request);
-  std::optional<MechanismError> flaw;
-  bool is_tried = false;
-  for (const plan::LeftOut most :
-       {plan::LeftOut::joints, plan::LeftOut::doubles, plan::LeftOut::constraints}) {
-    for (const plan::BalancedMechanism& part : plan::balanced(mechanism, excess, most, kept)) {
-      const Request asked = request_of_part(mechanism, request, part.mechanism);
-      try {
-        if (auto plan = planned_without(part, asked, excess, refusal)) {
-          return plan;
+  return Planner(mechanism, request, excess).plan();
+}
+
+// What is left out last is varied, what is left out before that is the best: in the next round
+// without the joints that were that in this one.
+std::vector<std::shared_ptr<const PlanData>> other_plans(const PlanData& plan) {
+  constexpr int most_rounds = 6;
+  std::set<std::string> kept;
+  for (const RedundantJoint& joint : plan.redundant) {
+    kept.insert(joint.name);
+  }
+  std::vector<std::shared_ptr<const PlanData>> plans;
+  std::size_t known = 0;
+  for (int round = 0; round < most_rounds && kept.size() > known; ++round) {
+    known = kept.size();
+    const std::vector<std::string> names(kept.begin(), kept.end());
+    for (const plan::LeftOut most : left_out_at_most) {
+      for (const plan::BalancedMechanism& part :
+           plan::balanced(plan.described->mechanism, *plan.excess, most, names)) {
+        plans.push_back(std::make_shared<const PlanData>(
+            planned_part(*plan.described, part, *plan.excess, part.mechanism)));
+        for (std::size_t place = 0; place + 1 < part.redundant.size(); ++place) {
+          kept.insert(part.redundant[place].name);
         }
-        is_tried = true;
-      } catch (const MechanismError& error) {
-        flaw = error;  // as where a slot would lead from a pin to another one in its place
       }
     }
   }
-  if (flaw && !is_tried) {
-    throw MechanismError(*flaw);
-  }
-  throw OverConstrained(refusal);
+  return plans;
 }
 
 }  // namespace assur::mechanism::solve

@@ -22,4 +22,8 @@ namespace assur::mechanism::solve {
 [[nodiscard]] std::shared_ptr<const PlanData> planned_with_redundancy(
     const Mechanism& mechanism, const Request& request, const OverConstrained& excess);
 
+/// The same mechanism without others of its constraints: those plans first that have the joints
+/// that this one does without. Nothing is known of whether what they leave out holds.
+[[nodiscard]] std::vector<std::shared_ptr<const PlanData>> other_plans(const PlanData& plan);
+
 }  // namespace assur::mechanism::solve

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/mechanism.hpp>
+#include <assur/mechanism/plan.hpp>
 #include <cstdio>
+
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -30,6 +33,16 @@ void refuse_search(const Structure& structure, const std::string& what) {
                                " configurations, and " + what +
                                "; give joints limits, or ask for one only: for the nearest to a "
                                "reference of more links, or by a low number");
+}
+
+void expect_room(const Values& values, std::size_t listed) {
+  const Structure& structure = values.plan().structure;
+  const double parameters = 1 + static_cast<double>(values.columns().size());
+  const double numbers = static_cast<double>(structure.linkage.links.size()) *
+                         (12 + 3 * parameters * (values.second_order() ? parameters : 1));
+  if (listed == Plan::most_listed || static_cast<double>(listed) * numbers > most_numbers) {
+    refuse_search(structure, "no more than " + std::to_string(listed) + " can be listed");
+  }
 }
 
 }  // namespace assur::mechanism::solve

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/structure.hpp>
+#include <assur/mechanism/values.hpp>
 #include <cstddef>
 #include <string>
 
@@ -18,5 +19,9 @@ inline constexpr double most_numbers = 1e8;
 
 /// Throws MechanismError, which says what is too much and what to do.
 [[noreturn]] void refuse_search(const Structure& structure, const std::string& what);
+
+/// Throws likewise where so many configurations, with their derivatives to each parameter, leave no
+/// room for another one.
+void expect_room(const Values& values, std::size_t listed);
 
 }  // namespace assur::mechanism::solve

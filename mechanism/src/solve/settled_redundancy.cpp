@@ -44,10 +44,13 @@ double firmness_of(const Factors& factors) {
 
 std::optional<SettledRedundancy> SettledRedundancy::made_for(const Values& values) {
   const PlanData& plan = values.plan();
-  const bool is_usable = !plan.redundant.empty() && !plan.request.redundancy_tolerance.exists() &&
-                         plan.structure.reading.empty() &&
-                         plan.mechanism.links().size() <= most_links;
+  const bool is_usable =
+      !plan.redundant.empty() && can_close(plan) && plan.mechanism.links().size() <= most_links;
   return is_usable ? std::optional(SettledRedundancy(values)) : std::nullopt;
+}
+
+bool SettledRedundancy::can_close(const PlanData& plan) {
+  return !plan.request.redundancy_tolerance.exists() && plan.structure.reading.empty();
 }
 
 double SettledRedundancy::missed(const AllConstraints::Poses& links) const {
@@ -93,7 +96,7 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
     placed.links[link].pose = poses[link];
   }
   find_rates(poses, placed);
-  take_slides(placed);
+  constraints_.set_slides(placed.links, placed.slides);
   const double open = missed(poses);
   placed.residual = std::max(placed.residual, open * constraints_.size());
   return open <= support::redundancy_slack(constraints_.reach(), Status::ok)
@@ -115,7 +118,7 @@ double SettledRedundancy::settle_nearby(PlacedLinks& placed) {
   return std::max(gap, moved * constraints_.size());
 }
 
-void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) const {
+void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) {
   Factors factors;
   factors.setThreshold(least_firmness);
   const Eigen::MatrixXd jacobian = constraints_.jacobian(poses);
@@ -123,6 +126,7 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const double firmness = firmness_of(factors);
   const double error = constraints_.rounding() / (firmness * firmness);
   placed.is_crossing = !(error < 1);
+  goes_on_ = true;
   if (!(error < two_digits)) {
     return;
   }
@@ -147,29 +151,22 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
   const bool is_known_twice = error / firmness < two_digits && open_twice.allFinite();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  constraints_.add_second(is_known_twice
-                              ? Eigen::MatrixXd(-factors.solve(open_twice))
-                              : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown),
-                          links);
+  const Eigen::MatrixXd twice =
+      is_known_twice ? Eigen::MatrixXd(-factors.solve(open_twice))
+                     : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown);
+  constraints_.add_second(twice, links);
   placed.links = std::move(links);
   placed.regularity = error < support::six_digits ? Status::ok : Status::near_singular;
+  constexpr double rounding_of_second_rates = 1e-4;
+  const bool contradicts_twice =
+      placed.regularity == Status::ok &&
+      (jacobian * twice.col(0) + open_twice.col(0)).norm() >
+          rounding_of_second_rates * (open_twice.col(0).norm() + rates.col(0).squaredNorm());
+  goes_on_ = !contradicts(0) && !contradicts_twice;
   placed.rates_known = true;
   placed.derivatives_known = is_known_twice || !values_.second_order();
   for (Eigen::Index column = 1; column < open.cols(); ++column) {
     placed.derivatives_known = placed.derivatives_known && !contradicts(column);
-  }
-}
-
-void SettledRedundancy::take_slides(PlacedLinks& placed) const {
-  for (SlideState& slide : placed.slides) {
-    const Frame along = constraints_.along(slide.joint, placed.links);
-    slide.displacement = along.pose.x;
-    slide.velocity = along.velocity(0);
-    slide.acceleration = along.acceleration(0);
-    slide.follows.first = along.follows.first.row(0);
-    if (along.follows.has_second()) {
-      slide.follows.second = {along.follows.second[0]};
-    }
   }
 }
 

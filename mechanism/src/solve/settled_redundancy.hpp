@@ -18,6 +18,8 @@ class SettledRedundancy {
   /// Where there is something to settle: constraints that hold to rounding and not to a tolerance,
   /// of few links, and no law that reads where links are. The values must outlive it.
   [[nodiscard]] static std::optional<SettledRedundancy> made_for(const Values& values);
+  /// Whether constraints hold to rounding, and no law reads where links are.
+  [[nodiscard]] static bool can_close(const PlanData& plan);
 
   /// Closes all constraints from nearby as far as they can be closed, by Gauss's and Newton's steps
   /// J^+ f. Where J has full column rank to rounding, regularity, rates and derivatives are those
@@ -27,6 +29,9 @@ class SettledRedundancy {
   /// The same of a configuration that is followed by itself: one that belongs to another place
   /// stays where it is, and open by how far that is.
   [[nodiscard]] double settle_nearby(PlacedLinks& placed);
+  /// Whether the rates of the one that was settled last, where they are known, hold for all
+  /// constraints; in regular ones the second rates, too.
+  [[nodiscard]] bool goes_on() const { return goes_on_; }
 
   /// Of two that were settled: one is none where the other is nearby and closes much better, or
   /// where rounding does not tell what is between them from either.
@@ -36,12 +41,12 @@ class SettledRedundancy {
  private:
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}
   void close(AllConstraints::Poses& links) const;
-  void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) const;
-  void take_slides(PlacedLinks& placed) const;
+  void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed);
   [[nodiscard]] double missed(const AllConstraints::Poses& links) const;
 
   const Values& values_;
   AllConstraints constraints_;
+  bool goes_on_ = true;
 };
 
 }  // namespace assur::mechanism::solve

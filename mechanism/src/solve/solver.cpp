@@ -212,19 +212,21 @@ class ConfigurationWalk {
   void list() {
     const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
     if (!redundancy_ || placed_.regularity == Status::ok || gap > 0) {
-      list_placed(gap);
+      list_placed(gap, !placed_.rates_known ||
+                           goes_on_redundantly(values_, placed_.links, placed_.regularity));
       return;
     }
     const PlacedLinks without = placed_;
     has_settled_ = search_.within_limits;
-    list_placed(has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_));
+    const double left =
+        has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_);
+    list_placed(left, redundancy_->goes_on());
     placed_ = without;
   }
 
-  /// `gap`: by how much redundant constraints are open.
-  void list_placed(double gap) {
-    const bool is_consistent =
-        gap == 0 && (!placed_.rates_known || goes_on_redundantly(values_, placed_.links));
+  /// `gap`: by how much redundant constraints are open; and whether they go on to hold.
+  void list_placed(double gap, bool goes_on) {
+    const bool is_consistent = gap == 0 && goes_on;
     if (!is_consistent && search_.within_limits) {
       is_inconsistent_ = true;
       least_gap_ = std::min(least_gap_, gap);
@@ -251,7 +253,7 @@ class ConfigurationWalk {
     if (passed_ < number_) {
       return;
     }
-    expect_room();
+    expect_room(values_, listed_);
     if (listed_ == solution_->configurations.size()) {
       solution_->configurations.emplace_back();
     }
@@ -277,16 +279,6 @@ class ConfigurationWalk {
       }
     }
     return true;
-  }
-
-  /// Of a configuration with its derivatives to each parameter.
-  void expect_room() const {
-    const double parameters = 1 + static_cast<double>(values_.columns().size());
-    const double numbers = static_cast<double>(structure_.linkage.links.size()) *
-                           (12 + 3 * parameters * (values_.second_order() ? parameters : 1));
-    if (listed_ == Plan::most_listed || static_cast<double>(listed_) * numbers > most_numbers) {
-      refuse_search(structure_, "no more than " + std::to_string(listed_) + " can be listed");
-    }
   }
 
   void conclude() {
@@ -315,7 +307,7 @@ class ConfigurationWalk {
       const std::string breaches = breaches_text(plan_.mechanism, solution_->breaches);
       solution_->reason =
           has_cut_ ? "what can be assembled is beyond the limits of joints: " + breaches
-          : solution_->left_out > 0 ? reason_of_limits(*solution_->left_out) + breaches
+          : solution_->left_out > 0 ? reason_of_limits(*solution_->left_out, breaches)
           : solution_->dropped > 0  ? solution_->drop_reason
                                     : gaps_.reason();
       return;
@@ -326,12 +318,6 @@ class ConfigurationWalk {
         [](const Family& one, const Family& other) { return one.mobility < other.mobility; });
     solution_->mobility = freest->mobility;
     solution_->reason = freest->reason;
-  }
-
-  static std::string reason_of_limits(std::size_t count) {
-    return count == 1 ? "the one configuration is beyond the limits of joints: "
-                      : "of " + std::to_string(count) +
-                            " configurations each is beyond the limits of a joint: ";
   }
 
   Placement placement_;
@@ -364,25 +350,45 @@ class ConfigurationWalk {
 };
 
 MechanismSolver::MechanismSolver(const Values& values)
-    : walk_(std::make_unique<ConfigurationWalk>(values)) {}
+    : walk_(std::make_unique<ConfigurationWalk>(values)), others_(values) {}
 MechanismSolver::~MechanismSolver() = default;
 
-void MechanismSolver::solve(const Search& search, Solution& result) { walk_->run(search, result); }
+void MechanismSolver::solve(const Search& search, Solution& result) {
+  walk_->run(search, result);
+  others_.settle([&](MechanismSolver& other, Solution& found) { other.solve(search, found); },
+                 result);
+}
 
 std::size_t MechanismSolver::solve_one(std::size_t number, Solution& result) {
-  return walk_->run_to(number, result);
+  const std::size_t own = walk_->run_to(number, result);
+  std::size_t other = 0;
+  const auto ask = [&](MechanismSolver& solver, Solution& found) {
+    other = solver.solve_one(number, found);
+  };
+  return others_.settle(ask, result) ? other : own;
 }
 
 std::optional<Nearest> MechanismSolver::solve_nearest(Solution& result) {
-  return walk_->run_to_nearest(result);
+  const std::optional<Nearest> own = walk_->run_to_nearest(result);
+  std::optional<Nearest> other;
+  const auto ask = [&](MechanismSolver& solver, Solution& found) {
+    other = solver.solve_nearest(found);
+  };
+  return others_.settle(ask, result) ? other : own;
+}
+
+std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Solution& result) {
+  const std::optional<Nearest> own = walk_->run_near(point, result);
+  std::optional<Nearest> other;
+  const auto ask = [&](MechanismSolver& solver, Solution& found) {
+    other = solver.solve_near(point, found);
+  };
+  return others_.settle(ask, result) ? other : own;
 }
 
 void MechanismSolver::count_from(const std::vector<Configuration>* nearby) {
   walk_->count_from(nearby);
-}
-
-std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Solution& result) {
-  return walk_->run_near(point, result);
+  others_.stay_away(nearby != nullptr);
 }
 
 }  // namespace assur::mechanism::solve

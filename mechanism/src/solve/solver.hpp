@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "nearness.hpp"
+#include "other_ways.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -46,6 +47,7 @@ class MechanismSolver {
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;
+  OtherWays others_;
 };
 
 }  // namespace assur::mechanism::solve

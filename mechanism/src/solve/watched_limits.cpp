@@ -44,4 +44,11 @@ bool WatchedLimits::are_kept(std::vector<LimitBreach>& breaches) const {
   return keeps;
 }
 
+std::string reason_of_limits(std::size_t count, const std::string& breaches) {
+  return (count == 1 ? "the one configuration is beyond the limits of joints: "
+                     : "of " + std::to_string(count) +
+                           " configurations each is beyond the limits of a joint: ") +
+         breaches;
+}
+
 }  // namespace assur::mechanism::solve

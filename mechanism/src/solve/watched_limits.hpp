@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
+#include <string>
 #include <vector>
 
 #include "placement.hpp"
@@ -26,5 +27,8 @@ class WatchedLimits {
   std::vector<std::vector<JointIndex>> joints_;  ///< by the groups before them
   bool exist_ = false;
 };
+
+/// What is said of so many configurations that are all beyond limits, by some breaches.
+[[nodiscard]] std::string reason_of_limits(std::size_t count, const std::string& breaches);
 
 }  // namespace assur::mechanism::solve

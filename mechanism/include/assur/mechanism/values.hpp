@@ -55,6 +55,10 @@ class Values {
   /// Other values of some parameters: what depends on any of them is evaluated once. What that is
   /// is known from the call before, where it was of the same parameters.
   void set(const std::vector<std::pair<ParameterIndex, double>>& changed);
+  /// The parameters that have a value in place of their formula, and that.
+  [[nodiscard]] const std::vector<std::pair<ParameterIndex, double>>& replaced() const {
+    return replaced_;
+  }
   /// Whether the last `set` went through.
   [[nodiscard]] bool usable() const { return usable_; }
 

@@ -1,0 +1,158 @@
+#include "other_ways.hpp"
+
+#include <algorithm>
+#include <assur/text/names.hpp>
+#include <limits>
+#include <utility>
+
+#include "all_constraints.hpp"
+#include "configuration_order.hpp"
+#include "left_mobility.hpp"
+#include "plan/plan_data.hpp"
+#include "redundant_plan.hpp"
+#include "search_bounds.hpp"
+#include "settled_redundancy.hpp"
+#include "solver.hpp"
+
+namespace assur::mechanism::solve {
+
+namespace {
+
+/// Whether all constraints leave the families of some values, whose mobilities are those that they
+/// leave then. Nothing is known where they cannot be closed together.
+bool are_left(std::vector<Family>& families, const Values& values) {
+  if (families.empty()) {
+    return true;
+  }
+  if (!SettledRedundancy::can_close(values.plan())) {
+    return false;
+  }
+  AllConstraints constraints(values);
+  bool all = true;
+  for (Family& family : families) {
+    if (family.mobility > 0) {
+      family.mobility = left_mobility(family, constraints);
+      all = all && family.mobility > 0;
+    }
+  }
+  return all;
+}
+
+/// Turns what another plan of a mechanism found into what the mechanism's own plan would have.
+class Adoption {
+ public:
+  Adoption(const Values& values, const PlanData& other)
+      : values_(values), plan_(values.plan()), constraints_(values), other_(other) {}
+
+  void adopt(Solution& solution) const {
+    for (Configuration& configuration : solution.configurations) {
+      adopt(configuration);
+    }
+    for (Family& family : solution.families) {
+      adopt(family);
+    }
+    for (LimitBreach& breach : solution.breaches) {
+      breach.joint = own(breach.joint);
+    }
+    if (!(most_configurations(plan_.structure) > Plan::most_listed)) {
+      ConfigurationOrder(plan_.named_parts).sort(solution.configurations);
+    }
+  }
+
+ private:
+  [[nodiscard]] JointIndex own(JointIndex joint) const {
+    return index_of(plan_.mechanism.joints(), other_.mechanism.joints()[joint].name);
+  }
+
+  void adopt(Configuration& configuration) const {
+    configuration.plan = values_.shared_plan();
+    configuration.slides.clear();
+    for (const ElementaryJoint& joint : plan_.structure.linkage.joints) {
+      if (joint.prismatic) {
+        SlideState& slide = configuration.slides.emplace_back();
+        slide.joint = joint.joint;
+      }
+    }
+    constraints_.set_slides(configuration.links, configuration.slides);
+    for (CountedAngle& counted : configuration.counted) {
+      counted.joint = own(counted.joint);
+    }
+    if (plan_.request.sweep) {
+      configuration.determinants.assign(plan_.structure.groups.size(),
+                                        std::numeric_limits<double>::quiet_NaN());
+    }
+    for (Configuration& branch : configuration.branches) {
+      adopt(branch);
+    }
+  }
+
+  void adopt(Family& family) const {
+    const std::vector<LinkIndex>& moving = other_.structure.groups[family.group].links;
+    const auto has_any = [&](const FoundGroup& group) {
+      return std::ranges::find_first_of(group.links, moving) != group.links.end();
+    };
+    const auto found = std::ranges::find_if(plan_.structure.groups, has_any);
+    family.group = GroupIndex(static_cast<std::size_t>(found - plan_.structure.groups.begin()));
+    family.is_placed.resize(plan_.structure.linkage.links.size());
+    family.links.resize(plan_.structure.linkage.links.size());
+  }
+
+  const Values& values_;
+  const PlanData& plan_;
+  AllConstraints constraints_;
+  const PlanData& other_;
+};
+
+/// What is said of a family of which the constraints leave no motion that is found.
+std::string reason_without(const std::string& reason, const PlanData& plan) {
+  std::vector<std::string> names;
+  for (const RedundantJoint& joint : plan.redundant) {
+    names.push_back(joint.name);
+  }
+  return reason + " without constraints of " + text::listed(names) +
+         "; in which of them these hold is not known";
+}
+
+}  // namespace
+
+bool OtherWays::settle(const Question& ask, Solution& result) {
+  const PlanData& plan = values_.plan();
+  if (result.families.empty() || plan.described == nullptr || stays_away_) {
+    return false;
+  }
+  std::vector<Family> left = result.families;
+  if (are_left(left, values_)) {
+    result.families = std::move(left);
+    return false;
+  }
+  if (!plans_) {
+    plans_ = other_plans(plan);
+  }
+  for (const std::shared_ptr<const PlanData>& other : *plans_) {
+    try {
+      const Values values(other, values_.replaced());
+      Solution solution;
+      MechanismSolver solver(values);
+      ask(solver, solution);
+      if (are_left(solution.families, values)) {
+        Adoption(values_, *other).adopt(solution);
+        result = std::move(solution);
+        return true;
+      }
+    } catch (const OverConstrained&) {
+      throw;
+    } catch (const MechanismError&) {
+      continue;  // as where a slot has no direction
+    }
+  }
+  for (std::size_t place = 0; SettledRedundancy::can_close(plan) && place < left.size(); ++place) {
+    Family& family = result.families[place];
+    if (left[place].mobility == 0 && family.mobility > 0) {
+      family.reason = reason_without(family.reason, plan);
+    }
+    family.mobility = left[place].mobility;
+  }
+  return false;
+}
+
+}  // namespace assur::mechanism::solve

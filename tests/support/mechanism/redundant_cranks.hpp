@@ -1,0 +1,57 @@
+// Turns the pivots of parallel cranks of one length into a scene with their couplers.
+#pragma once
+
+#include <assur/mechanism/sweep.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "mechanism/solved.hpp"
+
+namespace assur::test {
+
+struct Place {
+  double x, y;
+};
+
+/// Cranks that hold one coupler, then others that hold another one; more than two hold it too well.
+class RedundantCranks {
+ public:
+  using Json = nlohmann::ordered_json;  // lists what it holds as it was added
+
+  explicit RedundantCranks(double length) : length_(length) {}
+
+  /// A crank, of which the coupler has the tip where it is in the direction of the x-axis.
+  RedundantCranks& add(const std::string& name, Place pivot) {
+    scene_["links"]["ground"][name] = {pivot.x, pivot.y};
+    scene_["links"][coupler_][name] = {pivot.x, pivot.y};
+    scene_["links"]["crank " + name] = {{"pivot", {0, 0}}, {"tip", {length_, 0}}};
+    join(name, "ground." + name, "crank " + name + ".pivot");
+    join(name + " tip", "crank " + name + ".tip", coupler_ + "." + name);
+    return *this;
+  }
+  RedundantCranks& drive(const std::string& crank) {
+    scene_["drivers"][crank] = {{"position", "phi"}, {"velocity", 1}};
+    return *this;
+  }
+  /// The cranks behind this hold a coupler of a name.
+  RedundantCranks& begin(const std::string& coupler) {
+    coupler_ = coupler;
+    return *this;
+  }
+  [[nodiscard]] Plan planned(double phi) {
+    scene_["parameters"]["phi"] = phi;
+    return Plan(mechanism::parse_scene(scene_.dump(), "scene"));
+  }
+  [[nodiscard]] Json& json() { return scene_; }
+
+ private:
+  void join(const std::string& name, const std::string& one, const std::string& other) {
+    scene_["joints"][name] = {{"type", "revolute"}, {"between", {one, other}}};
+  }
+
+  double length_;
+  std::string coupler_ = "coupler";
+  Json scene_;
+};
+
+}  // namespace assur::test
