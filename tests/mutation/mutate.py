@@ -42,7 +42,10 @@ SUBJECTS = {
         ["generator/equations/*.cpp", "generator/derivatives/*.cpp", "generator/elimination/*.cpp",
          "generator/pivoting/*.cpp", "generator/special_points/*.cpp", "generator/structure/*.cpp"],
         [("assur", "assur", [["emit", "--all", "--output", "{source}/generated", "--check"],
-                             ["catalogue", "--format", "json"]])]),
+                             ["catalogue", "--format", "json"]]),
+         ("derive_test", "tests/generator/derive_test", [["--gtest_brief=1"]]),
+         ("generator_tests", "tests/generator/generator_tests",
+          [["--gtest_brief=1", "--gtest_filter=*Catalogue*:AllModels/AuditOfModel*"]])]),
     "runtime": (
         ["runtime/include/assur/*.hpp", "runtime/include/assur/detail/*.hpp",
          "runtime/include/assur/numeric/*.hpp"],

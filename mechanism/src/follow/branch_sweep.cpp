@@ -18,7 +18,7 @@ constexpr double shortest_step = 1e-13;
 class BranchFollower {
  public:
   BranchFollower(const Plan& plan, std::size_t number, const SweepObserver& observer)
-      : plan_(plan), number_(number), observer_(observer), solver_(plan, plan.values()) {}
+      : number_(number), observer_(observer), solver_(plan, plan.values()) {}
 
   std::optional<double> run() {
     const int count = solver_.sweep().count;
@@ -93,7 +93,6 @@ class BranchFollower {
     }
   }
 
-  const Plan& plan_;
   std::size_t number_;
   const SweepObserver& observer_;
   SnapshotSolver solver_;
