@@ -39,7 +39,8 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
     if (GiNaC::is_a<GiNaC::numeric>(factor)) {
       product.factor *= GiNaC::ex_to<GiNaC::numeric>(factor);
     } else if (GiNaC::is_a<GiNaC::symbol>(base)) {
-      ranks.insert(ranks.end(), power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1,
+      const int times = power ? GiNaC::ex_to<GiNaC::numeric>(factor.op(1)).to_int() : 1;
+      ranks.insert(ranks.end(), static_cast<std::size_t>(times),
                    order.rank(GiNaC::ex_to<GiNaC::symbol>(base)));
     } else {
       is_product = false;

@@ -142,7 +142,9 @@ std::string csv_rows(const Report& report) {
     if (report::is_reported(report, index)) {
       const bool is_unnumbered = report.alone && report.nearest;
       rows += "0,";
-      rows += is_unnumbered ? "" : std::to_string(report.alone ? report.branch : index + 1);
+      rows += is_unnumbered  ? ""
+              : report.alone ? std::to_string(report.branch)
+                             : std::to_string(index + 1);
       report::add_cells(report.plan, report.values.spread(), configurations[index], rows);
       rows += "\n";
     }
