@@ -68,7 +68,7 @@ template <typename Model, std::size_t Lanes>
   const batch::ClosedPack<Model, Pack> found(
       batch::load_groups<typename Model::template Dimensions<Pack>>(batch.dimensions, first),
       batch::load_groups<typename Model::template Inputs<Pack>>(batch.inputs, first));
-  const BatchAssemblies<Model>& result = batch.result;
+  const BatchAssemblies<Model> result = batch.result;
   std::fill_n(result.status + first, Lanes, AssemblyStatus::ok);
   std::fill_n(result.mobility + first, Lanes, 0);
   const unsigned assembled = found.assembled.bits();

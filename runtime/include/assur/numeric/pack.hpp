@@ -6,6 +6,7 @@
 #include <assur/numeric/precision.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -82,6 +83,23 @@ class PackTruth {
   friend PackTruth operator!(const PackTruth& a) { return PackTruth(~a.holds_); }
 };
 
+/// For each choice of four doubles, the order of their halves that has the chosen ones in front.
+struct HalvesInFront {
+  alignas(32) std::array<std::array<int, 8>, 16> order{};
+  constexpr HalvesInFront() {
+    for (unsigned which = 0; which < 16; ++which) {
+      std::size_t place = 0;
+      for (int lane = 0; lane < 4; ++lane) {
+        if ((which >> lane & 1) != 0) {
+          order[which][place++] = 2 * lane;
+          order[which][place++] = 2 * lane + 1;
+        }
+      }
+    }
+  }
+};
+inline constexpr HalvesInFront halves_in_front;
+
 /// Several numbers, for what is computed alike of all. A comparison does not hold where one of them
 /// is no number.
 template <typename Scalar, std::size_t Lanes>
@@ -95,6 +113,10 @@ class PackOf {
   explicit PackOf(const Numbers& numbers) : numbers_(numbers) {}
   template <std::size_t... Lane>
   PackOf(Scalar one, std::index_sequence<Lane...>) : numbers_{(static_cast<void>(Lane), one)...} {}
+  template <std::size_t... Lane>
+  [[nodiscard]] static PackOf counted(Scalar from, std::index_sequence<Lane...>) {
+    return PackOf(Numbers{from + Scalar(Lane)...});
+  }
   template <std::size_t... Lane>
   [[nodiscard]] static PackOf gather(const Scalar* from, const std::array<std::size_t, Lanes>& at,
                                      std::index_sequence<Lane...>) {
@@ -122,6 +144,10 @@ class PackOf {
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
   PackOf(Number one) : PackOf(static_cast<Scalar>(one)) {}
 
+  /// One number, and after it the numbers that are larger by one, two, ...
+  [[nodiscard]] static PackOf counted(Scalar from) {
+    return counted(from, std::make_index_sequence<Lanes>());
+  }
   /// Numbers that stand one after the other.
   [[nodiscard]] static PackOf load(const Scalar* from) {
     return PackOf(Numbers(reinterpret_cast<const Anywhere*>(from)->numbers));
@@ -131,6 +157,33 @@ class PackOf {
     return gather(from, at, std::make_index_sequence<Lanes>());
   }
   void store(Scalar* to) const { reinterpret_cast<Anywhere*>(to)->numbers = numbers_; }
+
+  /// Stores some of them, a bit for each, next to each other; behind them as many more numbers as
+  /// there are others are overwritten.
+  void store_some(unsigned which, Scalar* to) const {
+#if defined(__AVX512VL__) && defined(__AVX512F__)
+    if constexpr (sizeof(Scalar) == 8 && Lanes == 8) {
+      _mm512_storeu_pd(to, _mm512_maskz_compress_pd(static_cast<__mmask8>(which), numbers_));
+      return;
+    }
+    if constexpr (sizeof(Scalar) == 8 && Lanes == 4) {
+      _mm256_storeu_pd(to, _mm256_maskz_compress_pd(static_cast<__mmask8>(which), numbers_));
+      return;
+    }
+#elif defined(__AVX2__)
+    if constexpr (sizeof(Scalar) == 8 && Lanes == 4) {
+      const __m256i order =
+          _mm256_load_si256(reinterpret_cast<const __m256i*>(halves_in_front.order[which].data()));
+      _mm256_storeu_ps(reinterpret_cast<float*>(to),
+                       _mm256_permutevar8x32_ps(reinterpret_cast<__m256>(numbers_), order));
+      return;
+    }
+#endif
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      *to = numbers_[lane];
+      to += which >> lane & 1;
+    }
+  }
 
   [[nodiscard]] Scalar operator[](std::size_t lane) const { return numbers_[lane]; }
   void put(std::size_t lane, Scalar number) { numbers_[lane] = number; }
@@ -171,6 +224,14 @@ class PackOf {
     a.store(roots.data());
     roots = roots.sqrt().eval();
     return load(roots.data());
+  }
+  /// 2^-e of 2^e m, 1 <= m < 2, where both have all their digits.
+  friend PackOf inverse_power_of_two(const PackOf& a) {
+    using Limits = std::numeric_limits<Scalar>;
+    constexpr int below_exponent = Limits::digits - 1;
+    const Integers exponent = reinterpret_cast<Integers>(a.numbers_) >> below_exponent;
+    return PackOf(
+        reinterpret_cast<Numbers>((2 * (Limits::max_exponent - 1) - exponent) << below_exponent));
   }
   // One after the other, as they come to one number.
   friend PackOf ceil(const PackOf& a) {

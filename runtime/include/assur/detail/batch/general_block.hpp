@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <limits>
 #include <type_traits>
+#include <utility>
 
 namespace assur::detail::batch {
 
@@ -75,8 +76,8 @@ class GeneralBlock {
       add_arcs(group, Pack(error));
     }
     arcs_.isolate([this](std::size_t group) { settled_[group] = false; });
-    for (std::size_t root = 0; root < arcs_.brackets().count; root += 2 * Lanes) {
-      find_roots(root);
+    for (std::size_t root = 0; root < arcs_.brackets().count; root += overlapped * Lanes) {
+      find_roots(root, std::make_index_sequence<overlapped>());
     }
     for (std::size_t root = 0; root < arcs_.brackets().count; root += Lanes) {
       complete_roots(root);
@@ -94,15 +95,16 @@ class GeneralBlock {
     }
     const std::size_t count = counts_[group];
     const std::array<std::size_t, most_roots> list = lists_[group];
+    std::array<double, most_roots> keys;
     std::array<std::size_t, most_roots> ranks{};
     bool apart = true;
-    for (std::size_t one = 1; one < count; ++one) {
-      const double key = keys_[list[one]];
+    for (std::size_t one = 0; one < count; ++one) {
+      keys[one] = keys_[list[one]];
       for (std::size_t other = 0; other < one; ++other) {
-        const bool is_after = keys_[list[other]] < key;
+        const bool is_after = keys[other] < keys[one];
         ranks[one] += is_after ? 1 : 0;
         ranks[other] += is_after ? 0 : 1;
-        apart &= numeric::are_apart(key, keys_[list[other]]);
+        apart &= numeric::are_apart(keys[one], keys[other]);
       }
     }
     for (std::size_t place = 0; place < count; ++place) {
@@ -186,18 +188,17 @@ class GeneralBlock {
       settled_[group + lane] = settled_[group + lane] && (certain >> lane & 1) != 0;
     }
   }
-  /// Finds the roots in the brackets of two packs, so that the processor can overlap them.
-  void find_roots(std::size_t first) {
-    using Bracket = PackBracket<Pack, 2 * N + 1>;
-    Bracket one = bracket(first);
-    Bracket other = bracket(first + Lanes);
+  /// Finds the roots in the brackets of some packs, so that the processor can overlap them: each
+  /// step waits for the one before.
+  template <std::size_t... Number>
+  void find_roots(std::size_t first, std::index_sequence<Number...>) {
+    std::array<PackBracket<Pack, 2 * N + 1>, sizeof...(Number)> brackets = {
+        bracket(first + Number * Lanes)...};
     constexpr int most_steps = 24;
-    for (int step = 0; step < most_steps && (one.is_open() || other.is_open()); ++step) {
-      one.improve(step);
-      other.improve(step);
+    for (int step = 0; step < most_steps && (brackets[Number].is_open() || ...); ++step) {
+      (brackets[Number].improve(step), ...);
     }
-    put_roots(one, first);
-    put_roots(other, first + Lanes);
+    (put_roots(brackets[Number], first + Number * Lanes), ...);
   }
   [[nodiscard]] PackBracket<Pack, 2 * N + 1> bracket(std::size_t first) const {
     const auto& brackets = arcs_.brackets();
@@ -205,13 +206,17 @@ class GeneralBlock {
     for (std::size_t i = 0; i <= 2 * N; ++i) {
       bernstein[i] = Pack::load(&brackets.bernstein[i][first]);
     }
-    Pack noise(0);
-    Pack wanted(0);
-    for (std::size_t lane = 0; lane < Lanes && first + lane < brackets.count; ++lane) {
-      noise.put(lane, noise_[brackets.owner[first + lane] / 4]);
-      wanted.put(lane, 1);
+    const Pack noise = Pack::gather(noise_.data(), groups_of(first));
+    const Pack places = Pack::counted(static_cast<double>(first));
+    return {bernstein, noise, places < Pack(static_cast<double>(brackets.count))};
+  }
+  /// The groups whose brackets fill a pack; of what is beyond the last, any.
+  [[nodiscard]] Places groups_of(std::size_t first) const {
+    Places groups;
+    for (std::size_t lane = 0; lane < Lanes; ++lane) {
+      groups[lane] = static_cast<std::size_t>(arcs_.brackets().owner[first + lane]) / 4;
     }
-    return {bernstein, noise, wanted > Pack(0)};
+    return groups;
   }
   void put_roots(const PackBracket<Pack, 2 * N + 1>& bracket, std::size_t first) {
     const Pack left = Pack::load(&arcs_.brackets().left[first]);
@@ -225,27 +230,21 @@ class GeneralBlock {
   [[gnu::flatten]] void complete_roots(std::size_t first) {
     const auto& brackets = arcs_.brackets();
     const std::size_t count = (std::min)(Lanes, brackets.count - first);
-    Places groups;
-    Direction<Pack> centre;
-    Pack wanted(0);
+    const Places groups = groups_of(first);
+    Places charts;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      const std::size_t owner = brackets.owner[first + (lane < count ? lane : 0)];
-      const std::size_t chart = owner % 4;
-      groups[lane] = owner / 4;
-      constexpr std::array<double, 4> cosine = {1, 0, -1, 0};
-      constexpr std::array<double, 4> sine = {0, 1, 0, -1};
-      centre.cos.put(lane, cosine[chart]);
-      centre.sin.put(lane, sine[chart]);
-      wanted.put(lane, lane < count ? 1 : 0);
+      charts[lane] = static_cast<std::size_t>(brackets.owner[first + lane]) % 4;
     }
+    static constexpr std::array<double, 5> cosine = {1, 0, -1, 0, 1};
+    const Direction<Pack> centre{Pack::gather(cosine.data(), charts),
+                                 -Pack::gather(cosine.data() + 1, charts)};
     const auto d = groups_.dimensions(groups);
     const auto u = groups_.inputs(groups);
     Configuration<Pack> q;
     first_of<Model>(q) = direction_on_chart(Pack::load(&found_[first]), centre);
     const Truth complete = complete_simple<Model, Pack>(d, u, q);
-    const unsigned kept = (complete & settles(d, u, groups_.longest(groups), groups_.unsure(groups),
-                                              wanted > Pack(0), q))
-                              .bits();
+    const unsigned kept =
+        (complete & settles(d, u, groups_.longest(groups), groups_.unsure(groups), q)).bits();
     for_each_number(
         q, [&](const Pack& number, std::size_t place) { number.store(&roots_[place][first]); });
     if constexpr (!comes_in_any_order<Model>) {
@@ -261,39 +260,27 @@ class GeneralBlock {
     }
   }
 
-  /// Where a configuration closes and is regular, after a Newton step if need be.
+  /// Where a configuration closes and is regular, after one step of `polish`. Three roots in five
+  /// need the step, so nearly every pack does.
   [[nodiscard]] static Truth settles(const Dimensions<Pack>& d, const Inputs<Pack>& u,
-                                     const Pack& longest, const Pack& unsure, const Truth& wanted,
+                                     const Pack& longest, const Pack& unsure,
                                      Configuration<Pack>& q) {
-    Truth closed = closes<Model, Pack>(d, u, q, longest * longest);
-    if (!static_cast<bool>(closed | !wanted)) {
-      closed = closed | polishes(d, u, longest, q);
-    }
-    return closed & are_surely_regular<Model>(d, u, q, unsure);
-  }
-  /// As `polish` does it, with one step.
-  [[nodiscard, gnu::noinline]] static Truth polishes(const Dimensions<Pack>& d,
-                                                     const Inputs<Pack>& u, const Pack& longest,
-                                                     Configuration<Pack>& q) {
     constexpr int size = Model::unknown_count;
     Vector<Pack, size> f;
     Model::residual(d, u, q, f);
     const Pack miss = largest_of(f);
     Matrix<Pack, size, size> inverse;
     Model::inverse_jacobian(d, u, q, inverse);
-    Vector<Pack, size> step = product(inverse, f);
-    for (int index = 0; index < size; ++index) {
-      step(index) = -step(index);
-    }
     Configuration<Pack> next = q;
-    nudge<Model, Pack>(next, step);
+    nudge<Model, Pack>(next, product(inverse, Vector<Pack, size>(-f)));
     Model::residual(d, u, next, f);
     const Pack next_miss = largest_of(f);
     exchange_where(next_miss < miss, q, next);
     const Pack left = select(next_miss < miss, next_miss, miss);
     const Pack length = longest_lengths(q);
     return (left <= Pack(polished_rounding(1.0)) * max EIGEN_NOT_A_MACRO(length, longest)) &
-           (length < Pack(farthest_configuration<double>));
+           (length < Pack(farthest_configuration<double>)) &
+           are_surely_regular<Model>(d, u, q, unsure);
   }
   template <int Size>
   [[nodiscard]] static Pack largest_of(const Vector<Pack, Size>& f) {
@@ -310,7 +297,8 @@ class GeneralBlock {
   std::array<bool, capacity> settled_;
   std::array<std::size_t, capacity> counts_;
   std::array<std::array<std::size_t, most_roots>, capacity> lists_;
-  static constexpr std::size_t room = 2 * N * capacity + 2 * Lanes;
+  static constexpr std::size_t overlapped = ArcSearch<N, Lanes, capacity>::List::most_packs;
+  static constexpr std::size_t room = 2 * N * capacity + overlapped * Lanes;
   std::array<std::array<double, room>, Columns<Configuration<double>>::count> roots_;
   std::array<double, room> found_, keys_;
 };

@@ -6,6 +6,7 @@
 // full. Where a sign is not certain, the polynomial is left to those who look at one alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <assur/numeric/pack.hpp>
 #include <assur/numeric/trigonometric_charts.hpp>
@@ -60,29 +61,62 @@ template <typename Pack, std::size_t Size>
   return {some & ~more, more, (least > error).bits()};
 }
 
-/// Arcs that hold roots, by columns; some more than there are can be read.
+/// Arcs that hold roots, several side by side.
+template <typename Pack, std::size_t Size>
+struct PackArcs {
+  std::array<Pack, Size> bernstein;
+  Pack left, right;  ///< in t
+  Pack error;        ///< of every coefficient
+  Pack owner;        ///< whose arc it is, times four, and on which of four charts
+};
+
+/// The same by columns; some more than there are can be read once `end` has written them.
 template <std::size_t Size, std::size_t Capacity>
 struct ArcList {
-  static constexpr std::size_t room = Capacity + 2 * numeric::most_lanes;
+  /// So many packs are read at once.
+  static constexpr std::size_t most_packs = 4;
+  static constexpr std::size_t room = Capacity + most_packs * numeric::most_lanes;
   std::size_t count = 0;
-  std::array<std::array<double, room>, Size> bernstein{};
-  std::array<double, room> left{}, right{};  ///< in t
-  std::array<double, room> error{};          ///< of every coefficient
-  std::array<std::size_t, room> owner{};     ///< whose arc it is, and on which of four charts
+  std::array<std::array<double, room>, Size> bernstein;
+  std::array<double, room> left, right, error, owner;
 
   [[nodiscard]] bool has_room_for(std::size_t arcs) const { return count + arcs <= Capacity; }
-  /// Writes one of several arcs that are given side by side behind the last; it is one of the list
-  /// if the count is raised.
   template <typename Pack>
-  void write(const std::array<Pack, Size>& coefficients, std::size_t lane, double from, double to,
-             double within, std::size_t whose) {
+  [[nodiscard]] PackArcs<Pack, Size> arcs(std::size_t first) const {
+    PackArcs<Pack, Size> result;
     for (std::size_t i = 0; i < Size; ++i) {
-      bernstein[i][count] = coefficients[i][lane];
+      result.bernstein[i] = Pack::load(&bernstein[i][first]);
     }
-    left[count] = from;
-    right[count] = to;
-    error[count] = within;
-    owner[count] = whose;
+    result.left = Pack::load(&left[first]);
+    result.right = Pack::load(&right[first]);
+    result.error = Pack::load(&error[first]);
+    result.owner = Pack::load(&owner[first]);
+    return result;
+  }
+  /// Adds some of several arcs, a bit for each. Without a branch: it would be as good as random.
+  template <typename Pack>
+  [[gnu::always_inline]] void add(const PackArcs<Pack, Size>& arcs, unsigned which) {
+    for (std::size_t i = 0; i < Size; ++i) {
+      arcs.bernstein[i].store_some(which, &bernstein[i][count]);
+    }
+    arcs.left.store_some(which, &left[count]);
+    arcs.right.store_some(which, &right[count]);
+    arcs.error.store_some(which, &error[count]);
+    arcs.owner.store_some(which, &owner[count]);
+    count += static_cast<std::size_t>(__builtin_popcount(which));
+  }
+  /// Fills what is read beyond the last arc.
+  template <typename Pack>
+  void end() {
+    for (std::size_t place = count; place < count + most_packs * Pack::lanes;
+         place += Pack::lanes) {
+      for (std::size_t i = 0; i < Size; ++i) {
+        Pack(0).store(&bernstein[i][place]);
+      }
+      Pack(0).store(&left[place]);
+      Pack(0).store(&right[place]);
+      Pack(0).store(&owner[place]);
+    }
   }
 };
 
@@ -110,10 +144,10 @@ template <std::size_t N, std::size_t Lanes, std::size_t Block>
 class ArcSearch {
   static constexpr std::size_t size = 2 * N + 1;
   using Pack = numeric::PackOf<double, Lanes>;
-  using Polynomial = std::array<Pack, size>;
+  using Arcs = PackArcs<Pack, size>;
 
  public:
-  using Arcs = ArcList<size, 2 * N * Block>;
+  using List = ArcList<size, 2 * N * Block>;
 
   void clear() {
     brackets_.count = 0;
@@ -124,33 +158,28 @@ class ArcSearch {
   [[nodiscard]] unsigned add(const numeric::Harmonics<Pack, N>& harmonics, const Pack& error,
                              std::size_t owner) {
     constexpr double edge = 1.4142135623730951 - 1;  // tan(pi/8)
-    std::array<Polynomial, 4> charts;
+    const Pack first_chart = Pack(4) * Pack::counted(static_cast<double>(owner));
+    std::array<Arcs, 4> charts;
     std::array<Variations, 4> variations;
-    put_bernstein<0, N>(harmonics, charts[0]);
-    put_bernstein<1, N>(harmonics, charts[1]);
-    put_bernstein<2, N>(harmonics, charts[2]);
-    put_bernstein<3, N>(harmonics, charts[3]);
+    put_bernstein<0, N>(harmonics, charts[0].bernstein);
+    put_bernstein<1, N>(harmonics, charts[1].bernstein);
+    put_bernstein<2, N>(harmonics, charts[2].bernstein);
+    put_bernstein<3, N>(harmonics, charts[3].bernstein);
     unsigned certain = ~0U;
     for (std::size_t chart = 0; chart < 4; ++chart) {
-      variations[chart] = variations_of(charts[chart], error);
+      charts[chart].left = Pack(-edge);
+      charts[chart].right = Pack(edge);
+      charts[chart].error = error;
+      charts[chart].owner = first_chart + Pack(static_cast<double>(chart));
+      variations[chart] = variations_of(charts[chart].bernstein, error);
       certain &= variations[chart].certain;
     }
     if (!brackets_.has_room_for(4 * Lanes) || !open_[0].has_room_for(4 * Lanes)) {
       return 0;
     }
     for (std::size_t chart = 0; chart < 4; ++chart) {
-      const unsigned one = certain & variations[chart].one;
-      const unsigned more = certain & variations[chart].more;
-      for (std::size_t lane = 0; (one | more) >> lane != 0; ++lane) {
-        const std::size_t whose = 4 * (owner + lane) + chart;
-        if ((one >> lane & 1) != 0) {
-          brackets_.write(charts[chart], lane, -edge, edge, error[lane], whose);
-          ++brackets_.count;
-        } else if ((more >> lane & 1) != 0) {
-          open_[0].write(charts[chart], lane, -edge, edge, error[lane], whose);
-          ++open_[0].count;
-        }
-      }
+      brackets_.add(charts[chart], certain & variations[chart].one);
+      open_[0].add(charts[chart], certain & variations[chart].more);
     }
     return certain;
   }
@@ -166,56 +195,48 @@ class ArcSearch {
         cut(open_[level % 2], first, open_[(level + 1) % 2], give_up);
       }
     }
-    const Arcs& left = open_[level % 2];
+    const List& left = open_[level % 2];
     for (std::size_t arc = 0; arc < left.count; ++arc) {
-      give_up(left.owner[arc] / 4);
+      give_up(static_cast<std::size_t>(left.owner[arc]) / 4);
     }
+    brackets_.template end<Pack>();
   }
 
-  [[nodiscard]] const Arcs& brackets() const { return brackets_; }
+  [[nodiscard]] const List& brackets() const { return brackets_; }
 
  private:
   template <typename GiveUp>
-  void cut(const Arcs& open, std::size_t first, Arcs& next, const GiveUp& give_up) {
-    Polynomial whole;
+  void cut(const List& open, std::size_t first, List& next, const GiveUp& give_up) {
+    const Arcs whole = open.template arcs<Pack>(first);
     Pack largest(0);
-    for (std::size_t i = 0; i < size; ++i) {
-      whole[i] = Pack::load(&open.bernstein[i][first]);
-      largest = max EIGEN_NOT_A_MACRO(largest, abs(whole[i]));
+    for (const Pack& coefficient : whole.bernstein) {
+      largest = max EIGEN_NOT_A_MACRO(largest, abs(coefficient));
     }
-    std::array<Polynomial, 2> halves;
-    halve(whole, halves[0], halves[1]);
-    const Pack left = Pack::load(&open.left[first]);
-    const Pack right = Pack::load(&open.right[first]);
     constexpr double of_cut = 2.0 * (size - 1) * std::numeric_limits<double>::epsilon();
-    const Pack error = Pack::load(&open.error[first]) + Pack(of_cut) * largest;
-    const Pack middle = (left + right) * Pack(0.5);
-    const std::array<Variations, 2> variations = {variations_of(halves[0], error),
-                                                  variations_of(halves[1], error)};
-    const unsigned sure = variations[0].certain & variations[1].certain;
+    const Pack error = whole.error + Pack(of_cut) * largest;
+    const Pack middle = (whole.left + whole.right) * Pack(0.5);
+    Arcs before{{}, whole.left, middle, error, whole.owner};
+    Arcs after{{}, middle, whole.right, error, whole.owner};
+    halve(whole.bernstein, before.bernstein, after.bernstein);
+    const Variations of_before = variations_of(before.bernstein, error);
+    const Variations of_after = variations_of(after.bernstein, error);
+    const std::size_t count = (std::min)(Lanes, open.count - first);
+    const unsigned given = (1U << count) - 1;
     const bool has_room = brackets_.has_room_for(2 * Lanes) && next.has_room_for(2 * Lanes);
-    for (std::size_t lane = 0; lane < Lanes && first + lane < open.count; ++lane) {
-      const std::size_t owner = open.owner[first + lane];
-      if (!has_room || (sure >> lane & 1) == 0) {
-        give_up(owner / 4);
-        continue;
-      }
-      // Every half is written, and most of them stay: a branch would be as good as random.
-      for (std::size_t half = 0; half < 2; ++half) {
-        const unsigned one = variations[half].one >> lane & 1;
-        const unsigned more = variations[half].more >> lane & 1;
-        const double from = half == 0 ? left[lane] : middle[lane];
-        const double to = half == 0 ? middle[lane] : right[lane];
-        Arcs& list = one != 0 ? brackets_ : next;
-        list.write(halves[half], lane, from, to, error[lane], owner);
-        brackets_.count += one;
-        next.count += more;
+    const unsigned sure = has_room ? given & of_before.certain & of_after.certain : 0;
+    for (std::size_t lane = 0; (given & ~sure) >> lane != 0; ++lane) {
+      if (((given & ~sure) >> lane & 1) != 0) {
+        give_up(static_cast<std::size_t>(whole.owner[lane]) / 4);
       }
     }
+    brackets_.add(before, sure & of_before.one);
+    next.add(before, sure & of_before.more);
+    brackets_.add(after, sure & of_after.one);
+    next.add(after, sure & of_after.more);
   }
 
-  Arcs brackets_;
-  std::array<Arcs, 2> open_;  // those of one level and of the next
+  List brackets_;
+  std::array<List, 2> open_;  // those of one level and of the next
 };
 
 }  // namespace assur::detail::batch

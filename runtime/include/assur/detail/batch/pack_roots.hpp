@@ -94,10 +94,12 @@ class PackBracket {
   /// One step, to be repeated with 0, 1, ..., as `numeric::improve` does it.
   [[gnu::always_inline]] void improve(int step) {
     constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
-    Pack value = power_[Size - 1];
-    Pack slope(0);
-    Pack bend(0);
-    for (std::size_t i = Size - 1; i-- > 0;) {
+    // The first two steps of Horner's rule, without products of zero.
+    Pack bend = power_[Size - 1];
+    Pack slope = bend * root_ + power_[Size - 2];
+    Pack value = slope * root_ + power_[Size - 3];
+    slope = bend * root_ + slope;
+    for (std::size_t i = Size - 3; i-- > 0;) {
       bend = bend * root_ + slope;
       slope = slope * root_ + value;
       value = value * root_ + power_[i];

@@ -52,13 +52,8 @@ class ScaledBlock {
                            (displaced.moved * Pack(farthest) < own) &
                            (displaced.turned * Pack(farthest) < Pack(1)) &
                            are_finite_directions(dimensions) & are_finite_directions(inputs);
-    Pack scale(1);
-    const unsigned usable = in_range.bits();
-    for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      const bool is_usable = (usable >> lane & 1) != 0;
-      scale.put(lane, is_usable ? support::inverse_power_of_two(own[lane]) : 1);
-      units_[group + lane] = 1 / scale[lane];
-    }
+    const Pack scale = inverse_power_of_two(select(in_range, own, Pack(1)));
+    (Pack(1) / scale).store(&units_[group]);
     const auto keep = [&](const Pack& number, Pack& largest, double* kept) {
       number.store(kept);
       largest = max EIGEN_NOT_A_MACRO(largest, select(in_range, abs(number), Pack(0)));
@@ -88,7 +83,7 @@ class ScaledBlock {
     const Pack longest = max EIGEN_NOT_A_MACRO(Pack(1), places * scale);
     keep(longest, most_.places, &longest_[group]);
     keep(support::larger(displaced.moved * scale, displaced.turned), most_.off, &off_[group]);
-    return usable;
+    return in_range.bits();
   }
 
   /// How far rounding, of the variables too, may have moved a coefficient of the final polynomial
