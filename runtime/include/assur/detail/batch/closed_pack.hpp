@@ -97,9 +97,7 @@ struct ClosedPack {
     assembled = known & (found.discriminant * Pack(Form::firmness) > error);
     const Truth none = known & (found.discriminant * Pack(Form::discriminant.firmness) < -error);
     settled = none | assembled;
-    if (!assembled.any()) {
-      return;
-    }
+    // Without a way out where none is assembled: then configurations would pass through memory.
     if constexpr (Form::has_leading_coefficient) {
       constexpr auto leading = certainty<Scalar>(Model::leading_error, Model::leading_degree);
       assembled = assembled &

@@ -115,6 +115,7 @@ struct ArcList {
       }
       Pack(0).store(&left[place]);
       Pack(0).store(&right[place]);
+      Pack(0).store(&error[place]);
       Pack(0).store(&owner[place]);
     }
   }
@@ -191,6 +192,7 @@ class ArcSearch {
     std::size_t level = 0;
     for (; level < most_levels && open_[level % 2].count > 0; ++level) {
       open_[(level + 1) % 2].count = 0;
+      open_[level % 2].template end<Pack>();
       for (std::size_t first = 0; first < open_[level % 2].count; first += Lanes) {
         cut(open_[level % 2], first, open_[(level + 1) % 2], give_up);
       }
