@@ -17,7 +17,7 @@ constexpr double longest_explained = 1e-4;
 /// longer be told apart when an interval has become that small a part of it.
 constexpr double close_by = 2e-5;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
-constexpr double shortest = 1e-13;
+constexpr double shortest = 1e-14;
 
 /// Whether every branch goes through the interval and those that touch are close at both ends.
 bool touches_closely(const BranchMatching& matching, const Snapshot& left, const Snapshot& right) {
@@ -56,7 +56,7 @@ std::vector<int> BranchTracker::stop() {
 std::vector<BranchEvent> BranchTracker::take_events() { return std::exchange(events_, {}); }
 
 void BranchTracker::advance(const SnapshotPointer& set) {
-  BranchMatching matching = match(*current_, *set);
+  const BranchMatching matching = match(*current_, *set);
   if (matching.clear()) {
     adopt(set, matching.to_right, {});
     return;
@@ -64,20 +64,27 @@ void BranchTracker::advance(const SnapshotPointer& set) {
   const double width = std::abs(set->parameter - current_->parameter);
   const bool is_short = width <= longest_explained * std::abs(solver_.to() - solver_.from()) ||
                         touches_closely(matching, *current_, *set);
-  if (is_short || goes_through(matching)) {
-    if (auto events = explain(solver_, current_, set, matching, !is_short)) {
-      adopt(set, matching.to_right, std::move(*events));
-      return;
-    }
+  if ((is_short || goes_through(matching)) &&
+      is_explained(set, matching, is_short ? Explaining::any_event : Explaining::crossings)) {
+    return;
   }
   if (const SnapshotPointer middle = between(set)) {
     advance(middle);
     advance(set);
   } else if (auto followed = explained_one_by_one(solver_, current_, set)) {
     adopt(set, followed->to_right, std::move(followed->crossings));
-  } else {
+  } else if (!is_explained(set, matching, Explaining::all_that_is)) {
     give_up(set, matching);
   }
+}
+
+bool BranchTracker::is_explained(const SnapshotPointer& set, BranchMatching matching,
+                                 Explaining by) {
+  auto events = explain(solver_, current_, set, matching, by);
+  if (events) {
+    adopt(set, matching.to_right, std::move(*events));
+  }
+  return events.has_value();
 }
 
 /// A separable set near the middle of the interval, unless this is too short.

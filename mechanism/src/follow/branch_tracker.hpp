@@ -40,6 +40,9 @@ class BranchTracker {
   [[nodiscard]] std::vector<BranchEvent> take_events();
 
  private:
+  /// Goes on to a set if events explain the interval; whether they do.
+  [[nodiscard]] bool is_explained(const SnapshotPointer& set, BranchMatching matching,
+                                  Explaining by);
   void adopt(const SnapshotPointer& set, const Table<PointIndex, PointIndex>& to_right,
              std::vector<SingularEvent> events);
   [[nodiscard]] SnapshotPointer between(const SnapshotPointer& set) const;

@@ -63,9 +63,15 @@ struct FoldEstimate {
   double change;
 };
 
+/// How g is taken at a configuration. Its own is exact for what rounding made of it, and so is the
+/// place along the motion. That of the pair, with opposite signs, is free of the motion of the
+/// middle, which spoils the interpolation of pairs that are far from their fold.
+enum class NodeOf : unsigned char { each, pair };
+
 /// Interpolates over pairs up to a separation, which truncates at its eighth power.
 std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
-                                               const ConfigurationPair& near, double target) {
+                                               const ConfigurationPair& near, double target,
+                                               NodeOf node) {
   const auto start = approached(solver, near, target);
   if (!start) {
     return std::nullopt;
@@ -88,8 +94,11 @@ std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
   Eigen::VectorXd nodes(2 * pairs);
   for (Eigen::Index index = 0; index < pairs; ++index) {
     const ConfigurationPair& pair = found[static_cast<std::size_t>(index)];
-    nodes(2 * index) = 1 / along.dot(pair.first().slope);
-    nodes(2 * index + 1) = 1 / along.dot(pair.second().slope);
+    const double first = along.dot(pair.first().slope);
+    const double second = along.dot(pair.second().slope);
+    const double middle = node == NodeOf::pair ? (first + second) / 2 : 0;
+    nodes(2 * index) = 1 / (first - middle);
+    nodes(2 * index + 1) = 1 / (second - middle);
   }
   const Eigen::VectorXd weights = weights_at_zero(nodes);
   Eigen::VectorXd change_of_weights = weights;
@@ -137,7 +146,7 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
   constexpr double lessened = 0.1;  // What lessens by chance is rounding.
   std::optional<FoldEstimate> best;
   for (const double target : through ? std::span<const double>(wide) : usual) {
-    const auto found = fold_at_separation(solver, near, target);
+    const auto found = fold_at_separation(solver, near, target, NodeOf::each);
     if (found && !(best && best->change * lessened <= found->change)) {
       best = found;
     }
@@ -146,6 +155,17 @@ std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const Configura
     }
   }
   return best ? std::optional(best->location) : std::nullopt;
+}
+
+std::optional<EventLocation> locate_fold_from(SnapshotSolver& solver,
+                                              const ConfigurationPair& near) {
+  for (const double part : {1.25, 1.6, 2.0, 2.5, 3.1, 4.0}) {
+    const auto found = fold_at_separation(solver, near, part * near.separation(), NodeOf::pair);
+    if (found) {
+      return found->location;
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace assur::mechanism::follow

@@ -27,4 +27,9 @@ struct ConfigurationPair {
 [[nodiscard]] std::optional<EventLocation> locate_fold(SnapshotSolver& solver,
                                                        const ConfigurationPair& near, bool through);
 
+/// The same from the nearest pair that rounding lets be followed, and wider ones, with
+/// g = dp / d(v . (X - M)), M the middle of each.
+[[nodiscard]] std::optional<EventLocation> locate_fold_from(SnapshotSolver& solver,
+                                                            const ConfigurationPair& near);
+
 }  // namespace assur::mechanism::follow

@@ -22,8 +22,8 @@ constexpr double far_away = 50;
 
 class Explanation {
  public:
-  Explanation(SnapshotSolver& solver, BranchMatching& matching, bool crossings_only)
-      : solver_(solver), matching_(matching), crossings_only_(crossings_only) {}
+  Explanation(SnapshotSolver& solver, BranchMatching& matching, Explaining by)
+      : solver_(solver), matching_(matching), by_(by) {}
 
   [[nodiscard]] std::optional<Events> run(const SnapshotPointer& left,
                                           const SnapshotPointer& right) {
@@ -72,7 +72,10 @@ class Explanation {
     if (!is_apart_from_others(pair, distance, alone, through)) {
       return false;
     }
-    const auto found = locate_fold(solver_, pair, through.exists());
+    auto found = locate_fold(solver_, pair, through.exists());
+    if (!found && by_ == Explaining::all_that_is) {
+      found = locate_fold_from(solver_, pair);
+    }
     if (!found) {
       return false;
     }
@@ -134,7 +137,7 @@ class Explanation {
       const auto [before, after] = bundles_of(left, right, bundle);
       const auto found =
           change_sides(before, after) ? locate_crossing(solver_, before, after) : std::nullopt;
-      if (!found && crossings_only_) {
+      if (!found && by_ == Explaining::crossings) {
         return false;
       }
       if (!found) {
@@ -277,7 +280,7 @@ class Explanation {
 
   SnapshotSolver& solver_;
   BranchMatching& matching_;
-  bool crossings_only_;
+  Explaining by_;
   Events events_;
 };
 
@@ -285,15 +288,15 @@ class Explanation {
 
 std::optional<Events> explain(SnapshotSolver& solver, const SnapshotPointer& left,
                               const SnapshotPointer& right, BranchMatching& matching,
-                              bool crossings_only) {
-  return Explanation(solver, matching, crossings_only).run(left, right);
+                              Explaining by) {
+  return Explanation(solver, matching, by).run(left, right);
 }
 
 Events folds_at_end(SnapshotSolver& solver, const SnapshotPointer& near, double end) {
   const double sense = solver.to() < solver.from() ? -1 : 1;
   const Side side{near, end, sense * (end - near->parameter) > 0};
   BranchMatching nothing;
-  Explanation explanation(solver, nothing, false);
+  Explanation explanation(solver, nothing, Explaining::any_event);
   for (const PointIndex one : near->points.keys()) {
     for (const PointIndex other : near->points.keys()) {
       if (other < one) {

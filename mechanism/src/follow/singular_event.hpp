@@ -29,14 +29,21 @@ struct SingularEvent {
   double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
+/// What may explain an interval.
+enum class Explaining : unsigned char {
+  crossings,   ///< alone: it is long
+  any_event,   ///< it is short
+  all_that_is  ///< it cannot be halved: folds may be located from afar
+};
+
 /// The events between two sets, in the order of the sweep; nothing if the interval is too long for
 /// each to be told and located by itself. Matches that turn out to be a fold and a birth at one
-/// place are dissolved. `crossings_only` allows no other explanation, as a long interval does.
+/// place are dissolved.
 [[nodiscard]] std::optional<std::vector<SingularEvent>> explain(SnapshotSolver& solver,
                                                                 const SnapshotPointer& left,
                                                                 const SnapshotPointer& right,
                                                                 BranchMatching& matching,
-                                                                bool crossings_only);
+                                                                Explaining by);
 
 /// The folds and births that lie where the sweep's range ends: `near` is a set inside, `end` the
 /// parameter value, which has no set of its own that could be matched.

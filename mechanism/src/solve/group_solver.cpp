@@ -157,6 +157,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
   placed.derivatives_known =
       placed.derivatives_known && precision.derivatives_known && of_shape.derivatives_known;
+  placed.path_known = placed.path_known && precision.path_known && of_shape.path_known;
   placed.rates_known =
       placed.rates_known && precision.second_rates_known && of_shape.second_rates_known;
   placed.residual = std::max(placed.residual, motion_.residual);

@@ -28,6 +28,7 @@ struct PlacedLinks {
   Table<GroupIndex, PlacedGroup> groups;
   Status regularity = Status::ok;
   bool derivatives_known = true;
+  bool path_known = true;
   bool rates_known = true;
   /// Whether several motions may go through it, where its rates are not known.
   bool is_crossing = true;

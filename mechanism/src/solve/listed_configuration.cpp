@@ -24,7 +24,7 @@ void write_configuration(const Placement& placement, Configuration& result) {
   result.regularity = placed.regularity;
   result.derivatives_known = placed.derivatives_known;
   result.rates_known = placed.rates_known;
-  result.path_known = placed.derivatives_known;
+  result.path_known = placed.path_known;
   result.residual = placed.residual;
   result.branches.clear();
   result.determinants = placed.determinants;

@@ -76,6 +76,7 @@ void Placement::begin() {
   }
   placed_.regularity = Status::ok;
   placed_.derivatives_known = true;
+  placed_.path_known = true;
   placed_.rates_known = true;
   placed_.is_crossing = true;
   placed_.residual = 0;
@@ -172,7 +173,7 @@ bool Placement::settle(const ReadingDriver& reading) {
   }
   if (!values_.motion(reading.driver).is_known()) {
     placed_.regularity = Status::near_singular;
-    placed_.derivatives_known = placed_.rates_known = false;
+    placed_.derivatives_known = placed_.path_known = placed_.rates_known = false;
   }
   return true;
 }

@@ -12,6 +12,8 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using support::six_digits;
 constexpr double second_look_constant = 4;
+/// A branch whose derivative has a larger relative error cannot be followed.
+constexpr double one_digit = 5e-2;
 
 class SecondLook {
  public:
@@ -162,6 +164,7 @@ Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
   if (is_firm || !motion.inverse.allFinite()) {
     result.regularity = moves && is_firm ? Status::ok : Status::near_singular;
     result.derivatives_known = standing.error() < two_digits;
+    result.path_known = standing.error() < one_digit;
     result.second_rates_known = is_firm;
     return result;
   }
@@ -173,6 +176,7 @@ Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
             : error;
   result.regularity = moves && of_second_rates < six_digits ? Status::ok : Status::near_singular;
   result.derivatives_known = error < two_digits;
+  result.path_known = error < one_digit;
   result.second_rates_known = of_second_rates < two_digits;
   return result;
 }
@@ -180,7 +184,7 @@ Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
 Precision precision_of_shape(double firmness) {
   const double error = std::numeric_limits<double>::epsilon() / firmness;
   return {error / firmness < six_digits ? Status::ok : Status::near_singular, error < two_digits,
-          error / firmness < two_digits};
+          error < one_digit, error / firmness < two_digits};
 }
 
 }  // namespace assur::mechanism::solve

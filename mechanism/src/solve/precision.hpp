@@ -12,6 +12,7 @@ namespace assur::mechanism::solve {
 struct Precision {
   Status regularity = Status::near_singular;  ///< ok or near_singular
   bool derivatives_known = false;             ///< to two digits at least
+  bool path_known = false;                    ///< the same to one digit, by which it is followed
   bool second_rates_known = false;            ///< likewise
 };
 

@@ -168,6 +168,7 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   for (Eigen::Index column = 1; column < open.cols(); ++column) {
     placed.derivatives_known = placed.derivatives_known && !contradicts(column);
   }
+  placed.path_known = placed.derivatives_known;
 }
 
 SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,

@@ -175,12 +175,14 @@ class ConfigurationWalk {
     const Status regularity = placed_.regularity;
     const double residual = placed_.residual;
     const bool derivatives_known = placed_.derivatives_known;
+    const bool path_known = placed_.path_known;
     const bool rates_known = placed_.rates_known;
     const Visits visits = order_of_visits(group, found.count);
     for (std::size_t visit = 0; visit < found.count && !is_found(); ++visit) {
       placed_.regularity = regularity;
       placed_.residual = residual;
       placed_.derivatives_known = derivatives_known;
+      placed_.path_known = path_known;
       placed_.rates_known = rates_known;
       placement_.place(group, visits[visit]);
       descend(depth + 1);

@@ -343,7 +343,7 @@ int main(int argc, char** argv) {
             << tally.misplaced << ", jumps " << tally.jumps << ", steps with other rows "
             << tally.wrong_rows << ", sweeps with something unresolved " << tally.unresolved
             << '\n';
-  // The folds of a kite within 1e-10 of its change point are not told from one another.
-  const bool is_told = least < usual_least || tally.unresolved * 12 <= tally.sweeps;
+  // Rounding hides what lengths that differ by less open.
+  const bool is_told = least < usual_least || tally.unresolved == 0;
   return tally.misplaced + tally.jumps + tally.wrong_rows == 0 && is_told ? 0 : 1;
 }

@@ -203,20 +203,20 @@ TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
 }
 
 /// With a shorter rocker B cannot pass at all: the branches fold before it and are born behind it.
-/// Folds that are less than 1e-10 apart are told to be there, but not what they are.
+/// Rounding leaves closures open by some 1e-15 of the lengths, and the crank's tip is as near to
+/// the pivot as the rocker is shorter.
 TEST(NamedMechanisms, AKiteThatCannotPassItsPivotFolds) {
-  for (const double shorter : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) {
+  for (const double shorter : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 5e-13}) {
     SCOPED_TRACE(shorter);
     const double rocker = 0.9 - shorter;
     Json scene = four_bar(0.66, 0.9, rocker, 0.66, "0");
     scene["sweep"] = {{"parameter", "phi"}, {"from", -1}, {"to", 0.8}, {"count", 20}};
     const SweepKept kept = run_sweep(mechanism::parse_scene(scene.dump(), "scene"));
-    const bool is_told = shorter > 5e-11;
     ASSERT_EQ(kept.events.size(), 2U);
-    EXPECT_EQ(kept.events[0].text, is_told ? "fold 1 2" : "unresolved 1 2 /");
-    EXPECT_EQ(kept.events[1].text, is_told ? "birth 3 4" : "unresolved / 3 4");
+    EXPECT_EQ(kept.events[0].text, "fold 1 2");
+    EXPECT_EQ(kept.events[1].text, "birth 3 4");
     const double place = 2 * std::asin((0.9 - rocker) / 1.32);
-    const double tolerance = is_told ? 1e-5 * place : place / 2;
+    const double tolerance = 1e-5 * place + 2e-15;
     EXPECT_NEAR(kept.events[0].parameter, -place, tolerance);
     EXPECT_NEAR(kept.events[1].parameter, place, tolerance);
   }

@@ -46,7 +46,8 @@ struct Configuration {
   /// digits. Reports leave out what is not; accelerations may be NaN where velocities are known.
   bool derivatives_known = true;
   bool rates_known = true;
-  /// The same of the derivatives to the swept parameter alone, where the request has a sweep.
+  /// Whether derivatives, or those to the swept parameter where the request has a sweep, are known
+  /// to one digit, so that the branch can be followed.
   bool path_known = true;
   /// At a crossing, which several motions go through: this configuration in each of them, with
   /// rates that are known.
