@@ -8,7 +8,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-constexpr std::array<std::string_view, 38> symbols = {
+constexpr std::array<std::string_view, 38> symbol_names = {
     "alpha",    "beta",  "gamma",   "delta",  "epsilon", "varepsilon", "zeta",  "eta",
     "theta",    "iota",  "kappa",   "lambda", "mu",      "nu",         "xi",    "rho",
     "sigma",    "tau",   "upsilon", "phi",    "varphi",  "chi",        "psi",   "omega",
@@ -25,7 +25,7 @@ constexpr std::array<std::string_view, 15> accents = {
     "\\check",    "\\widetilde",  "\\underline", "\\mathbb",  "\\overrightarrow"};
 
 bool is_symbol(const Token& token) {
-  return token.is_command() && contains(symbols, token.text.substr(1));
+  return token.is_command() && contains(symbol_names, token.text.substr(1));
 }
 
 bool is_skipped(const Token& token) {
