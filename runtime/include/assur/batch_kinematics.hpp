@@ -93,7 +93,8 @@ template <typename Pack, int Rows>
                                            FiniteNumbers<Pack>& numbers) {
   for_each_place<Rows>([&](std::size_t row) { numbers.look_at(vector.data()[row], row); });
 }
-/// Where all of it is finite and a configuration is certainly regular.
+/// Where all of it is finite and a configuration is certainly regular. Asked before the derivatives
+/// are computed, it leaves registers to them.
 template <typename Model, typename Pack, typename... Rates>
 [[nodiscard, gnu::always_inline]] inline auto are_certain(
     const typename Model::template Dimensions<Pack>& d,
@@ -186,11 +187,12 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
       count,
       [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
+        const unsigned alone = (!are_certain<Model, Pack>(at.d, at.u, at.q)).bits();
         Sensitivities<Model, Pack> sensitive;
         Model::sensitivities(at.d, at.u, at.q, sensitive.to_dimensions, sensitive.to_inputs);
         store_sensitivities(sensitive, result, first);
         std::fill_n(result.status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(at.d, at.u, at.q)).bits();
+        return alone;
       },
       [&](std::size_t index) {
         Sensitivities<Model, double> sensitive;
@@ -215,12 +217,14 @@ void motion(std::size_t count, const BatchConfigurations<Model>& given, const Ba
       [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
         const GivenRates<Model, Pack> u(rates, first);
+        const unsigned alone =
+            (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
         Motion<Model, Pack> moving;
         Model::motion(at.d, at.u, at.q, u.first_rates, u.second_rates, moving.velocity,
                       moving.acceleration);
         store_motion(moving, result, first);
         std::fill_n(status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
+        return alone;
       },
       [&](std::size_t index) {
         Motion<Model, double> moving;
@@ -247,6 +251,8 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
       [&](std::size_t first) __attribute__((flatten)) {
         const GivenPack<Model, Pack> at(given, first);
         const GivenRates<Model, Pack> u(rates, first);
+        const unsigned alone =
+            (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
         Sensitivities<Model, Pack> sensitive;
         Motion<Model, Pack> motion;
         Model::sensitivities_and_motion(at.d, at.u, at.q, u.first_rates, u.second_rates,
@@ -255,7 +261,7 @@ void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model
         store_sensitivities(sensitive, result, first);
         store_motion(motion, moving, first);
         std::fill_n(result.status + first, Lanes, Status::ok);
-        return (!are_certain<Model, Pack>(at.d, at.u, at.q, u.first_rates, u.second_rates)).bits();
+        return alone;
       },
       [&](std::size_t index) {
         Sensitivities<Model, double> sensitive;

@@ -9,9 +9,6 @@
 #include <limits>
 #include <type_traits>
 #include <utility>
-#if defined(__AVX__)
-#include <immintrin.h>
-#endif
 
 namespace assur::numeric {
 
