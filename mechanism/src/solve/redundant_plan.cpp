@@ -73,6 +73,9 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
     Solution solution;
     MechanismSolver solver(values);
     solver.solve({}, solution);
+    if (solution.left_out.value_or(0) > 0) {  // it holds, beyond limits
+      return {true};
+    }
     if (solution.status == SolutionStatus::no_assembly) {
       solver.solve({.measures_gap = true}, solution);
       return {false, false, false, refusal_without_assembly(*plan, solution.reason)};
