@@ -187,7 +187,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "closed_form|closure_geometry|completion|first_values|limit_turns|"
                   "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
                   "special_search)|"
-                  "support/(batch_limits|batch_order|configuration_order|derivative_digits|"
+                  "support/"
+                  "(all_constraints|batch_limits|batch_order|configuration_order|derivative_digits|"
                   "discriminant|displaced_frame|flat_variables|limits|nearest|placed_link|"
                   "position_polynomial|"
                   "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},

@@ -11,6 +11,7 @@
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
+#include "emission/scene/constraint_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
 #include "emission/scene/scene_statements.hpp"
@@ -58,6 +59,11 @@ class SceneEmitter {
   }
 
  private:
+  /// Statements of a name, and whether there are any.
+  void show(const std::string& name, const std::vector<std::string>& lines) {
+    view_.set("has_" + name, !lines.empty());
+    view_.set(name, shown(lines));
+  }
   /// Statements of a function; they are kept to see what they use.
   [[nodiscard]] cpp::View::List shown(const std::vector<std::string>& lines) {
     statements_.insert(statements_.end(), lines.begin(), lines.end());
@@ -215,18 +221,14 @@ class SceneEmitter {
     view_.set("links", member_list(links));
     view_.set("has_links", !links.empty());
     const std::vector<std::string> limits = limit_statements(solver_);
-    view_.set("has_limits", !limits.empty());
-    std::vector<std::string> redundant;
-    for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
-      redundant.push_back(joint.name);
-    }
+    const auto& redundant = solver_.plan.redundant();
     view_.set("has_redundant", !redundant.empty());
-    view_.set("redundant_list", cpp::comment_text(text::listed(redundant)));
+    view_.set("redundant_list", cpp::comment_text(text::joined(
+                                    redundant, ", ", [](const auto& one) { return one.name; })));
     view_.set("limited", limits.empty() ? "" : "Limited");
-    view_.set("limits", shown(limits));
-    const std::vector<std::string> gap = redundant_gap(solver_);
-    view_.set("has_redundant_gap", !gap.empty());
-    view_.set("redundant_gap", shown(gap));
+    show("limits", limits);
+    show("redundant_gap", redundant_gap(solver_));
+    show("settling", settling_statements(solver_));
     view_.set("slides", member_list(reported));
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));

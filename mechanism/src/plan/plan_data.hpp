@@ -13,12 +13,6 @@
 
 namespace assur::mechanism {
 
-/// What was described of a mechanism that is planned without some of its constraints.
-struct Described {
-  Mechanism mechanism;
-  Request request;
-};
-
 /// What is planned once: the mechanism, what is wanted of it, the order of its links and formulas.
 struct PlanData {
   Mechanism mechanism;
@@ -30,7 +24,7 @@ struct PlanData {
   std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
   /// With all constraints, where others may be left out in place of these; else null.
-  std::shared_ptr<const Described> described;
+  std::shared_ptr<const plan::Described> described;
 };
 
 }  // namespace assur::mechanism

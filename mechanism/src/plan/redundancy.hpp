@@ -2,11 +2,18 @@
 #pragma once
 
 #include <assur/mechanism/error.hpp>
+#include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <string>
 #include <vector>
 
 namespace assur::mechanism::plan {
+
+/// What was described of a mechanism that is planned without some of its constraints.
+struct Described {
+  Mechanism mechanism;
+  Request request;
+};
 
 struct BalancedMechanism {
   Mechanism mechanism;

@@ -43,7 +43,7 @@ constexpr std::array left_out_at_most = {plan::LeftOut::joints, plan::LeftOut::d
 
 /// A mechanism of which constraints are left out; `mechanism` is that of the part, wherever its
 /// drivers stand.
-PlanData planned_part(const Described& described, const plan::BalancedMechanism& part,
+PlanData planned_part(const plan::Described& described, const plan::BalancedMechanism& part,
                       const OverConstrained& excess, const Mechanism& mechanism) {
   std::vector<FeatureIndex> features;
   for (const RedundantJoint& joint : part.redundant) {
@@ -73,6 +73,9 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
     Solution solution;
     MechanismSolver solver(values);
     solver.solve({}, solution);
+    if (solution.left_out.value_or(0) > 0) {  // it holds, beyond limits
+      return {true};
+    }
     if (solution.status == SolutionStatus::no_assembly) {
       solver.solve({.measures_gap = true}, solution);
       return {false, false, false, refusal_without_assembly(*plan, solution.reason)};
@@ -93,7 +96,7 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
 class Planner {
  public:
   Planner(const Mechanism& mechanism, const Request& request, const OverConstrained& excess)
-      : described_(std::make_shared<const Described>(Described{mechanism, request})),
+      : described_(std::make_shared<const plan::Described>(plan::Described{mechanism, request})),
         excess_(excess),
         refusal_(excess),
         kept_(reported_joints(mechanism, request)) {}
@@ -138,7 +141,7 @@ class Planner {
                                    by == 0 ? part.mechanism : part.mechanism.driven_on(by));
       if (moves) {
         data.described = by == 0 ? described_
-                                 : std::make_shared<const Described>(Described{
+                                 : std::make_shared<const plan::Described>(plan::Described{
                                        described_->mechanism.driven_on(by), described_->request});
       }
       return std::make_shared<PlanData>(std::move(data));
@@ -172,7 +175,7 @@ class Planner {
     return nullptr;
   }
 
-  std::shared_ptr<const Described> described_;
+  std::shared_ptr<const plan::Described> described_;
   const OverConstrained& excess_;
   OverConstrained refusal_;
   std::vector<std::string> kept_;

@@ -127,6 +127,8 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const double error = constraints_.rounding() / (firmness * firmness);
   placed.is_crossing = !(error < 1);
   goes_on_ = true;
+  // Where all constraints tell none, what the rest tells is no more than one of its motions.
+  placed.rates_known = placed.derivatives_known = false;
   if (!(error < two_digits)) {
     return;
   }

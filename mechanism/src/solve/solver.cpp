@@ -287,7 +287,8 @@ class ConfigurationWalk {
     if (passed_ > listed_) {  // one was sought, and there are others
       return;
     }
-    if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty()) {
+    if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty() &&
+        solution_->left_out.value_or(0) == 0) {
       throw refusal_of_redundant(plan_, least_gap_);
     }
     if (solution_->configurations.empty() && solution_->dropped > 0 &&

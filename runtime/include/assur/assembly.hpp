@@ -150,8 +150,9 @@ template <typename Model, typename Scalar>
 }  // namespace detail
 
 /// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
-/// reach: the largest of |F(d, u, q)| at the best q that a search from several places finds. It is
-/// set if the status is ok; other statuses are not_finite and unsound_arithmetic.
+/// reach: the least |F(d, u, q)|, over all closures together, of the minima that a search from
+/// several places leads to. It is set if the status is ok; other statuses are not_finite and
+/// unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,
                                  const typename Model::template Inputs<double>& inputs,

@@ -217,7 +217,7 @@ TEST(RedundantJoints, SayWhereNothingCanBeAssembledWithoutThem) {
                 "coupler, third): the joints B, F, G fail to close by 15.4 at least");
 }
 
-/// The cranks hold one another, and a dyad on their coupler is what cannot reach.
+/// The cranks hold one another; a dyad of length 3 on their coupler does not reach over 23.93.
 TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
   Bars bars = five_bars(2, 1.5);
   bars.point("ground", "H", 30, 0).point("coupler", "K", 5, 1);
@@ -227,7 +227,7 @@ TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
   bars.join("H", {"ground.H", "lever.H"});
   EXPECT_NE(message_of(bars.json())
                 .find("it cannot be assembled either: group 3 (dyad RRR: arm, lever): the joints "
-                      "H, K, M fail to close by 21 at least"),
+                      "H, K, M fail to close by 20.9 at least"),
             std::string::npos);
 }
 
@@ -242,6 +242,17 @@ TEST(RedundantJoints, AreNoneThatLawsReadOrThatHaveLimits) {
   ASSERT_EQ(found.plan.redundant().size(), 1U);
   EXPECT_NE(found.plan.redundant()[0].name, "B");
   EXPECT_NE(found.plan.redundant()[0].name, "C");
+}
+
+/// Limits that nothing keeps are what is said, and not that there are too many constraints.
+TEST(RedundantJoints, BeyondLimitsHold) {
+  Bars bars = five_bars(2, 1.5);
+  bars.json()["joints"]["D"]["limits"] = {1, 2};
+  const Solved found = solved(bars.json());
+  EXPECT_EQ(found.solution.left_out, 1U);
+  EXPECT_EQ(found.solution.reason,
+            "the one configuration is beyond the limits of joints: D by 17.2 deg at least");
+  EXPECT_EQ(found.plan.solve(found.plan.values({{"phi", 1.5}})).configurations.size(), 1U);
 }
 
 /// A ram in two guides in one line: the guide that is not reported is left out, in any listing.

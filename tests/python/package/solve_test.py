@@ -245,4 +245,4 @@ def test_the_commands_own_reports(command, example):
     assert solution.to_json() == command.run(*shown, "--format", "json").stdout
     assert str(solution) == command.run(*shown).stdout
     assert solution.status == assur.Status.NO_ASSEMBLY
-    assert "fail to close by 45.4" in solution.reason
+    assert "fail to close by 45.3" in solution.reason

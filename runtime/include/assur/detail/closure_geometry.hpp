@@ -236,6 +236,31 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   return closing.miss();
 }
 
+/// The least norm of the closures near a point, where that is no assembly: far from one, steps of
+/// Gauss and Newton are too long unless they are damped, by as much as the last one needed.
+[[nodiscard]] inline double least_miss_near(const Closures& closures, FlatVariables<double> q) {
+  constexpr int most_steps = 1000;
+  constexpr double stiffest = 1e8;
+  double damping = 1;
+  Vector4 f = closures.at(q);
+  bool gains = true;
+  for (int step = 0; step < most_steps && gains && damping < stiffest; ++step) {
+    FlatVariables<double> next = q;
+    closures.advance(damped_step(closures.jacobian(q), f, damping), next);
+    const Vector4 left = closures.at(next);
+    const double gain = norm(f) - norm(left);
+    if (gain > 0) {
+      gains = gain > std::numeric_limits<double>::epsilon() * norm(f);
+      q = next;
+      f = left;
+      damping /= 2;
+    } else {
+      damping *= 4;
+    }
+  }
+  return norm(f);
+}
+
 /// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
 /// closures hold between them, too.
 [[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,

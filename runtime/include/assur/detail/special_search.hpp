@@ -272,7 +272,8 @@ double SpecialSearch<Group>::least_miss() const {
     FlatVariables<double> q = start;
     if (longest_displacement(group_.closures, q) < farthest_configuration<double>) {
       group_.closures.straighten(q);
-      least = (std::min)(least, close(group_.closures, q));
+      close(group_.closures, q);
+      least = (std::min)(least, least_miss_near(group_.closures, q));
     }
   });
   return least * group_.closures.longest;

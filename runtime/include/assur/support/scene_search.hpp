@@ -89,6 +89,12 @@ struct Access {
   static std::false_type gaps_of(...);
   /// Whether it tells by how much constraints miss that are too many.
   static constexpr bool has_gaps = decltype(gaps_of<Parts>(0))::value;
+  template <typename Those>
+  static auto settles_of(int) -> decltype(Those::settle(std::declval<Placed&>()), std::true_type());
+  template <typename Those>
+  static std::false_type settles_of(...);
+  /// Whether it closes all constraints together, where those that are not too many hardly tell.
+  static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
   /// Of each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
@@ -147,6 +153,8 @@ struct Access {
   }
   /// By how much constraints that are too many miss, in parts of the largest coordinate.
   [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
+  /// Whether all constraints together hold where everything is placed, and go on to.
+  [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }
   /// What tells one state from another, and puts them in order.
   static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
 };
@@ -190,6 +198,11 @@ class Search {
     Placed placed;
     Own::drive(given, placed);
     proceed<0>(placed, {});
+    if (Own::has_gaps && solution_.families > 0 && solution_.status == AssemblyStatus::ok) {
+      // Whether the constraints that are too many leave the families is not known here.
+      solution_.status = AssemblyStatus::unresolved;
+      solution_.families = solution_.mobility = 0;
+    }
     if (solution_.status != AssemblyStatus::ok) {
       solution_.count = 0;
     } else if (solution_.count == 0 && solution_.families > 0) {
@@ -230,16 +243,20 @@ class Search {
     constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
     constexpr Scalar much_more = 16;
     constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
-    const auto is_none_beside = [&](std::size_t one, std::size_t other) {
-      if (!(gaps_[one] > (std::max)(much_more * gaps_[other], rounding))) {
-        return false;
-      }
+    const auto are_near = [&](std::size_t one, std::size_t other, Scalar away) {
       for (std::size_t place = Own::first_key; place < Own::lengths_from; ++place) {
-        if (!(std::abs(keys_[one][place] - keys_[other][place]) < near)) {
+        if (!(std::abs(keys_[one][place] - keys_[other][place]) < away)) {
           return false;
         }
       }
       return true;
+    };
+    const auto is_none_beside = [&](std::size_t one, std::size_t other) {
+      // Closed together, two that rounding had kept apart are one.
+      constexpr Scalar equal = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-6);
+      return gaps_[one] > (std::max)(much_more * gaps_[other], rounding)
+                 ? are_near(one, other, near)
+                 : Own::settles && other < one && are_near(one, other, equal);
     };
     for (std::size_t one = 0; one < static_cast<std::size_t>(solution_.count); ++one) {
       bool is_none = false;
@@ -286,15 +303,30 @@ class Search {
           return;
         }
       }
-      const auto slot = static_cast<std::size_t>(solution_.count++);
-      Own::list(placed, states_[slot]);
-      Own::key(placed, keys_[slot]);
-      if constexpr (Own::has_gaps) {
-        gaps_[slot] = Own::gap(placed);
+      if constexpr (Own::settles) {
+        if (placed.regularity != Status::ok) {
+          Placed settled = placed;
+          if (Own::settle(settled)) {
+            keep(settled, placed);
+          } else {
+            ++solution_.left_out;
+          }
+          return;
+        }
       }
-      if constexpr (Keeps) {
-        kept_[slot] = current_;
-      }
+      keep(placed, placed);
+    }
+  }
+  /// Lists a configuration, which constraints that are too many fail where groups place it.
+  void keep(const Placed& placed, const Placed& by_groups) {
+    const auto slot = static_cast<std::size_t>(solution_.count++);
+    Own::list(placed, states_[slot]);
+    Own::key(placed, keys_[slot]);
+    if constexpr (Own::has_gaps) {
+      gaps_[slot] = Own::gap(by_groups);
+    }
+    if constexpr (Keeps) {
+      kept_[slot] = current_;
     }
   }
   template <std::size_t Place>

@@ -112,6 +112,11 @@ template <typename Solver, typename Scalar>
     typename Own::Placed placed;
     Own::drive(given, placed);
     place_known<Solver, Scalar, 0>(wide.rounded(index), placed);
+    if constexpr (Own::settles) {
+      if (placed.regularity != Status::ok) {
+        (void)Own::settle(placed);  // which it does in double
+      }
+    }
     Own::list(placed, detail::entry(states, index));
   }
   return wide.solution();
