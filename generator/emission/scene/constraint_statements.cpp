@@ -39,8 +39,9 @@ class Constraints {
     }
     return !solver_.plan.redundant().empty() &&
            !solver_.plan.request().redundancy_tolerance.exists() &&
-           solver_.plan.structure().reading.empty() && moving_.size() <= most_links &&
-           std::ranges::all_of(described.drivers(), is_known) && !reports_slides;
+           solver_.plan.structure().reading.empty() && !moving_.empty() &&
+           moving_.size() <= most_links && std::ranges::all_of(described.drivers(), is_known) &&
+           !reports_slides;
   }
 
   [[nodiscard]] std::vector<std::string> statements() {
