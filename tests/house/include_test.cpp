@@ -203,7 +203,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"whole mechanisms",
        std::regex("assur|detail/batch/placed_pack|support/"
                   "(batch_search|displacement|flat_branch|held_group|placed_group|scene_batch|"
-                  "scene_columns|scene_search|scene_solve|scene_track|shared_search|specialised)")},
+                  "scene_access|scene_columns|scene_search|scene_solve|scene_track|shared_search|"
+                  "specialised)")},
   };
   return storeys;
 }

@@ -1,0 +1,159 @@
+// Turns an emitted solver into what its search and its tracking ask of it, and what they answer.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/assembly.hpp>
+#include <assur/support/placed_group.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+namespace assur::support {
+
+/// What an emitted solver says beside the configurations.
+struct Solution {
+  /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
+  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic; unresolved in
+  /// float, where double was not to be asked, and where constraints that are too many may stop a
+  /// group that moves freely without them.
+  AssemblyStatus status = AssemblyStatus::ok;
+  int count = 0;  ///< of the configurations
+  /// Choices of the groups that hold a group, directly or through others, for which it moves freely
+  /// or is inconsistent, if what does not depend on it can be assembled.
+  int families = 0;
+  int mobility = 0;  ///< of the freest of them
+};
+
+/// What the solver of a scene with limits says.
+struct LimitedSolution : Solution {
+  int left_out = 0;  ///< configurations beyond the limits of joints
+};
+
+/// Whether a solver has parameters among its arguments.
+template <typename Solver, typename = void>
+inline constexpr bool has_parameters = false;
+template <typename Solver>
+inline constexpr bool
+    has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
+
+/// What a solver is given: where its drivers stand.
+template <typename Solver, typename Scalar, bool HasParameters = has_parameters<Solver>>
+struct GivenTo {
+  using Type = typename Solver::template Drivers<Scalar>;
+};
+/// And its parameters.
+template <typename Solver, typename Scalar>
+struct GivenTo<Solver, Scalar, true> {
+  struct Type {
+    typename Solver::template Drivers<Scalar> drivers;
+    typename Solver::template Parameters<Scalar> parameters;
+
+    /// Of all that changes on a way; drivers that turn come first.
+    [[nodiscard]] auto positions() {
+      const auto of_drivers = drivers.positions();
+      const auto values = parameters.values();
+      std::array<Scalar*, of_drivers.size() + values.size()> all;
+      std::copy(values.begin(), values.end(),
+                std::copy(of_drivers.begin(), of_drivers.end(), all.begin()));
+      return all;
+    }
+  };
+};
+
+/// The private parts of a solver that its search and its tracking use.
+template <typename Solver, typename Scalar>
+struct Access {
+  using Given = typename GivenTo<Solver, Scalar>::Type;
+  using Groups = typename Solver::Groups;
+  using Parts = typename Solver::template Parts<Scalar>;
+  using Placed = typename Parts::Placed;
+  static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
+  static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
+  static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
+  using Key = std::array<Scalar, lengths_from + Solver::keyed_slides>;
+  static constexpr bool in_packs = Solver::in_packs;  ///< whether a pack may be the scalar
+  /// Whether it is for the search to tell that something given is no number; groups tell it of
+  /// positions.
+  static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
+  static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
+  template <typename Those>
+  static auto gaps_of(int)
+      -> decltype(Those::redundant_gap(std::declval<const Placed&>()), std::true_type());
+  template <typename Those>
+  static std::false_type gaps_of(...);
+  /// Whether it tells by how much constraints miss that are too many.
+  static constexpr bool has_gaps = decltype(gaps_of<Parts>(0))::value;
+  template <typename Those>
+  static auto settles_of(int) -> decltype(Those::settle(std::declval<Placed&>()), std::true_type());
+  template <typename Those>
+  static std::false_type settles_of(...);
+  /// Whether it closes all constraints together, where those that are not too many hardly tell.
+  static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
+  /// Of each group the set of the groups that hold it, directly or through others.
+  static constexpr auto holders = [] {
+    constexpr std::size_t groups = std::tuple_size_v<Groups>;
+    if constexpr (groups > 1) {
+      return Solver::holders;
+    } else {
+      return std::array<std::uint64_t, groups>{};
+    }
+  }();
+
+  [[nodiscard]] static auto& drivers_of(Given& given) {
+    if constexpr (has_parameters<Solver>) {
+      return given.drivers;
+    } else {
+      return given;
+    }
+  }
+  /// Places what drivers move.
+  static void drive(const Given& given, Placed& placed) {
+    if constexpr (has_parameters<Solver>) {
+      Parts::drive(given.drivers, given.parameters, placed);
+    } else {
+      Parts::drive(given, placed);
+    }
+  }
+  /// Whether no position, and no rate, is NaN or infinite.
+  [[nodiscard]] static bool is_finite(Given given) {
+    bool finite = true;
+    for (const Scalar* position : given.positions()) {
+      finite = finite && std::isfinite(*position);
+    }
+    if constexpr (Solver::order > 0) {
+      for (const Scalar* rate : drivers_of(given).rates()) {
+        finite = finite && std::isfinite(*rate);
+      }
+    }
+    return finite;
+  }
+  /// Where a group's external joints are held.
+  template <typename Held>
+  static void hold(const Placed& placed, Held& held) {
+    Parts::hold(placed, held);
+  }
+  /// Places a group's links.
+  template <typename Group>
+  static void place(const Group& group, Placed& placed) {
+    Parts::place(group, placed);
+  }
+  /// Fills a state from what is placed.
+  static void list(const Placed& placed, typename Solver::template State<Scalar>& state) {
+    Parts::list(placed, state);
+  }
+  /// Whether all joints keep their limits where everything is placed.
+  [[nodiscard]] static auto keeps_limits(const Placed& placed) {
+    return Parts::keeps_limits(placed);
+  }
+  /// By how much constraints that are too many miss, in parts of the largest coordinate.
+  [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
+  /// Whether all constraints together hold where everything is placed, and go on to.
+  [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }
+  /// What tells one state from another, and puts them in order.
+  static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
+};
+
+}  // namespace assur::support
