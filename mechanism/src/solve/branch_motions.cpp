@@ -1,5 +1,6 @@
 #include "branch_motions.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/followed_parts.hpp>
@@ -7,11 +8,13 @@
 #include <limits>
 #include <optional>
 
+#include "all_constraints.hpp"
 #include "branch_order.hpp"
 #include "branch_walk.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
+#include "settled_redundancy.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -93,6 +96,31 @@ void take_derivatives(const Configuration& motion, Eigen::Index column,
   }
 }
 
+/// Whether all constraints together let links go on as a motion has them, if accelerations are as
+/// they must be: J a + f''(v, v) = 0 has a solution a. What rounding hides of J is no help.
+bool all_constraints_let_on(const Values& values, const Configuration& motion) {
+  constexpr double least_firmness = 1e-6;
+  constexpr double rounding = 1e-5;
+  const AllConstraints::Poses poses = poses_of(motion.links);
+  AllConstraints constraints(values);
+  constraints.measure(poses);
+  AllConstraints::Links links = motion.links;
+  double fastest = 0;
+  for (Frame& link : links) {
+    link.acceleration.setZero();
+    link.follows.set_zero(std::ssize(values.columns()), values.second_order());
+    fastest = std::max(
+        {fastest, link.velocity.head<2>().norm() / constraints.size(), std::abs(link.velocity(2))});
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
+  factors.setThreshold(least_firmness);
+  const Eigen::MatrixXd jacobian = constraints.jacobian(poses);
+  factors.compute(jacobian);
+  const Eigen::VectorXd open = constraints.second_rates(links).col(0);
+  const Eigen::VectorXd left = open - jacobian * factors.solve(open);
+  return !(left.norm() > rounding * (open.norm() + fastest * fastest));
+}
+
 }  // namespace
 
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
@@ -119,8 +147,12 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
   }
   std::vector<Configuration>& found = *known;
   // What the constraints that were left out stop is no motion of the mechanism.
-  std::erase_if(
-      found, [&](const Configuration& branch) { return !moves_redundantly(values, branch.links); });
+  const bool are_all_told =
+      !values.plan().redundant.empty() && SettledRedundancy::can_close(values.plan());
+  std::erase_if(found, [&](const Configuration& branch) {
+    return !moves_redundantly(values, branch.links) ||
+           (are_all_told && !all_constraints_let_on(values, branch));
+  });
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;
