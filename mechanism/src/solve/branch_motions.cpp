@@ -112,7 +112,7 @@ bool all_constraints_let_on(const Values& values, const Configuration& motion) {
     fastest = std::max(
         {fastest, link.velocity.head<2>().norm() / constraints.size(), std::abs(link.velocity(2))});
   }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
   factors.setThreshold(least_firmness);
   const Eigen::MatrixXd jacobian = constraints.jacobian(poses);
   factors.compute(jacobian);

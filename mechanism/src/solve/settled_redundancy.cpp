@@ -15,7 +15,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-using Factors = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>;
+/// Its solutions leave out what is below the threshold, which those of a QR decomposition do not.
+using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
 /// The work grows with the third power of the links.
 constexpr std::size_t most_links = 100;
@@ -28,7 +29,8 @@ double firmness_of(const Factors& factors) {
   if (factors.rank() < count) {
     return 0;
   }
-  const auto triangle = factors.matrixR().topRows(count).triangularView<Eigen::Upper>();
+  const auto triangle =
+      factors.matrixT().topLeftCorner(count, count).triangularView<Eigen::Upper>();
   Eigen::VectorXd direction = Eigen::VectorXd::Ones(count).normalized();
   double least = 0;
   for (int time = 0; time < 8; ++time) {
@@ -173,13 +175,12 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   placed.path_known = placed.derivatives_known;
 }
 
-SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,
-                                                          const AllConstraints::Poses& second) {
+SettledRedundancy::Comparison SettledRedundancy::compared_by_misses(
+    const AllConstraints::Poses& first, const AllConstraints::Poses& second) {
   constexpr double near = 0.01;
   constexpr double much_better = 16;
   constraints_.measure(first);
-  const Eigen::VectorXd between = constraints_.step(first, second);
-  if (!(between.cwiseAbs().maxCoeff() < near)) {
+  if (!(constraints_.step(first, second).cwiseAbs().maxCoeff() < near)) {
     return Comparison::differ;
   }
   const double rounding = constraints_.rounding();
@@ -188,16 +189,40 @@ SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::
   const auto is_much_better = [&](double one, double other) {
     return other > (one > rounding ? much_better * one : rounding);
   };
-  if (is_much_better(of_second, of_first)) {
-    return Comparison::first_is_none;
+  return is_much_better(of_second, of_first)   ? Comparison::first_is_none
+         : is_much_better(of_first, of_second) ? Comparison::second_is_none
+                                               : Comparison::alike;
+}
+
+void SettledRedundancy::mark_what_is_none(std::vector<Configuration>& configurations) {
+  std::vector<Configuration*> near;
+  for (Configuration& one : configurations) {
+    if (one.is_consistent && one.regularity != Status::ok) {
+      near.push_back(&one);
+    }
   }
-  if (is_much_better(of_first, of_second)) {
-    return Comparison::second_is_none;
+  for (std::size_t second = 1; second < near.size(); ++second) {
+    for (std::size_t first = 0; first < second; ++first) {
+      const Comparison found =
+          compared_by_misses(poses_of(near[first]->links), poses_of(near[second]->links));
+      near[first]->is_consistent &= found != Comparison::first_is_none;
+      near[second]->is_consistent &= found != Comparison::second_is_none;
+    }
   }
+}
+
+SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,
+                                                          const AllConstraints::Poses& second) {
+  const Comparison by_misses = compared_by_misses(first, second);
+  if (by_misses != Comparison::alike) {
+    return by_misses;
+  }
+  const double of_first = missed(first);
+  const double of_second = missed(second);
   AllConstraints::Poses halfway = first;
-  constraints_.move(between / 2, halfway);
+  constraints_.move(constraints_.step(first, second) / 2, halfway);
   constexpr double alike = 4;
-  if (missed(halfway) <= alike * std::max({of_first, of_second, rounding})) {
+  if (missed(halfway) <= alike * std::max({of_first, of_second, constraints_.rounding()})) {
     return of_second < of_first ? Comparison::first_is_none : Comparison::second_is_none;
   }
   return Comparison::differ;

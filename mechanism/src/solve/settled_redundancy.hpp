@@ -13,7 +13,7 @@ namespace assur::mechanism::solve {
 class SettledRedundancy {
  public:
   /// Of two configurations nearby: which of them the constraints rule out, if any.
-  enum class Comparison : unsigned char { differ, first_is_none, second_is_none };
+  enum class Comparison : unsigned char { differ, first_is_none, second_is_none, alike };
 
   /// Where there is something to settle: constraints that hold to rounding and not to a tolerance,
   /// of few links, and no law that reads where links are. The values must outlive it.
@@ -33,12 +33,17 @@ class SettledRedundancy {
   /// constraints; in regular ones the second rates, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
+  /// Of configurations along a sweep, says which are none beside others that close much better.
+  void mark_what_is_none(std::vector<Configuration>& configurations);
   /// Of two that were settled: one is none where the other is nearby and closes much better, or
   /// where rounding does not tell what is between them from either.
   [[nodiscard]] Comparison compared(const AllConstraints::Poses& first,
                                     const AllConstraints::Poses& second);
 
  private:
+  /// Of two nearby the one that is none, because the other one closes much better.
+  [[nodiscard]] Comparison compared_by_misses(const AllConstraints::Poses& first,
+                                              const AllConstraints::Poses& second);
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}
   void close(AllConstraints::Poses& links) const;
   void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed);
