@@ -146,7 +146,7 @@ def plan(example):
     (lambda plan: plan.solve_batch(phi=np.array(["1"])), "ShapeError",
      "phi: expected an array of numbers, not one of dtype <U1"),
     (lambda plan: plan.solve().outputs["p"], "UnknownName",
-     "no output named 'p'"),
+     "no output named 'p' (did you mean 'P'?)"),
     (lambda plan: plan.solve()[0].links["crnk"], "UnknownName",
      "no link named 'crnk' (did you mean 'crank'?)"),
     (lambda plan: plan.solve().outputs["P"].covariance, "NotWanted",
