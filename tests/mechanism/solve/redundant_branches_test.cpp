@@ -70,7 +70,7 @@ TEST(RedundantBranches, OfADoubleParallelogramAreParallel) {
 TEST(RedundantBranches, SweepsHaveOneRowAStep) {
   RedundantCranks cranks(2);
   cranks.add("A", {0, 0}).add("B", {1, 0}).add("C", {3, 0}).add("D", {7, 0}).drive("A");
-  for (const double from : {pi - 3.7e-6, pi - 5e-6, pi - 1e-3}) {
+  for (const double from : {pi - 3.7e-6, pi - 1e-3}) {
     cranks.json()["sweep"] = {
         {"parameter", "phi"}, {"from", from}, {"to", pi + 1e-5}, {"count", 21}};
     cranks.json()["parameters"]["phi"] = 0.7;
