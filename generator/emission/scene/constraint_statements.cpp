@@ -78,8 +78,9 @@ class Constraints {
       }
     }
     for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
-      const bool are_lines = described.features()[joint.one].is_line;
-      add(joint.one, joint.other, {!are_lines, true, are_lines});
+      const bool is_line = described.features()[joint.one].is_line;
+      const bool are_lines = is_line && described.features()[joint.other].is_line;
+      add(joint.one, joint.other, {!is_line, true, are_lines});
     }
   }
 

@@ -30,10 +30,14 @@ std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
     lines.add("const std::array<Pose<Scalar>, 2> " + pair + " = {{" +
               pose_of(solver, joint.one, lines) + ", " + pose_of(solver, joint.other, lines) +
               "}};");
-    const bool are_lines = solver.mechanism().features()[joint.one].is_line;
+    const bool is_line = solver.mechanism().features()[joint.one].is_line;
+    const bool are_lines = is_line && solver.mechanism().features()[joint.other].is_line;
     poses.insert(poses.end(), {pair + "[0]", pair + "[1]"});
-    gaps.push_back((are_lines ? "support::lines_apart(" : "support::points_apart(") + pair +
-                   "[0], " + pair + "[1]" + (are_lines ? ", size" : "") + ")");
+    const std::string apart = are_lines ? "lines_apart("
+                              : is_line ? "point_off_line("
+                                        : "points_apart(";
+    gaps.push_back("support::" + apart + pair + "[0], " + pair + "[1]" +
+                   (are_lines ? ", size" : "") + ")");
   }
   lines.add("const Scalar size = support::largest_coordinate(std::array<Pose<Scalar>, " +
             std::to_string(poses.size()) + ">{{" + text::joined(poses, ", ") + "}});");

@@ -1,5 +1,6 @@
-// Turns a mechanism into others: driven on, without a joint, with a slot for a pin, or a part of
-// it.
+// Turns a mechanism into others: driven on, without a joint, with a slot for a pin, a pin for a
+// slide, or a part of it.
+#include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 
 namespace assur::mechanism {
@@ -41,6 +42,18 @@ Mechanism Mechanism::without(JointIndex joint, FeatureIndex feature) const {
     }
   }
   part.renumber_drivers(joint_of);
+  return part;
+}
+
+Mechanism Mechanism::with_pin(JointIndex slide, FeatureIndex line) const {
+  Mechanism part = *this;
+  Feature pin = features_[line];
+  pin.is_line = false;
+  pin.name = joints_[slide].name + " as a pin";
+  pin.along_x = pin.along_y = NumberIndex();
+  Joint& joint = part.joints_[slide];
+  joint.type = JointType::pin_in_slot;
+  std::ranges::replace(joint.between, line, part.add_feature(std::move(pin)));
   return part;
 }
 
@@ -107,7 +120,9 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   part.renumber_drivers(joint_of);
   for (Output output : outputs_) {
     output.point = feature_of[output.point];
-    part.outputs_.add(std::move(output));
+    if (output.point.exists()) {
+      part.outputs_.add(std::move(output));
+    }
   }
   return part;
 }

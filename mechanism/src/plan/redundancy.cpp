@@ -16,13 +16,13 @@ constexpr std::size_t most_ways = 32;
 
 /// What a mechanism with a constraint or two less is: solved for, or with fewer too many.
 struct Step {
-  Mechanism mechanism;
   RedundantJoint redundant;
-  std::optional<Structure> structure;
-  std::optional<OverConstrained> fault;
+  std::string from = {};   ///< the joint towards which a slot lies
+  std::size_t points = 0;  ///< to which that link's slot could lie
+  Mechanism mechanism = Mechanism();
+  std::optional<Structure> structure = {};
+  std::optional<OverConstrained> fault = {};
   std::string link = {};    ///< that has the feature at which something is left out
-  std::string from = {};    ///< the joint towards which a slot lies
-  std::size_t points = 0;   ///< to which that link's slot could lie
   bool loses_kept = false;  ///< the joint should not be left out
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
@@ -43,18 +43,29 @@ struct Step {
   }
 };
 
+/// The mechanism with what stands in for a joint, or without it.
+Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
+  const JointIndex joint = index_of(mechanism.joints(), redundant.name);
+  return !redundant.stand_in.exists() ? mechanism.without(joint, redundant.other)
+         : mechanism.features()[redundant.other].is_line
+             ? mechanism.with_pin(joint, redundant.other)
+             : mechanism.with_slot(joint, redundant.other, redundant.from);
+}
+
 class Balancer {
  public:
-  Balancer(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
-      : mechanism_(mechanism), most_(most), kept_(kept) {}
+  /// `described`: how many features were described; further ones stand in for some.
+  Balancer(const Mechanism& mechanism, std::size_t described, LeftOut most,
+           const std::vector<std::string>& kept)
+      : mechanism_(mechanism), described_(described), most_(most), kept_(kept) {}
 
   /// The first is the best.
   [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
       const Joint& at = mechanism_.joints()[joint];
-      if (mechanism_.driver_of(joint).exists() || is_read(joint) || at.lowest.exists() ||
-          std::ranges::find(fault.joints, at.name) == fault.joints.end()) {
+      if (is_stand_in(at) || mechanism_.driver_of(joint).exists() || is_read(joint) ||
+          at.lowest.exists() || std::ranges::find(fault.joints, at.name) == fault.joints.end()) {
         continue;
       }
       for (const FeatureIndex feature : at.between) {
@@ -67,6 +78,10 @@ class Balancer {
   }
 
  private:
+  [[nodiscard]] bool is_stand_in(const Joint& joint) const {
+    return std::ranges::any_of(joint.between,
+                               [&](FeatureIndex feature) { return feature.place() >= described_; });
+  }
   /// Whether the law of a driver reads where the joint is.
   [[nodiscard]] bool is_read(JointIndex joint) const {
     return std::ranges::any_of(mechanism_.drivers(), [&](const Driver& driver) {
@@ -93,21 +108,28 @@ class Balancer {
   void relax(JointIndex joint, FeatureIndex feature) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
-    const RedundantJoint redundant{at.name, other, feature};
-    const bool whole =
-        most_ == LeftOut::joints || (most_ == LeftOut::doubles && !is_alone(redundant));
-    if (whole && surplus_ > 1 && at.type != JointType::pin_in_slot) {
-      consider({mechanism_.without(joint, feature), redundant, {}, {}}, feature, 2);
-    }
-    if (at.type == JointType::revolute) {
-      const auto points = points_of(feature);
-      for (const auto& [from, name] : points) {
-        Step step{mechanism_.with_slot(joint, feature, from), redundant, {}, {}};
-        step.from = name;
-        step.points = points.size();
-        step.redundant.slot = FeatureIndex(mechanism_.features().size());  // the one that it adds
-        consider(std::move(step), feature, 1);
+    const RedundantJoint whole{at.name, other, feature};
+    if (at.type == JointType::pin_in_slot) {
+      if (!mechanism_.features()[feature].is_line) {  // its one constraint is left out once
+        consider({whole}, 1);
       }
+      return;
+    }
+    const bool may_be_whole =
+        most_ == LeftOut::joints || (most_ == LeftOut::doubles && !is_alone(whole));
+    if (may_be_whole && surplus_ > 1) {
+      consider({whole}, 2);
+    }
+    RedundantJoint half = whole;
+    half.stand_in = FeatureIndex(mechanism_.features().size());  // the feature that is added
+    if (at.type == JointType::prismatic) {
+      consider({half}, 1);
+      return;
+    }
+    const auto points = points_of(feature);
+    for (const auto& [from, name] : points) {
+      half.from = from;
+      consider({half, name, points.size()}, 1);
     }
   }
 
@@ -118,7 +140,9 @@ class Balancer {
     for (const Joint& joint : mechanism_.joints()) {
       for (const FeatureIndex other : joint.between) {
         const Feature& at = mechanism_.features()[other];
-        if (other != feature && !at.is_line && at.link == mechanism_.features()[feature].link) {
+        const bool is_described = other.place() < described_;
+        if (other != feature && is_described && !at.is_line &&
+            at.link == mechanism_.features()[feature].link) {
           points.emplace_back(other, joint.name);
         }
       }
@@ -127,7 +151,8 @@ class Balancer {
   }
 
   /// `less`: how many constraints less it has. Where not as many less are too many, links are free.
-  void consider(Step step, FeatureIndex feature, int less) {
+  void consider(Step step, int less) {
+    step.mechanism = relaxed(mechanism_, step.redundant);
     try {
       step.structure = structure_of(step.mechanism);
     } catch (const OverConstrained& fault) {
@@ -138,33 +163,31 @@ class Balancer {
     if (step.surplus() > surplus_ - less) {
       return;
     }
-    step.link = link_name(feature);
+    step.link = link_name(step.redundant.other);
     step.loses_kept = std::ranges::find(kept_, step.redundant.name) != kept_.end();
     steps_.push_back(std::move(step));
   }
 
   const Mechanism& mechanism_;
+  std::size_t described_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int surplus_ = 0;
   std::vector<Step> steps_;
 };
 
-}  // namespace
-
-std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
-                                        LeftOut most, const std::vector<std::string>& kept) {
+/// Of a mechanism of which constraints may be left out already.
+std::vector<BalancedMechanism> balanced_on(const Mechanism& mechanism, std::size_t described,
+                                           const OverConstrained& fault, LeftOut most,
+                                           const std::vector<std::string>& kept) {
   std::vector<BalancedMechanism> result;
-  if (fault.surplus > most_surplus) {
-    return result;
-  }
-  std::vector<Step> steps = Balancer(mechanism, most, kept).steps(fault);
+  std::vector<Step> steps = Balancer(mechanism, described, most, kept).steps(fault);
   if (steps.empty()) {
     return result;
   }
   if (!steps.front().structure) {
     const Step& step = steps.front();
-    result = balanced(step.mechanism, *step.fault, most, kept);
+    result = balanced_on(step.mechanism, described, *step.fault, most, kept);
     for (BalancedMechanism& rest : result) {
       rest.redundant.insert(rest.redundant.begin(), step.redundant);
     }
@@ -176,6 +199,36 @@ std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverCo
     }
   }
   return result;
+}
+
+}  // namespace
+
+BalancedMechanism without_all(const Mechanism& mechanism, std::vector<RedundantJoint> redundant) {
+  std::ranges::stable_sort(redundant, {}, &RedundantJoint::name);
+  BalancedMechanism whole{mechanism, {}, {}};
+  for (RedundantJoint& joint : redundant) {
+    const bool is_told = std::ranges::any_of(whole.redundant, [&](const RedundantJoint& one) {
+      return one.name == joint.name && one.other == joint.other;
+    });
+    if (is_told) {
+      continue;
+    }
+    if (joint.stand_in.exists()) {
+      joint.stand_in = FeatureIndex(whole.mechanism.features().size());
+    }
+    whole.mechanism = relaxed(whole.mechanism, joint);
+    whole.redundant.push_back(std::move(joint));
+  }
+  whole.structure = structure_of(whole.mechanism);
+  return whole;
+}
+
+std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverConstrained& fault,
+                                        LeftOut most, const std::vector<std::string>& kept) {
+  if (fault.surplus > most_surplus) {
+    return {};
+  }
+  return balanced_on(mechanism, mechanism.features().size(), fault, most, kept);
 }
 
 }  // namespace assur::mechanism::plan

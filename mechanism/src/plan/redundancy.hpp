@@ -23,10 +23,17 @@ struct BalancedMechanism {
 
 /// What may be left out of a joint that has constraints too many.
 enum class LeftOut : unsigned char {
-  joints,      ///< a pin holds by a slot alone, along the link, or a joint holds a link not at all
+  /// One constraint: a pin holds by a slot alone, along the link, a slide by a pin in a slot, a pin
+  /// in a slot not at all. Or two: any joint holds a link not at all.
+  joints,
   doubles,     ///< the latter only where another joint holds the same two links
   constraints  ///< the former alone
 };
+
+/// The mechanism without what is described to be left out of it, in the order of names; what is
+/// told twice is left out once. Throws MechanismError where that leaves no known groups.
+[[nodiscard]] BalancedMechanism without_all(const Mechanism& mechanism,
+                                            std::vector<RedundantJoint> redundant);
 
 /// The mechanism with as many constraints less as it has too many. The ways to leave the last one
 /// out come in order: those that keep the joints of the names in `kept` first, then those with the

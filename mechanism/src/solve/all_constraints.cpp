@@ -97,15 +97,16 @@ AllConstraints::AllConstraints(const Values& values)
   for (const JointIndex joint : mechanism_.joints().keys()) {
     const Joint& at = mechanism_.joints()[joint];
     const bool stands_in = std::ranges::any_of(redundant, [&](const RedundantJoint& one) {
-      return std::ranges::find(at.between, one.slot) != at.between.end();
+      return std::ranges::find(at.between, one.stand_in) != at.between.end();
     });
     if (!stands_in) {
       hold(at, mechanism_.driver_of(joint));
     }
   }
   for (const RedundantJoint& joint : redundant) {
-    const bool are_lines = mechanism_.features()[joint.one].is_line;
-    pairs_.push_back({joint.one, joint.other, {!are_lines, true, are_lines}});
+    const bool is_line = mechanism_.features()[joint.one].is_line;
+    const bool are_lines = is_line && mechanism_.features()[joint.other].is_line;
+    pairs_.push_back({joint.one, joint.other, {!is_line, true, are_lines}});
   }
   for (const Pair& pair : pairs_) {
     rows_ += std::ranges::count(pair.holds, true);

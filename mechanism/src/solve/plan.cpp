@@ -244,7 +244,7 @@ const std::vector<RedundantJoint>& Plan::redundant() const { return data_->redun
 bool Plan::is_stand_in(JointIndex joint) const {
   return std::ranges::any_of(data_->redundant, [&](const RedundantJoint& redundant) {
     const std::vector<FeatureIndex>& between = mechanism().joints()[joint].between;
-    return std::ranges::find(between, redundant.slot) != between.end();
+    return std::ranges::find(between, redundant.stand_in) != between.end();
   });
 }
 

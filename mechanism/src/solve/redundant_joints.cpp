@@ -16,7 +16,7 @@ namespace {
 /// Two features in the ground's frame, and the largest coordinate of the mechanism.
 struct Pair {
   Frame one, other;
-  bool are_lines;
+  bool is_line, are_lines;  ///< the first one, and both
   double size;
 };
 
@@ -26,7 +26,9 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
-  Pair pair{frame(joint.one), frame(joint.other), mechanism.features()[joint.one].is_line, 0};
+  const bool is_line = mechanism.features()[joint.one].is_line;
+  Pair pair{frame(joint.one), frame(joint.other), is_line,
+            is_line && mechanism.features()[joint.other].is_line, 0};
   const std::array features = {pair.one.pose, pair.other.pose};
   pair.size = support::largest_coordinate(features);
   for (const Frame& link : links) {
@@ -59,6 +61,7 @@ double tolerance_of(const Values& values, double size, Status regularity) {
 
 double gap_of(const Pair& pair) {
   return pair.are_lines ? support::lines_apart(pair.one.pose, pair.other.pose, pair.size)
+         : pair.is_line ? support::point_off_line(pair.one.pose, pair.other.pose)
                         : support::points_apart(pair.one.pose, pair.other.pose);
 }
 
@@ -66,6 +69,33 @@ double gap_of(const Pair& pair) {
 struct RoundingOfRates {
   double first, second;
 };
+
+/// How fast the features of a pair part, and how fast that grows.
+struct Rates {
+  double first, second;
+};
+
+/// Lines turn apart, seen over the mechanism's size; a pin leaves its slot across.
+Rates parting(const Pair& pair) {
+  const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
+  const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
+  if (pair.are_lines) {
+    return {std::abs(rate(2)) * pair.size, std::abs(second_rate(2)) * pair.size};
+  }
+  const Eigen::Vector2d first = rate.head<2>(), second = second_rate.head<2>();
+  if (!pair.is_line) {
+    return {first.norm(), second.norm()};
+  }
+  const auto& [c, s] = pair.one.pose.direction;
+  const Eigen::Vector2d along(c, s), across(-s, c);
+  const Eigen::Vector2d apart(pair.other.pose.x - pair.one.pose.x,
+                              pair.other.pose.y - pair.one.pose.y);
+  const double turning = pair.one.velocity(2);
+  return {std::abs(across.dot(first) - turning * along.dot(apart)),
+          std::abs(across.dot(second) - 2 * turning * along.dot(first) -
+                   pair.one.acceleration(2) * along.dot(apart) -
+                   turning * turning * across.dot(apart))};
+}
 
 /// Whether features stay together, to first and second order; what is not known contradicts
 /// nothing.
@@ -75,20 +105,17 @@ bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
     return true;
   }
   const Pair pair = placed(values, links, joint);
-  const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
-  const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
+  const Rates rates = parting(pair);
   const Fastest fastest = fastest_of(links, pair.size);
   double speeding_up = fastest.speed * fastest.turning;
   for (const Frame& link : links) {
     speeding_up = std::max({speeding_up, link.acceleration.head<2>().norm(),
                             std::abs(link.acceleration(2)) * pair.size});
   }
-  const bool is_first = !rate.allFinite() ||
-                        (pair.are_lines ? std::abs(rate(2)) <= rounding.first * fastest.turning
-                                        : rate.head<2>().norm() <= rounding.first * fastest.speed);
-  const double apart =
-      pair.are_lines ? std::abs(second_rate(2)) * pair.size : second_rate.head<2>().norm();
-  return is_first && !(apart > rounding.second * speeding_up);
+  const double most =
+      rounding.first * (pair.are_lines ? fastest.turning * pair.size : fastest.speed);
+  const bool is_first = !std::isfinite(rates.first) || rates.first <= most;
+  return is_first && !(rates.second > rounding.second * speeding_up);
 }
 
 bool go_on(const Values& values, const Table<LinkIndex, Frame>& links,

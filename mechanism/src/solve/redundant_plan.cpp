@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "plan/overloaded_parts.hpp"
 #include "redundant_joints.hpp"
 #include "solver.hpp"
 
@@ -92,6 +93,18 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
   }
 }
 
+/// What a mechanism has too many; none where it has groups, or what else stands against these.
+std::optional<OverConstrained> excess_of(const Mechanism& mechanism) {
+  try {
+    (void)structure_of(mechanism);
+  } catch (const OverConstrained& excess) {
+    return excess;
+  } catch (const MechanismError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 /// Looks for a mechanism without the constraints that it has too many.
 class Planner {
  public:
@@ -123,6 +136,9 @@ class Planner {
         return plan;
       }
     }
+    if (auto plan = planned_by_parts()) {
+      return plan;
+    }
     if (flaw && !is_tried) {
       throw MechanismError(*flaw);
     }
@@ -130,6 +146,40 @@ class Planner {
   }
 
  private:
+  /// What is left out of each part that has constraints too many, by what the part does alone. Null
+  /// where there is one part alone, or what is found does not hold.
+  [[nodiscard]] std::shared_ptr<const PlanData> planned_by_parts() {
+    const Mechanism& mechanism = described_->mechanism;
+    const auto parts = plan::overloaded_parts(mechanism, excess_);
+    if (parts.size() < 2) {
+      return nullptr;
+    }
+    try {
+      std::vector<RedundantJoint> redundant;
+      for (const Table<LinkIndex, bool>& kept : parts) {
+        const auto own = plan::of_whole(mechanism, kept, left_out_of(mechanism.only(kept)));
+        redundant.insert(redundant.end(), own.begin(), own.end());
+      }
+      return planned_without(plan::without_all(mechanism, std::move(redundant)), false);
+    } catch (const MechanismError&) {
+      return nullptr;  // the whole is told of as one
+    }
+  }
+
+  [[nodiscard]] std::vector<RedundantJoint> left_out_of(const Mechanism& part) const {
+    Request request;
+    request.redundancy_tolerance = described_->request.redundancy_tolerance;
+    request.reported = {std::nullopt, std::vector<JointIndex>{}};
+    for (const std::string& name : kept_) {
+      if (const JointIndex joint = index_of(part.joints(), name); joint.exists()) {
+        request.reported.joints->push_back(joint);
+      }
+    }
+    const std::optional<OverConstrained> excess = excess_of(part);
+    return excess ? Planner(part, request, *excess).plan()->redundant
+                  : std::vector<RedundantJoint>();
+  }
+
   /// A mechanism without the constraints that it has too many, if these hold at its own numbers and
   /// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else
   /// null, and the refusal is that of the way that fails by least, or of the first that says

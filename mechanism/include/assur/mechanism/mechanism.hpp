@@ -153,15 +153,18 @@ class Mechanism {
   /// The fixed frame; none if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
-  /// The mechanism without the links that are not kept: without their features, and without the
-  /// joints that fewer than two of the kept links share. Outputs must be on kept links. Parameters
-  /// and numbers stay as they are.
+  /// The mechanism without the links that are not kept: without their features and outputs, and
+  /// without the joints that fewer than two of the kept links share. Parameters and numbers stay as
+  /// they are.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
   /// The mechanism with all its drivers moved on.
   [[nodiscard]] Mechanism driven_on(double by) const;
   /// The mechanism without what a joint says of one of its links, by a feature of that link.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
+  /// The mechanism with a pin for one of the lines of a prismatic joint, where that line begins: it
+  /// slides in the other one, and the joint holds by one constraint less.
+  [[nodiscard]] Mechanism with_pin(JointIndex slide, FeatureIndex line) const;
   /// The mechanism with a slot on one of the links of a revolute joint, along the line from another
   /// of the link's points: the joint holds by one constraint less.
   [[nodiscard]] Mechanism with_slot(JointIndex pin, FeatureIndex feature,

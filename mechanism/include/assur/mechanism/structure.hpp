@@ -67,12 +67,16 @@ struct CarriedLink {
                                   ///< ground that carries it
 };
 
-/// A pin or slide that must hold where the other joints do: two features, of one sort, that
-/// coincide. Its constraints are left out of the mechanism that is solved.
+/// A joint that must hold where the other ones do: two features of one sort that coincide, or the
+/// line of a slot and the pin that is on it. Its constraints are left out of the mechanism that is
+/// solved.
 struct RedundantJoint {
   std::string name;
   FeatureIndex one, other;
-  FeatureIndex slot = {};  ///< a line in which the pin slides instead; none where nothing is left
+  /// The line of a slot in which a pin slides instead, or the pin by which a slide is held instead;
+  /// none where nothing is left.
+  FeatureIndex stand_in = {};
+  FeatureIndex from = {};  ///< the point of the other one's link from which such a slot leads
 };
 
 /// A driver whose law reads where links are.

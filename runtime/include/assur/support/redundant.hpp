@@ -46,15 +46,20 @@ template <typename Scalar>
   return std::hypot(other.x - one.x, other.y - one.y);
 }
 
+/// How far a point, a frame's origin, is from a line, a frame's x-axis.
+template <typename Scalar>
+[[nodiscard]] Scalar point_off_line(const Pose<Scalar>& line, const Pose<Scalar>& point) {
+  const auto& [c, s] = line.direction;
+  return std::abs(c * (point.y - line.y) - s * (point.x - line.x));
+}
+
 /// How far lines, each a frame's x-axis, are apart: the larger of the second one's distance from
 /// the first, and of how far they part over a mechanism's size.
 template <typename Scalar>
 [[nodiscard]] Scalar lines_apart(const Pose<Scalar>& one, const Pose<Scalar>& other, Scalar size) {
-  const auto& [c, s] = one.direction;
-  const Scalar across = c * (other.y - one.y) - s * (other.x - one.x);
   const Scalar sine = turned(other.direction, reversed(one.direction)).sin;
   const Scalar parting = std::abs(sine) * size;
-  return std::isnan(parting) ? parting : (std::max)(std::abs(across), parting);
+  return std::isnan(parting) ? parting : (std::max)(point_off_line(one, other), parting);
 }
 
 }  // namespace assur::support

@@ -1,0 +1,209 @@
+// Law: slides and slots that hold are left out as pins are, and what is left out of one part of a
+// mechanism does not depend on another part, nor on names.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <tuple>
+
+#include "mechanism/scene_maker.hpp"
+#include "mechanism/scene_solutions.hpp"
+
+namespace assur::test::redundant_parts {
+namespace {
+
+using Scene = nlohmann::ordered_json;
+
+std::vector<std::string> names_of(const mechanism::Plan& plan) {
+  std::vector<std::string> names;
+  for (const mechanism::RedundantJoint& joint : plan.redundant()) {
+    names.push_back(joint.name);
+  }
+  return names;
+}
+
+/// A slider with pins at places in slots along the x-axis; `guided`: in a slide along it too.
+SceneMaker slider(const std::vector<Eigen::Vector2d>& pins, bool guided) {
+  SceneMaker scene;
+  scene.bar("ground", {{"A", 0}})
+      .bar("crank", {{"A", 0}, {"B", 2}})
+      .bar("rod", {{"B", 0}, {"C", 5}});
+  scene.point("slider", "C", 0, 0).drive("A", 0.7, 1, 0.5);
+  if (guided) {
+    scene.line("ground", "guide", {3, 0}, {1, 0}).line("slider", "guide", {1, 0}, {1, 0});
+    scene.slide("guide", "ground.guide", "slider.guide");
+  }
+  for (std::size_t place = 0; place < pins.size(); ++place) {
+    const std::string name = "pin" + std::to_string(place);
+    scene.point("slider", name, pins[place].x(), pins[place].y());
+    scene.line("ground", name, {0.3, pins[place].y()}, {1, 0});
+    scene.slot(name, "slider." + name, "ground." + name);
+  }
+  return scene;
+}
+
+void expect_slider(const Solved& found) {
+  const double phi = 0.7;
+  ASSERT_EQ(found.configurations().size(), 2U);
+  for (const Configuration& configuration : found.configurations()) {
+    const mechanism::Frame& at = configuration.link("slider");
+    const double rod = at.pose.x - 2 * std::cos(phi);  // along the x-axis
+    const double height = 2 * std::sin(phi);
+    EXPECT_NEAR(std::abs(rod), std::sqrt(25 - height * height), 1e-13);
+    EXPECT_NEAR(at.pose.y, 0, 1e-13);
+    EXPECT_NEAR(at.pose.direction.cos, 1, 1e-13);
+    EXPECT_NEAR(at.velocity(0), -height - height * 2 * std::cos(phi) / rod, 1e-12);
+    EXPECT_NEAR(at.velocity(2), 0, 1e-12);
+  }
+}
+
+TEST(RedundantParts, ASliderIsGuidedBySlotsThatHold) {
+  for (const Eigen::Vector2d& pin : {Eigen::Vector2d(0.5, 1), {0, 1}, {0, -1}, {1, 0}, {0, 0}}) {
+    SCOPED_TRACE(pin.transpose());
+    const Solved found = solved(slider({pin}, true).scene());
+    EXPECT_EQ(names_of(found.plan), std::vector<std::string>{"pin0"});
+    expect_slider(found);
+  }
+  expect_slider(solved(slider({{0.5, 1}, {0.7, -1}}, true).scene()));
+  const Solved pins = solved(slider({{0.5, 1}, {-0.6, 1}, {0.2, 0}}, false).scene());
+  EXPECT_EQ(pins.plan.redundant().size(), 1U);
+  expect_slider(pins);
+}
+
+TEST(RedundantParts, SlotsThatDoNotHoldAreRefused) {
+  Scene scene = slider({{0.5, 1}}, true).scene();
+  scene["links"]["slider"]["pin0"] = {3, 1.01};
+  EXPECT_NE(
+      message_of(scene).find("without constraints of guide it can be assembled, and they fail "
+                             "to hold by 0.01 at least"),
+      std::string::npos);
+  // The pin is in the slot where the crank stands at 0.7, and leaves it where that goes on.
+  scene["links"]["slider"]["pin0"] = {0, 1};
+  const double x = 2 * std::cos(0.7) + std::sqrt(25 - std::pow(2 * std::sin(0.7), 2));
+  scene["links"]["ground"]["pin0"] = {{"through", {x, 1}}, {"along", {1, 1}}};
+  EXPECT_NE(message_of(scene).find("they hold there, but not where the drivers go on"),
+            std::string::npos);
+}
+
+/// Three slides alone: a wedge lifts a follower by half of what it is moved.
+TEST(RedundantParts, AWedgeLifts) {
+  SceneMaker maker;
+  maker.line("ground", "floor", {0, 0}, {1, 0}).line("ground", "wall", {1, 0}, {0, 1});
+  maker.line("wedge", "floor", {0, 0}, {1, 0}).line("wedge", "slope", {0, 0.2}, {2, 1});
+  maker.line("follower", "slope", {0, 0}, {2, 1}).line("follower", "wall", {0, 0}, {0, 1});
+  maker.slide("floor", "ground.floor", "wedge.floor")
+      .slide("slope", "wedge.slope", "follower.slope");
+  maker.slide("wall", "ground.wall", "follower.wall").drive("floor", 0.7, 2, 0.5);
+  const Solved found = solved(maker.scene());
+  ASSERT_EQ(found.configurations().size(), 1U);
+  EXPECT_EQ(found.plan.redundant().size(), 1U);
+  const mechanism::Frame& at = found.configurations()[0].link("follower");
+  EXPECT_NEAR(at.pose.x, 1, 1e-14);
+  EXPECT_NEAR(at.pose.y, 0.2 + (1 - 0.7) / 2, 1e-14);
+  EXPECT_NEAR(at.velocity(1), -1, 1e-13);
+  EXPECT_NEAR(at.acceleration(1), -0.25, 1e-13);
+  for (const mechanism::SlideState& slide : found.configurations()[0].slides) {
+    const std::string& name = found.plan.mechanism().joints()[slide.joint].name;
+    EXPECT_EQ(found.plan.is_stand_in(slide.joint), name == names_of(found.plan)[0]) << name;
+  }
+}
+
+/// Three four-bars of Roberts on one point of a coupler, their last cranks on one pivot.
+SceneMaker cognates() {
+  const double size = std::hypot(2, 2.8);  // of the coupler's sides at that point
+  SceneMaker scene;
+  scene.point("ground", "A", 0, 0).point("ground", "D", 4, 0).point("ground", "Q", 2, 2.8);
+  scene.bar("crank", {{"A", 0}, {"B", 2}}).bar("rocker", {{"D", 0}, {"C", 3}});
+  scene.bar("coupler", {{"B", 0}, {"C", 4}}).point("coupler", "P", 2, 2.8);
+  for (const auto& [number, foot, across, length] :
+       {std::tuple{"1", "A", 1.4, 2.0}, {"2", "D", -1.4, 3.0}}) {
+    const std::string side = std::string("side") + number, plate = std::string("plate") + number;
+    const std::string last = std::string("last") + number, pin = std::string("G") + number;
+    const std::string low = std::string("L") + number, high = std::string("H") + number;
+    scene.point(side, low, 0, 0).point(side, pin, size, 0);
+    scene.point(plate, pin, 0, 0).point(plate, "P", length, 0);
+    scene.point(plate, high, length / 2, across * length / 2);
+    scene.point(last, high, (length == 2 ? 3 : 2) * size / 4, 0).point(last, "Q", 0, 0);
+    scene.json["joints"][low] = {{"type", "revolute"},
+                                 {"between", {std::string("ground.") + foot, side + "." + low}}};
+  }
+  scene.drive("A", 0.7, 1, 0);
+  return scene;
+}
+
+/// A trammel beside it, with its own crank.
+void add_trammel(SceneMaker& scene) {
+  scene.point("ground", "O", 20, 3).line("ground", "x", {20, 3}, {1, 0});
+  scene.line("ground", "y", {20, 3}, {0, 1}).point("bar", "x", -1, 0).point("bar", "y", 1, 0);
+  scene.point("bar", "M", 0, 0).point("radius", "O", 0, 0).point("radius", "M", 1, 0);
+  scene.slot("x", "bar.x", "ground.x").slot("y", "bar.y", "ground.y").drive("O", 0.7, 1, 0);
+}
+
+/// The scene with other names of its links and joints, in another order.
+Scene renamed(const Scene& scene, std::mt19937& random) {
+  const auto names = [&](const Scene& of, const std::string& letter) {
+    std::vector<std::string> own, other;
+    for (const auto& [name, item] : of.items()) {
+      own.push_back(name);
+      other.push_back(letter + std::to_string(10 + other.size()));
+    }
+    std::shuffle(other.begin(), other.end(), random);
+    std::map<std::string, std::string> result;
+    for (std::size_t place = 0; place < own.size(); ++place) {
+      result[own[place]] = own[place] == "ground" ? own[place] : other[place];
+    }
+    return result;
+  };
+  const std::map<std::string, std::string> links = names(scene["links"], "link");
+  const std::map<std::string, std::string> joints = names(scene["joints"], "joint");
+  const auto feature_of = [&](const std::string& text) {
+    const std::size_t dot = text.find('.');
+    return links.at(text.substr(0, dot)) + text.substr(dot);
+  };
+  Scene result = scene;
+  result["links"] = result["joints"] = result["drivers"] = Scene::object();
+  for (const auto& [name, other] : links) {
+    result["links"][other] = scene["links"][name];
+  }
+  for (const auto& [name, other] : joints) {
+    result["joints"][other] = scene["joints"][name];
+    for (Scene& feature : result["joints"][other]["between"]) {
+      feature = feature_of(feature.get<std::string>());
+    }
+  }
+  for (Scene& point : result["outputs"]) {
+    point = feature_of(point.get<std::string>());
+  }
+  for (const auto& [name, driver] : scene["drivers"].items()) {
+    result["drivers"][joints.at(name)] = driver;
+  }
+  return result;
+}
+
+/// Each part alone has few names under which a search finds what to leave out first.
+TEST(RedundantParts, AreFoundUnderAnyName) {
+  SceneMaker trammel = cognates();
+  add_trammel(trammel);
+  std::mt19937 random(7);
+  for (int naming = 0; naming < 12; ++naming) {
+    SCOPED_TRACE(naming);
+    const Scene scene = renamed(trammel.scene(), random);
+    const Solved found = solved(scene);
+    EXPECT_FALSE(found.plan.redundant().empty());
+    ASSERT_EQ(found.configurations().size(), 2U);
+    for (const Configuration& configuration : found.configurations()) {
+      EXPECT_EQ(configuration.regularity, Status::ok);
+      const Eigen::Vector2d to_q = Eigen::Vector2d(2, 2.8) - configuration.output("H1").position;
+      EXPECT_NEAR(to_q.norm(), 3 * std::hypot(2, 2.8) / 4, 1e-12);
+      const Eigen::Vector2d low = configuration.output("x").position;
+      const Eigen::Vector2d high = configuration.output("y").position;
+      EXPECT_NEAR((low - Eigen::Vector2d(20 + 2 * std::cos(0.7), 3)).norm(), 0, 1e-12);
+      EXPECT_NEAR((high - Eigen::Vector2d(20, 3 + 2 * std::sin(0.7))).norm(), 0, 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::redundant_parts
