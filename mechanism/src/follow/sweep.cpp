@@ -3,13 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 
 #include "branch_tracker.hpp"
 #include "event_text.hpp"
 #include "passage.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
+#include "told_branches.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -31,7 +31,10 @@ constexpr double at_a_step = 5e-15;
 class Sweeper {
  public:
   Sweeper(const Plan& plan, const Values& values, const SweepObserver& observer)
-      : observer_(observer), solver_(plan, values), tracker_(solver_) {}
+      : observer_(observer),
+        solver_(plan, values),
+        tracker_(solver_),
+        told_(!plan.redundant().empty()) {}
 
   /// Returns how many branches have been numbered.
   int run() {
@@ -51,7 +54,8 @@ class Sweeper {
       }
       observer_.progress(step + 1);
     }
-    return last_shown_;
+    report_events(count() - 1, later_.end());
+    return told_.count();
   }
 
  private:
@@ -69,11 +73,11 @@ class Sweeper {
       begin(set);
     }
     take_events();
-    report_events(step - 1, set->parameter);
+    std::vector<StepRow> rows;
     for (const PointIndex point : set->points.keys()) {
-      report_row(step, *set, point, tracker_.branches()[point], set->configuration(point));
+      rows.push_back({point, tracker_.branches()[point], &set->configuration(point)});
     }
-    report_events(step, std::nullopt);
+    report(step, *set, rows);
   }
 
   /// A step at which branches meet, or worse: sets on both sides of it are connected instead.
@@ -94,7 +98,7 @@ class Sweeper {
       from = {tracker_.current(), tracker_.branches()};
     }
     take_events();
-    report_events(step - 1, value);
+    const std::ptrdiff_t told = until(value) - later_.begin();
     const bool is_told_before = !after && !tracker_.running() && gap_;
     if (after && tracker_.running()) {
       tracker_.advance(after);
@@ -110,7 +114,8 @@ class Sweeper {
       (void)tracker_.stop();
       gap_ = kind;
     }
-    if (later_.empty() && kind == EventKind::degenerate && !is_told_before) {
+    const bool is_explained = std::ssize(later_) > told;
+    if (!is_explained && kind == EventKind::degenerate && !is_told_before) {
       later_.push_back(gap_event(kind, value, from.branches.items(),
                                  after ? tracker_.branches().items() : std::vector<int>{}));
     }
@@ -138,12 +143,18 @@ class Sweeper {
     pass_within(step, set);
   }
 
-  void pass_within(int step, const Snapshot& set) {
-    report_events(step - 1, set.parameter);
-    for (const StepRow& row : passage_->rows(set)) {
-      report_row(step, set, row.point, row.branch, *row.state);
+  void pass_within(int step, const Snapshot& set) { report(step, set, passage_->rows(set)); }
+
+  /// The events since the last step, which may name branches that have their first rows at this
+  /// one, and the rows of this.
+  void report(int step, const Snapshot& set, const std::vector<StepRow>& rows) {
+    for (const StepRow& row : rows) {
+      told_.note(row);
     }
-    report_events(step, step + 1 < count() ? std::optional(value_at(step + 1)) : std::nullopt);
+    report_events(step - 1, until(set.parameter));
+    for (const StepRow& row : rows) {
+      report_row(step, set, row);
+    }
   }
 
   void begin(const SnapshotPointer& set) {
@@ -239,25 +250,15 @@ class Sweeper {
         kind, value, std::move(before), std::move(after), 0, unknown_configuration(solver_.plan())};
   }
 
-  void report_row(int step, const Snapshot& set, PointIndex point, int branch,
-                  const Configuration& state) {
-    const auto is_told = [](const Configuration& one) {
-      return one.is_consistent && one.within_limits;
-    };
-    if (!state.is_consistent && state.regularity == Status::ok) {
-      foreign_.insert(branch);
-    }
-    if (!is_told(state)) {
+  void report_row(int step, const Snapshot& set, const StepRow& row) {
+    if (!is_told(*row.state)) {
       return;
     }
     const auto first = set.solution.configurations.begin();
     const auto within =
-        std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
-    if (branch > 0) {
-      told_.insert(branch);
-    }
-    observer_.record(
-        {step, static_cast<int>(within), shown(branch), "", set.parameter, &set.spread, &state});
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(row.point.place()) + 1, is_told);
+    observer_.record({step, static_cast<int>(within), told_.shown(row.branch), "", set.parameter,
+                      &set.spread, row.state});
   }
 
   /// What happens at a step to within rounding happens there, and nothing is told of what happens
@@ -298,23 +299,12 @@ class Sweeper {
   void forget_outside(PassageEnd& end) const {
     for (const PointIndex point : end.branches.keys()) {
       int& branch = end.branches[point];
-      if (std::ranges::find(outside_, branch) != outside_.end() || foreign_.contains(branch) ||
+      if (std::ranges::find(outside_, branch) != outside_.end() || told_.is_foreign(branch) ||
           !end.set->configuration(point).is_consistent) {
         branch = 0;
       }
     }
   }
-  /// Numbers are given as branches appear in rows and events: others may have ended before the
-  /// sweep's first value, or be beyond the limits of joints throughout.
-  [[nodiscard]] int shown(int branch) {
-    const auto place = static_cast<std::size_t>(branch);
-    numbers_.resize(std::max(numbers_.size(), place + 1), 0);
-    if (branch > 0 && numbers_[place] == 0) {
-      numbers_[place] = ++last_shown_;
-    }
-    return numbers_[place];
-  }
-
   /// Fills in an event's residual; returns how the parameters vary there. Where a formula has no
   /// value at the event, the residual stays unknown and nothing varies.
   [[nodiscard]] Spread complete(BranchEvent& event) {
@@ -329,33 +319,22 @@ class Sweeper {
     }
   }
 
-  /// Reports the events that lie before a value, or all.
-  void report_events(int step, std::optional<double> until) {
-    while (!later_.empty() && (!until || sense() * (later_.front().parameter - *until) < 0)) {
-      BranchEvent& event = later_.front();
-      if (is_told(event)) {
-        const Spread spread = complete(event);
-        event.through = shown(event.through);
-        for (std::vector<int>* list : {&event.ended, &event.begun}) {
-          std::ranges::transform(*list, list->begin(),
-                                 [this](int branch) { return shown(branch); });
-          std::ranges::sort(*list);
-        }
-        observer_.record(
-            {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
-      }
-      later_.erase(later_.begin());
-    }
+  /// The first event that does not lie before a value.
+  [[nodiscard]] std::vector<BranchEvent>::iterator until(double value) {
+    return std::ranges::find_if(
+        later_, [&](const BranchEvent& event) { return sense() * (event.parameter - value) >= 0; });
   }
 
-  /// Where a mechanism has too many constraints, some branches do not hold them and are none of its
-  /// own. An event is told if it befalls a branch that has had a row, a crossing if it befalls two.
-  [[nodiscard]] bool is_told(const BranchEvent& event) const {
-    const auto is_own = [this](int branch) { return told_.contains(branch); };
-    return solver_.plan().redundant().empty() || is_own(event.through) ||
-           std::ranges::count_if(event.ended, is_own) >=
-               (event.kind == EventKind::crossing ? 2 : 1) ||
-           (event.kind != EventKind::crossing && std::ranges::any_of(event.begun, is_own));
+  void report_events(int step, std::vector<BranchEvent>::iterator end) {
+    for (auto event = later_.begin(); event != end; ++event) {
+      if (told_.keeps_own(*event)) {
+        const Spread spread = complete(*event);
+        told_.renumber(*event);
+        observer_.record(
+            {step, 0, 0, event_text(*event), event->parameter, &spread, &event->configuration});
+      }
+    }
+    later_.erase(later_.begin(), end);
   }
 
   const SweepObserver& observer_;
@@ -363,10 +342,7 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
-  std::set<int> foreign_;           ///< that do not hold the constraints that are too many
-  std::set<int> told_;              ///< branches that have had rows, by the tracker's numbers
-  std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
-  int last_shown_ = 0;
+  ToldBranches told_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step
 };
