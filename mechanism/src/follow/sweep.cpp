@@ -3,10 +3,12 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "branch_tracker.hpp"
 #include "event_text.hpp"
 #include "passage.hpp"
+#include "set_beside.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
 #include "told_branches.hpp"
@@ -18,11 +20,6 @@ namespace {
 /// The sweep is solved at least at so many values, however few steps it has: a pair of branches
 /// that is born and ends again between two of them is not seen.
 constexpr int least_intervals = 512;
-/// Beside a step whose configurations cannot be told apart, at first at this part of the sweep.
-constexpr double beside = 1e-5;
-/// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
-/// or the end of a short sweep: what is close to a change point is not a matter of the steps.
-constexpr double farthest_beside = 0.25;
 /// What is this near to a step, in parts of the way that moves the mechanism by its size, happens
 /// there: well above what rounding makes of it, which depends on the listing and the unit, and well
 /// below where sets can be followed.
@@ -62,6 +59,7 @@ class Sweeper {
   [[nodiscard]] double range() const { return solver_.to() - solver_.from(); }
   [[nodiscard]] double sense() const { return range() < 0 ? -1 : 1; }
   [[nodiscard]] int count() const { return solver_.sweep().count; }
+  [[nodiscard]] double step_width() const { return std::abs(range()) / std::max(1, count() - 1); }
   [[nodiscard]] double value_at(int step) const {
     return value_at_step(solver_.from(), solver_.to(), step, count());
   }
@@ -70,7 +68,7 @@ class Sweeper {
     if (tracker_.running()) {
       advance(set);
     } else {
-      begin(set);
+      begin(set, set->parameter);
     }
     take_events();
     std::vector<StepRow> rows;
@@ -86,25 +84,26 @@ class Sweeper {
     const EventKind kind = set->solution.status == SolutionStatus::degenerate
                                ? EventKind::degenerate
                                : EventKind::unresolved;
-    const SnapshotPointer before = set_beside(step, *set, -1);
-    const SnapshotPointer after = set_beside(step, *set, 1);
+    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
+    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
     if (before && tracker_.running()) {
       advance(before);
     } else if (before) {
-      begin(before);
+      begin(before, before->parameter);
     }
     PassageEnd from;
     if (tracker_.running()) {
       from = {tracker_.current(), tracker_.branches()};
     }
     take_events();
+    unresolved_.clear();
     const std::ptrdiff_t told = until(value) - later_.begin();
     const bool is_told_before = !after && !tracker_.running() && gap_;
     if (after && tracker_.running()) {
       tracker_.advance(after);
       take_events();
     } else if (after) {
-      begin(after);
+      begin(after, value);
       if (step == 0) {
         add_end_events(after, value);
       }
@@ -126,7 +125,34 @@ class Sweeper {
     forget_outside(from);
     forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
-    pass_within(step, *set);
+    std::vector<StepRow> rows = passage_->rows(*set);
+    if (kind == EventKind::unresolved) {
+      if (!before && !after) {  // What was followed is too far away to tell whose rows these are.
+        std::ranges::for_each(rows, [](StepRow& row) { row.branch = 0; });
+      }
+      add_unresolved(step, value, rows);
+    }
+    report(step, *set, rows);
+  }
+
+  /// Where no set can be followed beyond the first or last step, what neither rows nor events tell
+  /// of branches; and where there is none on either side of a step, that none is followed.
+  void add_unresolved(int step, double value, const std::vector<StepRow>& rows) {
+    const bool is_new_gap = !passage_->leads_in() && !passage_->leads_on() && !gap_;
+    if (is_new_gap) {
+      gap_ = EventKind::unresolved;
+    }
+    std::vector<int> ended;
+    std::vector<int> begun;
+    if (step + 1 == count() && !passage_->leads_on()) {
+      ended = untold(passage_->branches_before(), rows, {until(value), later_.end()});
+    }
+    if (step == 0 && !passage_->leads_in()) {
+      begun = untold(passage_->branches_after(), rows, {until(value), later_.end()});
+    }
+    if (is_new_gap || !ended.empty() || !begun.empty()) {
+      later_.push_back(gap_event(EventKind::unresolved, value, std::move(ended), std::move(begun)));
+    }
   }
 
   /// A step that the passage of an earlier one covers.
@@ -157,10 +183,11 @@ class Sweeper {
     }
   }
 
-  void begin(const SnapshotPointer& set) {
+  /// Begins to follow branches, which after a gap is told at a place.
+  void begin(const SnapshotPointer& set, double place) {
     tracker_.begin(set);
     if (gap_) {
-      later_.push_back(gap_event(*gap_, set->parameter, {}, tracker_.branches().items()));
+      later_.push_back(gap_event(*gap_, place, {}, tracker_.branches().items()));
       gap_.reset();
     }
   }
@@ -178,54 +205,6 @@ class Sweeper {
       }
     }
     tracker_.advance(set);
-  }
-
-  /// The nearest set that can be followed, on one side of a step; not behind what is followed
-  /// already, nor beyond the neighbours of the step where sets tell no configurations.
-  [[nodiscard]] SnapshotPointer set_beside(int step, const Snapshot& set, int side) {
-    const double value = set.parameter;
-    const double width = std::abs(range()) / std::max(1, count() - 1);
-    const bool is_at_end = side < 0 ? step == 0 : step + 1 == count();
-    const bool is_degenerate = set.solution.status == SolutionStatus::degenerate;
-    const bool may_go_far =
-        !(is_at_end && is_degenerate) && (side > 0 || step == 0 || tracker_.running());
-    const double nearby = is_at_end ? 0 : width / 2;
-    const Snapshot& moving = set.count() == 0 && tracker_.running() ? *tracker_.current() : set;
-    const double farthest =
-        may_go_far ? std::max(nearby, farthest_beside * way_of_size(moving)) : nearby;
-    double distance = std::min(beside * std::abs(range()), width / 8);
-    for (; distance > 0 && distance < farthest; distance *= 4) {
-      const double place = value + sense() * side * distance;
-      const bool passed =
-          tracker_.running() && (place - tracker_.current()->parameter) * sense() <= 0;
-      if (passed) {
-        break;
-      }
-      SnapshotPointer found = solver_.at(place);
-      if (found->separable) {
-        return found;
-      }
-      if (found->solution.status == SolutionStatus::degenerate && distance >= nearby) {
-        break;
-      }
-    }
-    return nullptr;
-  }
-
-  /// How far the parameter goes while it moves driven links, or features on their links, by the
-  /// mechanism's size; its own size where it moves none.
-  [[nodiscard]] double way_of_size(const Snapshot& set) {
-    if (set.count() == 0) {
-      return 0;
-    }
-    const Table<LinkIndex, bool> is_driven = solver_.plan().structure().placed_by_drivers();
-    double speed = solver_.speed_of_features(set.parameter);
-    for (const LinkIndex link : is_driven.keys()) {
-      if (is_driven[link]) {
-        speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());
-      }
-    }
-    return speed > 0 ? 1 / speed : std::abs(set.parameter);
   }
 
   /// A fold at the first or last value itself.
@@ -264,11 +243,12 @@ class Sweeper {
   /// What happens at a step to within rounding happens there, and nothing is told of what happens
   /// beyond the ends of the sweep.
   void take_events() {
-    const double way = tracker_.running() ? way_of_size(*tracker_.current()) : 0;
+    const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
     const double nearest =
         at_a_step * way + 4 * std::numeric_limits<double>::epsilon() *
                               std::max(std::abs(solver_.from()), std::abs(solver_.to()));
     for (BranchEvent& event : tracker_.take_events()) {
+      const double middle = event.parameter;
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
       const double step =
           value_at(static_cast<int>(std::clamp<double>(std::round(place), 0, count() - 1)));
@@ -276,13 +256,36 @@ class Sweeper {
         event.parameter = step;
       }
       if (is_within(event)) {
+        if (event.kind == EventKind::unresolved) {
+          leave_unknown(event, middle);
+        }
         later_.push_back(std::move(event));
       } else {
         if (event.kind != EventKind::crossing) {
-          outside_.insert(outside_.end(), event.ended.begin(), event.ended.end());
+          outside_.insert(event.ended.begin(), event.ended.end());
         }
-        outside_.insert(outside_.end(), event.begun.begin(), event.begun.end());
+        outside_.insert(event.begun.begin(), event.begun.end());
       }
+    }
+  }
+
+  /// What is not resolved happens anywhere about a middle. Of branches that have no row and end or
+  /// begin beyond the ends of the sweep none is told, and where it may be before or behind a step,
+  /// no row between is known to be of these.
+  void leave_unknown(BranchEvent& event, double middle) {
+    const double reach = sense() * event.uncertainty;
+    if (2 * event.uncertainty > step_width()) {
+      unresolved_.insert(event.ended.begin(), event.ended.end());
+      unresolved_.insert(event.begun.begin(), event.begun.end());
+    }
+    const auto is_outside = [this](int branch) {
+      return !told_.has_row(branch) && outside_.insert(branch).second;
+    };
+    if (sense() * (middle - reach - solver_.from()) < 0) {
+      std::erase_if(event.ended, is_outside);
+    }
+    if (sense() * (middle + reach - solver_.to()) > 0) {
+      std::erase_if(event.begun, is_outside);
     }
   }
 
@@ -294,12 +297,13 @@ class Sweeper {
            !(only_ends && event.parameter == solver_.from()) &&
            !(only_begins && event.parameter == solver_.to());
   }
+
   /// What an event outside the sweep ends or begins is no branch of it, nor is one that does not
-  /// hold the constraints that are too many.
+  /// hold the constraints that are too many; what is unresolved has no rows in the passage.
   void forget_outside(PassageEnd& end) const {
     for (const PointIndex point : end.branches.keys()) {
       int& branch = end.branches[point];
-      if (std::ranges::find(outside_, branch) != outside_.end() || told_.is_foreign(branch) ||
+      if (outside_.contains(branch) || unresolved_.contains(branch) || told_.is_foreign(branch) ||
           !end.set->configuration(point).is_consistent) {
         branch = 0;
       }
@@ -341,7 +345,8 @@ class Sweeper {
   SnapshotSolver solver_;
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
-  std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
+  std::set<int> outside_;           ///< numbers of branches that are not within the sweep
+  std::set<int> unresolved_;        ///< that events leave unknown over more than one step
   ToldBranches told_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step

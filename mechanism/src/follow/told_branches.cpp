@@ -4,6 +4,22 @@
 
 namespace assur::mechanism::follow {
 
+std::vector<int> untold(std::vector<int> branches, const std::vector<StepRow>& rows,
+                        std::span<const BranchEvent> events) {
+  std::erase_if(branches, [&](int branch) {
+    const auto has = [branch](const std::vector<int>& numbers) {
+      return std::ranges::find(numbers, branch) != numbers.end();
+    };
+    return std::ranges::any_of(
+               rows,
+               [&](const StepRow& row) { return row.branch == branch && row.state->path_known; }) ||
+           std::ranges::any_of(events, [&](const BranchEvent& event) {
+             return has(event.ended) || has(event.begun) || event.through == branch;
+           });
+  });
+  return branches;
+}
+
 void ToldBranches::note(const StepRow& row) {
   if (!row.state->is_consistent && row.state->regularity == Status::ok) {
     foreign_.insert(row.branch);
@@ -14,10 +30,10 @@ void ToldBranches::note(const StepRow& row) {
 }
 
 bool ToldBranches::keeps_own(BranchEvent& event) const {
-  if (!has_foreign_) {
+  if (!has_foreign_ || (event.ended.empty() && event.begun.empty())) {
     return true;
   }
-  const auto has_no_row = [this](int branch) { return !told_.contains(branch); };
+  const auto has_no_row = [this](int branch) { return !has_row(branch); };
   std::erase_if(event.ended, has_no_row);
   std::erase_if(event.begun, has_no_row);
   event.through = has_no_row(event.through) ? 0 : event.through;

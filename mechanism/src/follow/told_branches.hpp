@@ -2,6 +2,7 @@
 #pragma once
 
 #include <set>
+#include <span>
 #include <vector>
 
 #include "branch_tracker.hpp"
@@ -14,6 +15,11 @@ namespace assur::mechanism::follow {
   return state.is_consistent && state.within_limits;
 }
 
+/// Of these branches those that no event befalls, and that have no row in which their path is
+/// known.
+[[nodiscard]] std::vector<int> untold(std::vector<int> branches, const std::vector<StepRow>& rows,
+                                      std::span<const BranchEvent> events);
+
 class ToldBranches {
  public:
   /// `has_foreign`: a mechanism with too many constraints has branches that do not hold them and
@@ -22,9 +28,10 @@ class ToldBranches {
 
   /// That a branch has a row, or does not hold the constraints that are too many.
   void note(const StepRow& row);
+  [[nodiscard]] bool has_row(int branch) const { return told_.contains(branch); }
   [[nodiscard]] bool is_foreign(int branch) const { return foreign_.contains(branch); }
   /// Leaves in an event the mechanism's own branches: those that have rows. Returns whether it
-  /// befalls one, or two that cross.
+  /// befalls one, or two that cross, or named none from the first.
   [[nodiscard]] bool keeps_own(BranchEvent& event) const;
   /// Gives the branches of an event the numbers by which they are shown.
   void renumber(BranchEvent& event);
