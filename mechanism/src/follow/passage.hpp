@@ -34,6 +34,9 @@ class Passage {
   [[nodiscard]] bool covers(double parameter, double sense) const {
     return after_.set != nullptr && sense * (after_.set->parameter - parameter) > 0;
   }
+  /// Whether there is a set before it, and one after it.
+  [[nodiscard]] bool leads_in() const { return before_.set != nullptr; }
+  [[nodiscard]] bool leads_on() const { return after_.set != nullptr; }
   /// The numbers of the branches that lead into it, and of those that lead out of it.
   [[nodiscard]] std::vector<int> branches_before() const { return told(before_); }
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }

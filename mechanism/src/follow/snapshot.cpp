@@ -89,6 +89,20 @@ double SnapshotSolver::speed_of_features(double parameter) {
   return fastest;
 }
 
+double SnapshotSolver::way_of_size(const Snapshot& set) {
+  if (set.count() == 0) {
+    return 0;
+  }
+  const Table<LinkIndex, bool> is_driven = plan_.structure().placed_by_drivers();
+  double speed = speed_of_features(set.parameter);
+  for (const LinkIndex link : is_driven.keys()) {
+    if (is_driven[link]) {
+      speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());
+    }
+  }
+  return speed > 0 ? 1 / speed : std::abs(set.parameter);
+}
+
 std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
   if (spares_->empty()) {
     return std::make_unique<Snapshot>();

@@ -69,12 +69,15 @@ class SnapshotSolver {
   [[nodiscard]] double to() const { return to_; }
   /// A length of the mechanism, the unit of the points.
   [[nodiscard]] double length() const { return sought_.length; }
-  /// How fast the parameter moves features on their own links, in that unit: of them the fastest.
-  [[nodiscard]] double speed_of_features(double parameter);
+  /// How far the parameter goes while it moves driven links, or features on their links, by the
+  /// mechanism's size; its own size where it moves none; zero of an empty set.
+  [[nodiscard]] double way_of_size(const Snapshot& set);
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
+  /// How fast the parameter moves features on their own links, in that unit: of them the fastest.
+  [[nodiscard]] double speed_of_features(double parameter);
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
   /// One to be solved at a value, to which `values_` are set.

@@ -8,8 +8,10 @@
 #include "branch_tracker.hpp"
 #include "event_text.hpp"
 #include "passage.hpp"
+#include "set_beside.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
+#include "told_branches.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -18,11 +20,6 @@ namespace {
 /// The sweep is solved at least at so many values, however few steps it has: a pair of branches
 /// that is born and ends again between two of them is not seen.
 constexpr int least_intervals = 512;
-/// Beside a step whose configurations cannot be told apart, at first at this part of the sweep.
-constexpr double beside = 1e-5;
-/// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
-/// or the end of a short sweep: what is close to a change point is not a matter of the steps.
-constexpr double farthest_beside = 0.25;
 /// What is this near to a step, in parts of the way that moves the mechanism by its size, happens
 /// there: well above what rounding makes of it, which depends on the listing and the unit, and well
 /// below where sets can be followed.
@@ -31,7 +28,10 @@ constexpr double at_a_step = 5e-15;
 class Sweeper {
  public:
   Sweeper(const Plan& plan, const Values& values, const SweepObserver& observer)
-      : observer_(observer), solver_(plan, values), tracker_(solver_) {}
+      : observer_(observer),
+        solver_(plan, values),
+        tracker_(solver_),
+        told_(!plan.redundant().empty()) {}
 
   /// Returns how many branches have been numbered.
   int run() {
@@ -51,13 +51,15 @@ class Sweeper {
       }
       observer_.progress(step + 1);
     }
-    return last_shown_;
+    report_events(count() - 1, later_.end());
+    return told_.count();
   }
 
  private:
   [[nodiscard]] double range() const { return solver_.to() - solver_.from(); }
   [[nodiscard]] double sense() const { return range() < 0 ? -1 : 1; }
   [[nodiscard]] int count() const { return solver_.sweep().count; }
+  [[nodiscard]] double step_width() const { return std::abs(range()) / std::max(1, count() - 1); }
   [[nodiscard]] double value_at(int step) const {
     return value_at_step(solver_.from(), solver_.to(), step, count());
   }
@@ -66,14 +68,14 @@ class Sweeper {
     if (tracker_.running()) {
       advance(set);
     } else {
-      begin(set);
+      begin(set, set->parameter);
     }
     take_events();
-    report_events(step - 1, set->parameter);
+    std::vector<StepRow> rows;
     for (const PointIndex point : set->points.keys()) {
-      report_row(step, *set, point, tracker_.branches()[point], set->configuration(point));
+      rows.push_back({point, tracker_.branches()[point], &set->configuration(point)});
     }
-    report_events(step, std::nullopt);
+    report(step, *set, rows);
   }
 
   /// A step at which branches meet, or worse: sets on both sides of it are connected instead.
@@ -82,25 +84,26 @@ class Sweeper {
     const EventKind kind = set->solution.status == SolutionStatus::degenerate
                                ? EventKind::degenerate
                                : EventKind::unresolved;
-    const SnapshotPointer before = set_beside(step, *set, -1);
-    const SnapshotPointer after = set_beside(step, *set, 1);
+    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
+    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
     if (before && tracker_.running()) {
       advance(before);
     } else if (before) {
-      begin(before);
+      begin(before, before->parameter);
     }
     PassageEnd from;
     if (tracker_.running()) {
       from = {tracker_.current(), tracker_.branches()};
     }
     take_events();
-    report_events(step - 1, value);
+    unresolved_.clear();
+    const std::ptrdiff_t told = until(value) - later_.begin();
     const bool is_told_before = !after && !tracker_.running() && gap_;
     if (after && tracker_.running()) {
       tracker_.advance(after);
       take_events();
     } else if (after) {
-      begin(after);
+      begin(after, value);
       if (step == 0) {
         add_end_events(after, value);
       }
@@ -110,7 +113,8 @@ class Sweeper {
       (void)tracker_.stop();
       gap_ = kind;
     }
-    if (later_.empty() && kind == EventKind::degenerate && !is_told_before) {
+    const bool is_explained = std::ssize(later_) > told;
+    if (!is_explained && kind == EventKind::degenerate && !is_told_before) {
       later_.push_back(gap_event(kind, value, from.branches.items(),
                                  after ? tracker_.branches().items() : std::vector<int>{}));
     }
@@ -121,7 +125,34 @@ class Sweeper {
     forget_outside(from);
     forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
-    pass_within(step, *set);
+    std::vector<StepRow> rows = passage_->rows(*set);
+    if (kind == EventKind::unresolved) {
+      if (!before && !after) {  // What was followed is too far away to tell whose rows these are.
+        std::ranges::for_each(rows, [](StepRow& row) { row.branch = 0; });
+      }
+      add_unresolved(step, value, rows);
+    }
+    report(step, *set, rows);
+  }
+
+  /// Where no set can be followed beyond the first or last step, what neither rows nor events tell
+  /// of branches; and where there is none on either side of a step, that none is followed.
+  void add_unresolved(int step, double value, const std::vector<StepRow>& rows) {
+    const bool is_new_gap = !passage_->leads_in() && !passage_->leads_on() && !gap_;
+    if (is_new_gap) {
+      gap_ = EventKind::unresolved;
+    }
+    std::vector<int> ended;
+    std::vector<int> begun;
+    if (step + 1 == count() && !passage_->leads_on()) {
+      ended = untold(passage_->branches_before(), rows, {until(value), later_.end()});
+    }
+    if (step == 0 && !passage_->leads_in()) {
+      begun = untold(passage_->branches_after(), rows, {until(value), later_.end()});
+    }
+    if (is_new_gap || !ended.empty() || !begun.empty()) {
+      later_.push_back(gap_event(EventKind::unresolved, value, std::move(ended), std::move(begun)));
+    }
   }
 
   /// A step that the passage of an earlier one covers.
@@ -138,18 +169,25 @@ class Sweeper {
     pass_within(step, set);
   }
 
-  void pass_within(int step, const Snapshot& set) {
-    report_events(step - 1, set.parameter);
-    for (const StepRow& row : passage_->rows(set)) {
-      report_row(step, set, row.point, row.branch, *row.state);
+  void pass_within(int step, const Snapshot& set) { report(step, set, passage_->rows(set)); }
+
+  /// The events since the last step, which may name branches that have their first rows at this
+  /// one, and the rows of this.
+  void report(int step, const Snapshot& set, const std::vector<StepRow>& rows) {
+    for (const StepRow& row : rows) {
+      told_.note(row);
     }
-    report_events(step, step + 1 < count() ? std::optional(value_at(step + 1)) : std::nullopt);
+    report_events(step - 1, until(set.parameter));
+    for (const StepRow& row : rows) {
+      report_row(step, set, row);
+    }
   }
 
-  void begin(const SnapshotPointer& set) {
+  /// Begins to follow branches, which after a gap is told at a place.
+  void begin(const SnapshotPointer& set, double place) {
     tracker_.begin(set);
     if (gap_) {
-      later_.push_back(gap_event(*gap_, set->parameter, {}, tracker_.branches().items()));
+      later_.push_back(gap_event(*gap_, place, {}, tracker_.branches().items()));
       gap_.reset();
     }
   }
@@ -167,54 +205,6 @@ class Sweeper {
       }
     }
     tracker_.advance(set);
-  }
-
-  /// The nearest set that can be followed, on one side of a step; not behind what is followed
-  /// already, nor beyond the neighbours of the step where sets tell no configurations.
-  [[nodiscard]] SnapshotPointer set_beside(int step, const Snapshot& set, int side) {
-    const double value = set.parameter;
-    const double width = std::abs(range()) / std::max(1, count() - 1);
-    const bool is_at_end = side < 0 ? step == 0 : step + 1 == count();
-    const bool is_degenerate = set.solution.status == SolutionStatus::degenerate;
-    const bool may_go_far =
-        !(is_at_end && is_degenerate) && (side > 0 || step == 0 || tracker_.running());
-    const double nearby = is_at_end ? 0 : width / 2;
-    const Snapshot& moving = set.count() == 0 && tracker_.running() ? *tracker_.current() : set;
-    const double farthest =
-        may_go_far ? std::max(nearby, farthest_beside * way_of_size(moving)) : nearby;
-    double distance = std::min(beside * std::abs(range()), width / 8);
-    for (; distance > 0 && distance < farthest; distance *= 4) {
-      const double place = value + sense() * side * distance;
-      const bool passed =
-          tracker_.running() && (place - tracker_.current()->parameter) * sense() <= 0;
-      if (passed) {
-        break;
-      }
-      SnapshotPointer found = solver_.at(place);
-      if (found->separable) {
-        return found;
-      }
-      if (found->solution.status == SolutionStatus::degenerate && distance >= nearby) {
-        break;
-      }
-    }
-    return nullptr;
-  }
-
-  /// How far the parameter goes while it moves driven links, or features on their links, by the
-  /// mechanism's size; its own size where it moves none.
-  [[nodiscard]] double way_of_size(const Snapshot& set) {
-    if (set.count() == 0) {
-      return 0;
-    }
-    const Table<LinkIndex, bool> is_driven = solver_.plan().structure().placed_by_drivers();
-    double speed = solver_.speed_of_features(set.parameter);
-    for (const LinkIndex link : is_driven.keys()) {
-      if (is_driven[link]) {
-        speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());
-      }
-    }
-    return speed > 0 ? 1 / speed : std::abs(set.parameter);
   }
 
   /// A fold at the first or last value itself.
@@ -239,35 +229,26 @@ class Sweeper {
         kind, value, std::move(before), std::move(after), 0, unknown_configuration(solver_.plan())};
   }
 
-  void report_row(int step, const Snapshot& set, PointIndex point, int branch,
-                  const Configuration& state) {
-    const auto is_told = [](const Configuration& one) {
-      return one.is_consistent && one.within_limits;
-    };
-    if (!state.is_consistent && state.regularity == Status::ok) {
-      foreign_.insert(branch);
-    }
-    if (!is_told(state)) {
+  void report_row(int step, const Snapshot& set, const StepRow& row) {
+    if (!is_told(*row.state)) {
       return;
     }
     const auto first = set.solution.configurations.begin();
     const auto within =
-        std::count_if(first, first + static_cast<std::ptrdiff_t>(point.place()) + 1, is_told);
-    if (branch > 0) {
-      told_.insert(branch);
-    }
-    observer_.record(
-        {step, static_cast<int>(within), shown(branch), "", set.parameter, &set.spread, &state});
+        std::count_if(first, first + static_cast<std::ptrdiff_t>(row.point.place()) + 1, is_told);
+    observer_.record({step, static_cast<int>(within), told_.shown(row.branch), "", set.parameter,
+                      &set.spread, row.state});
   }
 
   /// What happens at a step to within rounding happens there, and nothing is told of what happens
   /// beyond the ends of the sweep.
   void take_events() {
-    const double way = tracker_.running() ? way_of_size(*tracker_.current()) : 0;
+    const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
     const double nearest =
         at_a_step * way + 4 * std::numeric_limits<double>::epsilon() *
                               std::max(std::abs(solver_.from()), std::abs(solver_.to()));
     for (BranchEvent& event : tracker_.take_events()) {
+      const double middle = event.parameter;
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
       const double step =
           value_at(static_cast<int>(std::clamp<double>(std::round(place), 0, count() - 1)));
@@ -275,13 +256,36 @@ class Sweeper {
         event.parameter = step;
       }
       if (is_within(event)) {
+        if (event.kind == EventKind::unresolved) {
+          leave_unknown(event, middle);
+        }
         later_.push_back(std::move(event));
       } else {
         if (event.kind != EventKind::crossing) {
-          outside_.insert(outside_.end(), event.ended.begin(), event.ended.end());
+          outside_.insert(event.ended.begin(), event.ended.end());
         }
-        outside_.insert(outside_.end(), event.begun.begin(), event.begun.end());
+        outside_.insert(event.begun.begin(), event.begun.end());
       }
+    }
+  }
+
+  /// What is not resolved happens anywhere about a middle. Of branches that have no row and end or
+  /// begin beyond the ends of the sweep none is told, and where it may be before or behind a step,
+  /// no row between is known to be of these.
+  void leave_unknown(BranchEvent& event, double middle) {
+    const double reach = sense() * event.uncertainty;
+    if (2 * event.uncertainty > step_width()) {
+      unresolved_.insert(event.ended.begin(), event.ended.end());
+      unresolved_.insert(event.begun.begin(), event.begun.end());
+    }
+    const auto is_outside = [this](int branch) {
+      return !told_.has_row(branch) && outside_.insert(branch).second;
+    };
+    if (sense() * (middle - reach - solver_.from()) < 0) {
+      std::erase_if(event.ended, is_outside);
+    }
+    if (sense() * (middle + reach - solver_.to()) > 0) {
+      std::erase_if(event.begun, is_outside);
     }
   }
 
@@ -293,28 +297,18 @@ class Sweeper {
            !(only_ends && event.parameter == solver_.from()) &&
            !(only_begins && event.parameter == solver_.to());
   }
+
   /// What an event outside the sweep ends or begins is no branch of it, nor is one that does not
-  /// hold the constraints that are too many.
+  /// hold the constraints that are too many; what is unresolved has no rows in the passage.
   void forget_outside(PassageEnd& end) const {
     for (const PointIndex point : end.branches.keys()) {
       int& branch = end.branches[point];
-      if (std::ranges::find(outside_, branch) != outside_.end() || foreign_.contains(branch) ||
+      if (outside_.contains(branch) || unresolved_.contains(branch) || told_.is_foreign(branch) ||
           !end.set->configuration(point).is_consistent) {
         branch = 0;
       }
     }
   }
-  /// Numbers are given as branches appear in rows and events: others may have ended before the
-  /// sweep's first value, or be beyond the limits of joints throughout.
-  [[nodiscard]] int shown(int branch) {
-    const auto place = static_cast<std::size_t>(branch);
-    numbers_.resize(std::max(numbers_.size(), place + 1), 0);
-    if (branch > 0 && numbers_[place] == 0) {
-      numbers_[place] = ++last_shown_;
-    }
-    return numbers_[place];
-  }
-
   /// Fills in an event's residual; returns how the parameters vary there. Where a formula has no
   /// value at the event, the residual stays unknown and nothing varies.
   [[nodiscard]] Spread complete(BranchEvent& event) {
@@ -329,44 +323,31 @@ class Sweeper {
     }
   }
 
-  /// Reports the events that lie before a value, or all.
-  void report_events(int step, std::optional<double> until) {
-    while (!later_.empty() && (!until || sense() * (later_.front().parameter - *until) < 0)) {
-      BranchEvent& event = later_.front();
-      if (is_told(event)) {
-        const Spread spread = complete(event);
-        event.through = shown(event.through);
-        for (std::vector<int>* list : {&event.ended, &event.begun}) {
-          std::ranges::transform(*list, list->begin(),
-                                 [this](int branch) { return shown(branch); });
-          std::ranges::sort(*list);
-        }
-        observer_.record(
-            {step, 0, 0, event_text(event), event.parameter, &spread, &event.configuration});
-      }
-      later_.erase(later_.begin());
-    }
+  /// The first event that does not lie before a value.
+  [[nodiscard]] std::vector<BranchEvent>::iterator until(double value) {
+    return std::ranges::find_if(
+        later_, [&](const BranchEvent& event) { return sense() * (event.parameter - value) >= 0; });
   }
 
-  /// Where a mechanism has too many constraints, some branches do not hold them and are none of its
-  /// own. An event is told if it befalls a branch that has had a row, a crossing if it befalls two.
-  [[nodiscard]] bool is_told(const BranchEvent& event) const {
-    const auto is_own = [this](int branch) { return told_.contains(branch); };
-    return solver_.plan().redundant().empty() || is_own(event.through) ||
-           std::ranges::count_if(event.ended, is_own) >=
-               (event.kind == EventKind::crossing ? 2 : 1) ||
-           (event.kind != EventKind::crossing && std::ranges::any_of(event.begun, is_own));
+  void report_events(int step, std::vector<BranchEvent>::iterator end) {
+    for (auto event = later_.begin(); event != end; ++event) {
+      if (told_.keeps_own(*event)) {
+        const Spread spread = complete(*event);
+        told_.renumber(*event);
+        observer_.record(
+            {step, 0, 0, event_text(*event), event->parameter, &spread, &event->configuration});
+      }
+    }
+    later_.erase(later_.begin(), end);
   }
 
   const SweepObserver& observer_;
   SnapshotSolver solver_;
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
-  std::vector<int> outside_;        ///< numbers of branches that are not within the sweep
-  std::set<int> foreign_;           ///< that do not hold the constraints that are too many
-  std::set<int> told_;              ///< branches that have had rows, by the tracker's numbers
-  std::vector<int> numbers_;        ///< as shown, by the tracker's; 0 if not yet
-  int last_shown_ = 0;
+  std::set<int> outside_;           ///< numbers of branches that are not within the sweep
+  std::set<int> unresolved_;        ///< that events leave unknown over more than one step
+  ToldBranches told_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step
 };
