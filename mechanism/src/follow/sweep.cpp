@@ -25,6 +25,10 @@ constexpr int least_intervals = 512;
 /// below where sets can be followed.
 constexpr double at_a_step = 5e-15;
 
+/// A crossing may be this much farther from its place than the estimates of that differ, which tell
+/// the order of their error.
+constexpr double doubt_of_crossings = 3;
+
 class Sweeper {
  public:
   Sweeper(const Plan& plan, const Values& values, const SweepObserver& observer)
@@ -252,7 +256,8 @@ class Sweeper {
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
       const double step =
           value_at(static_cast<int>(std::clamp<double>(std::round(place), 0, count() - 1)));
-      if (std::abs(event.parameter - step) <= std::max(event.uncertainty, nearest)) {
+      const double doubt = event.kind == EventKind::crossing ? doubt_of_crossings : 1;
+      if (std::abs(event.parameter - step) <= std::max(doubt * event.uncertainty, nearest)) {
         event.parameter = step;
       }
       if (is_within(event)) {
