@@ -1,4 +1,5 @@
-// Turns all joints of a scene, of which some are redundant, into how its solver holds links by them.
+// Turns all joints of a scene, of which some are redundant, into how its solver holds links by
+// them.
 #pragma once
 
 #include <string>
