@@ -76,7 +76,7 @@ do for [figure = 1:2] {
       last = T_max + 0.3 > first + 1.6 ? T_max + 0.3 : first + 1.6
       names = 10**(last + 0.05 * (last - first))
       set logscale xy
-      set xrange [10**first:10**(last + 0.95 * (last - first))]
+      set xrange [10**first:10**(last + 1.05 * (last - first))]
       set yrange [LOW_min:HIGH_max]
       set xtics 10**ceil(first), 10, 10**floor(last)
       top = 1 - (head + each * (place / 2) + 38) / height
