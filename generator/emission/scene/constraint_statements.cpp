@@ -1,6 +1,7 @@
 #include "emission/scene/constraint_statements.hpp"
 
 #include <algorithm>
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/text/names.hpp>
 #include <utility>
 
@@ -60,40 +61,20 @@ class Constraints {
     return solver_.is_ground(link) || stands_[link];
   }
 
+  /// What drivers hold is fixed, so that no pair needs a driver.
   void add_pairs() {
-    const mechanism::Mechanism& described = solver_.mechanism();
-    for (const mechanism::JointIndex index : described.joints().keys()) {
-      const mechanism::Joint& joint = described.joints()[index];
-      const bool is_slide = joint.type != mechanism::JointType::revolute;
-      const bool is_slot = joint.type == mechanism::JointType::pin_in_slot;
-      if (solver_.plan.is_stand_in(index)) {
+    for (const mechanism::HeldPair& pair :
+         mechanism::held_pairs(solver_.mechanism(), solver_.plan.redundant())) {
+      if (is_fixed(link_of(pair.first)) && is_fixed(link_of(pair.second))) {
         continue;
       }
-      for (std::size_t other = 1; other < joint.between.size(); ++other) {
-        const mechanism::FeatureIndex one = joint.between[0];
-        const bool is_line_first = described.features()[one].is_line;
-        add(is_slot && !is_line_first ? joint.between[other] : one,
-            is_slot && !is_line_first ? one : joint.between[other],
-            {!is_slide, true, is_slide && !is_slot});
-      }
+      rows_ += static_cast<int>(std::ranges::count(pair.holds, true));
+      const std::string holds = text::joined(
+          pair.holds, ", ", [](bool is_held) -> std::string { return is_held ? "true" : "false"; });
+      const std::string frames = frame(pair.first) + ", " + frame(pair.second);
+      pairs_.push_back("support::HeldPair<LinkFrame>{" + place(pair.first) + ", " +
+                       place(pair.second) + ", " + frames + ", {{" + holds + "}}}");
     }
-    for (const mechanism::RedundantJoint& joint : solver_.plan.redundant()) {
-      const bool is_line = described.features()[joint.one].is_line;
-      const bool are_lines = is_line && described.features()[joint.other].is_line;
-      add(joint.one, joint.other, {!is_line, true, are_lines});
-    }
-  }
-
-  void add(mechanism::FeatureIndex one, mechanism::FeatureIndex other,
-           const std::array<bool, 3>& holds) {
-    if (is_fixed(link_of(one)) && is_fixed(link_of(other))) {
-      return;
-    }
-    rows_ += static_cast<int>(std::ranges::count(holds, true));
-    const auto flag = [&](std::size_t place) { return holds[place] ? "true" : "false"; };
-    const std::string frames = frame(one) + ", " + frame(other);
-    pairs_.push_back("support::HeldPair<LinkFrame>{" + place(one) + ", " + place(other) + ", " +
-                     frames + ", {{" + flag(0) + ", " + flag(1) + ", " + flag(2) + "}}}");
   }
 
   [[nodiscard]] mechanism::LinkIndex link_of(mechanism::FeatureIndex feature) const {

@@ -1,5 +1,7 @@
 #include "emission/scene/redundancy_tests.hpp"
 
+#include <array>
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/text/names.hpp>
 
 namespace assur::generator::emission::scene {
@@ -30,12 +32,12 @@ std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
     lines.add("const std::array<Pose<Scalar>, 2> " + pair + " = {{" +
               pose_of(solver, joint.one, lines) + ", " + pose_of(solver, joint.other, lines) +
               "}};");
-    const bool is_line = solver.mechanism().features()[joint.one].is_line;
-    const bool are_lines = is_line && solver.mechanism().features()[joint.other].is_line;
+    const std::array<bool, 3> holds = mechanism::held_by(solver.mechanism(), joint).holds;
+    const bool are_lines = holds[2];
     poses.insert(poses.end(), {pair + "[0]", pair + "[1]"});
-    const std::string apart = are_lines ? "lines_apart("
-                              : is_line ? "point_off_line("
-                                        : "points_apart(";
+    const std::string apart = are_lines  ? "lines_apart("
+                              : holds[0] ? "points_apart("
+                                         : "point_off_line(";
     gaps.push_back("support::" + apart + pair + "[0], " + pair + "[1]" +
                    (are_lines ? ", size" : "") + ")");
   }

@@ -12,6 +12,7 @@ constexpr double beside = 1e-5;
 /// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
 /// or the end of a short sweep: what is close to a change point is not a matter of the steps.
 constexpr double farthest_beside = 0.25;
+
 }  // namespace
 
 SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& followed,

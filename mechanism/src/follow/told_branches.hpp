@@ -20,6 +20,7 @@ namespace assur::mechanism::follow {
 [[nodiscard]] std::vector<int> untold(std::vector<int> branches, const std::vector<StepRow>& rows,
                                       std::span<const BranchEvent> events);
 
+/// Which branches have had rows, and by which numbers they are shown.
 class ToldBranches {
  public:
   /// `has_foreign`: a mechanism with too many constraints has branches that do not hold them and

@@ -1,5 +1,6 @@
 #include "all_constraints.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/support/redundant.hpp>
@@ -91,24 +92,10 @@ Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
 AllConstraints::AllConstraints(const Values& values)
     : values_(values),
       mechanism_(values.plan().mechanism),
+      pairs_(held_pairs(mechanism_, values.plan().redundant)),
       column_of_(mechanism_.links().size(), -1),
       pivot_on_(mechanism_.links().size(), FeatureIndex()) {
-  const std::vector<RedundantJoint>& redundant = values.plan().redundant;
-  for (const JointIndex joint : mechanism_.joints().keys()) {
-    const Joint& at = mechanism_.joints()[joint];
-    const bool stands_in = std::ranges::any_of(redundant, [&](const RedundantJoint& one) {
-      return std::ranges::find(at.between, one.stand_in) != at.between.end();
-    });
-    if (!stands_in) {
-      hold(at, mechanism_.driver_of(joint));
-    }
-  }
-  for (const RedundantJoint& joint : redundant) {
-    const bool is_line = mechanism_.features()[joint.one].is_line;
-    const bool are_lines = is_line && mechanism_.features()[joint.other].is_line;
-    pairs_.push_back({joint.one, joint.other, {!is_line, true, are_lines}});
-  }
-  for (const Pair& pair : pairs_) {
+  for (const HeldPair& pair : pairs_) {
     rows_ += std::ranges::count(pair.holds, true);
     for (const FeatureIndex feature : {pair.first, pair.second}) {
       const LinkIndex link = mechanism_.features()[feature].link;
@@ -121,28 +108,10 @@ AllConstraints::AllConstraints(const Values& values)
   }
 }
 
-void AllConstraints::hold(const Joint& joint, DriverIndex driver) {
-  for (std::size_t other = 1; other < joint.between.size(); ++other) {
-    Pair pair{joint.between[0], joint.between[other], {true, true, false}, driver};
-    if (joint.type == JointType::prismatic) {
-      pair.holds = {driver.exists(), true, true};
-    } else if (joint.type == JointType::pin_in_slot) {
-      pair.holds = {driver.exists(), true, false};
-      if (!mechanism_.features()[pair.first].is_line) {
-        std::swap(pair.first, pair.second);
-      }
-    } else {
-      pair.holds = {true, true, driver.exists()};
-      pair.driven = 2;
-    }
-    pairs_.push_back(pair);
-  }
-}
-
 template <typename Visit>
 void AllConstraints::for_each_row(const Visit& visit) const {
   Eigen::Index row = 0;
-  for (const Pair& pair : pairs_) {
+  for (const HeldPair& pair : pairs_) {
     for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
       if (pair.holds[static_cast<std::size_t>(coordinate)]) {
         visit(row++, coordinate, pair);
@@ -159,7 +128,7 @@ Vector2d AllConstraints::pivot(LinkIndex link, const Poses& links) const {
   return place_of(placed(pivot_on_[link], links));
 }
 
-Frame AllConstraints::relative(const Pair& pair, const Links& links) const {
+Frame AllConstraints::relative(const HeldPair& pair, const Links& links) const {
   const auto placed = [&](FeatureIndex feature) {
     return composed(links[mechanism_.features()[feature].link], values_.frame(feature));
   };
@@ -197,7 +166,7 @@ void AllConstraints::measure(const Poses& links) {
       farthest = std::max(farthest, place_of(values_.frame(feature).pose).norm());
     }
   };
-  for (const Pair& pair : pairs_) {
+  for (const HeldPair& pair : pairs_) {
     include(pair.first);
     include(pair.second);
     longest = std::max(
@@ -210,7 +179,7 @@ void AllConstraints::measure(const Poses& links) {
 
 Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
   Eigen::VectorXd result(rows_);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
     const Pose<double> one = placed(pair.first, links);
     const Pose<double> other = placed(pair.second, links);
     const Vector2d apart = place_of(other) - place_of(one);
@@ -230,7 +199,7 @@ Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
 // What turns with the first feature's link sees the second one move against that, from its place.
 Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows_, unknowns());
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
     const Vector2d at = place_of(placed(pair.second, links));
     const Vector2d axis = axis_of(placed(pair.first, links));
     const Vector2d seen = coordinate == 0 ? axis : across(axis);
@@ -278,7 +247,7 @@ Eigen::VectorXd AllConstraints::step(const Poses& from, const Poses& to) const {
 Eigen::MatrixXd AllConstraints::first_rates(const Links& links) const {
   const Eigen::Index parameters = std::ssize(values_.columns());
   Eigen::MatrixXd result(rows_, 1 + parameters);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
     const Frame at = relative(pair, links);
     result(row, 0) = at.velocity(coordinate);
     result.row(row).tail(parameters) = at.follows.first.row(coordinate);
@@ -297,7 +266,7 @@ Eigen::MatrixXd AllConstraints::first_rates(const Links& links) const {
 Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
   const Eigen::Index parameters = values_.second_order() ? std::ssize(values_.columns()) : 0;
   Eigen::MatrixXd result(rows_, 1 + parameters * parameters);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const Pair& pair) {
+  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
     const Frame at = relative(pair, links);
     const bool is_driven = pair.driver.exists() && pair.driven == coordinate;
     result(row, 0) =
@@ -314,6 +283,29 @@ Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
     result.row(row) /= unit(coordinate);
   });
   return result;
+}
+
+bool AllConstraints::let_on(Links links) const {
+  constexpr double least_firmness = 1e-6;
+  constexpr double rounding_of_rates = 1e-6;
+  constexpr double rounding_of_second_rates = 1e-5;
+  double fastest = 0;
+  for (Frame& link : links) {
+    link.acceleration.setZero();
+    link.follows.set_zero(std::ssize(values_.columns()), values_.second_order());
+    fastest =
+        std::max({fastest, link.velocity.head<2>().norm() / size_, std::abs(link.velocity(2))});
+  }
+  if (first_rates(links).col(0).norm() > rounding_of_rates * fastest) {
+    return false;
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(least_firmness);
+  const Eigen::MatrixXd own = jacobian(poses_of(links));
+  factors.compute(own);
+  const Eigen::VectorXd open = second_rates(links).col(0);
+  const double left = (open - own * factors.solve(open)).norm();
+  return !(left > rounding_of_second_rates * (open.norm() + fastest * fastest));
 }
 
 Eigen::Vector3d AllConstraints::moved(LinkIndex link, const Pose<double>& pose,

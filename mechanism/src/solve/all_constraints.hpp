@@ -2,7 +2,7 @@
 // them, those included that a plan leaves out.
 #pragma once
 
-#include <array>
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 #include <limits>
@@ -56,25 +56,21 @@ class AllConstraints {
   void add_first(const Eigen::MatrixXd& rates, Links& links) const;
   void add_second(const Eigen::MatrixXd& rates, Links& links) const;
 
+  /// Whether links may go on with the velocities that they have: all constraints hold to first
+  /// order and, with some accelerations a, to second order, J a + f''(v, v) = 0. What rounding
+  /// hides of J is no help.
+  [[nodiscard]] bool let_on(Links links) const;
+
   /// Where links place the slides of some joints, and how these move.
   void set_slides(const Links& links, std::vector<SlideState>& slides) const;
 
  private:
-  /// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-  /// are told; the driver says what one of them is.
-  struct Pair {
-    FeatureIndex first, second;
-    std::array<bool, 3> holds;
-    DriverIndex driver = {};
-    Eigen::Index driven = 0;
-  };
-  void hold(const Joint& joint, DriverIndex driver);
   [[nodiscard]] Pose<double> placed(FeatureIndex feature, const Poses& links) const;
   [[nodiscard]] Eigen::Vector2d pivot(LinkIndex link, const Poses& links) const;
   /// How fast a link's origin moves, and the link turns, by rates of q.
   [[nodiscard]] Eigen::Vector3d moved(LinkIndex link, const Pose<double>& pose,
                                       const Eigen::VectorXd& rates) const;
-  [[nodiscard]] Frame relative(const Pair& pair, const Links& links) const;
+  [[nodiscard]] Frame relative(const HeldPair& pair, const Links& links) const;
   /// The second feature of a slide in the frame of the line, which is the first one of a prismatic
   /// joint: its x is the displacement.
   [[nodiscard]] Frame along(JointIndex slide, const Links& links) const;
@@ -85,7 +81,7 @@ class AllConstraints {
 
   const Values& values_;
   const Mechanism& mechanism_;
-  std::vector<Pair> pairs_;
+  std::vector<HeldPair> pairs_;
   Eigen::Index rows_ = 0;
   std::vector<LinkIndex> moving_;
   Table<LinkIndex, Eigen::Index> column_of_;  ///< of each link; -1 of the ground

@@ -1,6 +1,5 @@
 #include "branch_motions.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/followed_parts.hpp>
@@ -96,29 +95,15 @@ void take_derivatives(const Configuration& motion, Eigen::Index column,
   }
 }
 
-/// Whether all constraints together let links go on as a motion has them, if accelerations are as
-/// they must be: J a + f''(v, v) = 0 has a solution a. What rounding hides of J is no help.
-bool all_constraints_let_on(const Values& values, const Configuration& motion) {
-  constexpr double least_firmness = 1e-6;
-  constexpr double rounding = 1e-5;
-  const AllConstraints::Poses poses = poses_of(motion.links);
-  AllConstraints constraints(values);
-  constraints.measure(poses);
-  AllConstraints::Links links = motion.links;
-  double fastest = 0;
-  for (Frame& link : links) {
-    link.acceleration.setZero();
-    link.follows.set_zero(std::ssize(values.columns()), values.second_order());
-    fastest = std::max(
-        {fastest, link.velocity.head<2>().norm() / constraints.size(), std::abs(link.velocity(2))});
+/// Whether the constraints that were left out let the mechanism move as one motion of the rest
+/// does.
+bool is_motion_of_all(const Values& values, const Configuration& motion) {
+  if (!SettledRedundancy::can_close(values.plan())) {
+    return moves_redundantly(values, motion.links);
   }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(least_firmness);
-  const Eigen::MatrixXd jacobian = constraints.jacobian(poses);
-  factors.compute(jacobian);
-  const Eigen::VectorXd open = constraints.second_rates(links).col(0);
-  const Eigen::VectorXd left = open - jacobian * factors.solve(open);
-  return !(left.norm() > rounding * (open.norm() + fastest * fastest));
+  AllConstraints constraints(values);
+  constraints.measure(poses_of(motion.links));
+  return constraints.let_on(motion.links);
 }
 
 }  // namespace
@@ -147,12 +132,10 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
   }
   std::vector<Configuration>& found = *known;
   // What the constraints that were left out stop is no motion of the mechanism.
-  const bool are_all_told =
-      !values.plan().redundant.empty() && SettledRedundancy::can_close(values.plan());
-  std::erase_if(found, [&](const Configuration& branch) {
-    return !moves_redundantly(values, branch.links) ||
-           (are_all_told && !all_constraints_let_on(values, branch));
-  });
+  if (!values.plan().redundant.empty()) {
+    std::erase_if(found,
+                  [&](const Configuration& motion) { return !is_motion_of_all(values, motion); });
+  }
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <assur/directions.hpp>
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/suggestion.hpp>
@@ -242,10 +243,7 @@ std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& 
 const std::vector<RedundantJoint>& Plan::redundant() const { return data_->redundant; }
 
 bool Plan::is_stand_in(JointIndex joint) const {
-  return std::ranges::any_of(data_->redundant, [&](const RedundantJoint& redundant) {
-    const std::vector<FeatureIndex>& between = mechanism().joints()[joint].between;
-    return std::ranges::find(between, redundant.stand_in) != between.end();
-  });
+  return mechanism::is_stand_in(mechanism().joints()[joint], data_->redundant);
 }
 
 std::optional<Nearest> Plan::nearest(const Values& values, const Solution& solution) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/support/redundant.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
@@ -26,9 +27,8 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
-  const bool is_line = mechanism.features()[joint.one].is_line;
-  Pair pair{frame(joint.one), frame(joint.other), is_line,
-            is_line && mechanism.features()[joint.other].is_line, 0};
+  const HeldPair held = held_by(mechanism, joint);
+  Pair pair{frame(joint.one), frame(joint.other), !held.holds[0], held.holds[2], 0};
   const std::array features = {pair.one.pose, pair.other.pose};
   pair.size = support::largest_coordinate(features);
   for (const Frame& link : links) {

@@ -194,7 +194,7 @@ SettledRedundancy::Comparison SettledRedundancy::compared_by_misses(
                                                : Comparison::alike;
 }
 
-void SettledRedundancy::mark_what_is_none(std::vector<Configuration>& configurations) {
+void SettledRedundancy::mark_inconsistent(std::vector<Configuration>& configurations) {
   std::vector<Configuration*> near;
   for (Configuration& one : configurations) {
     if (one.is_consistent && one.regularity != Status::ok) {

@@ -33,15 +33,16 @@ class SettledRedundancy {
   /// constraints; in regular ones the second rates, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
-  /// Of configurations along a sweep, says which are none beside others that close much better.
-  void mark_what_is_none(std::vector<Configuration>& configurations);
+  /// Marks the configurations of a sweep that are inconsistent, since another one nearby closes
+  /// much better.
+  void mark_inconsistent(std::vector<Configuration>& configurations);
   /// Of two that were settled: one is none where the other is nearby and closes much better, or
   /// where rounding does not tell what is between them from either.
   [[nodiscard]] Comparison compared(const AllConstraints::Poses& first,
                                     const AllConstraints::Poses& second);
 
  private:
-  /// Of two nearby the one that is none, because the other one closes much better.
+  /// Compares two configurations by how well they close alone.
   [[nodiscard]] Comparison compared_by_misses(const AllConstraints::Poses& first,
                                               const AllConstraints::Poses& second);
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}

@@ -285,7 +285,7 @@ class ConfigurationWalk {
 
   void conclude() {
     if (redundancy_ && !search_.within_limits) {
-      redundancy_->mark_what_is_none(solution_->configurations);
+      redundancy_->mark_inconsistent(solution_->configurations);
     }
     if (passed_ > listed_) {  // one was sought, and there are others
       return;

@@ -38,7 +38,8 @@ class AllConstraints {
   using Open = Vector<Scalar, Rows>;
   using Step = Vector<Scalar, columns>;
   using Jacobian = Matrix<Scalar, Rows, columns>;
-  using Factors = Eigen::ColPivHouseholderQR<Jacobian>;
+  /// Its solutions leave out what is below the threshold, which those of a QR decomposition do not.
+  using Factors = Eigen::CompleteOrthogonalDecomposition<Jacobian>;
   using Plane = Vector<Scalar, 2>;
 
  public:
@@ -204,7 +205,8 @@ class AllConstraints {
     if (factors.rank() < columns) {
       return 0;
     }
-    const Matrix<Scalar, columns, columns> R = factors.matrixR().template topRows<columns>();
+    const Matrix<Scalar, columns, columns> R =
+        factors.matrixT().template topLeftCorner<columns, columns>();
     const auto triangle = R.template triangularView<Eigen::Upper>();
     Step direction = Step::Ones().normalized();
     Scalar least = 0;
