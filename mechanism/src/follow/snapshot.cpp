@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/precision.hpp"
+#include "solve/slope_error.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
@@ -163,7 +166,18 @@ SnapshotPointer SnapshotSolver::solved_here(double parameter) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
                                       " configurations at one value cannot be followed");
   }
+  if (closely_) {
+    mark_known_paths(snapshot->solution);
+  }
   return completed(std::move(snapshot));
+}
+
+void SnapshotSolver::mark_known_paths(Solution& solution) const {
+  for (Configuration& configuration : solution.configurations) {
+    configuration.path_known =
+        configuration.path_known ||
+        solve::slope_error(values_, configuration, column_) < solve::one_digit;
+  }
 }
 
 SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
