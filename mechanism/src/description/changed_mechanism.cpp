@@ -53,7 +53,17 @@ Mechanism Mechanism::with_pin(JointIndex slide, FeatureIndex line) const {
   pin.along_x = pin.along_y = NumberIndex();
   Joint& joint = part.joints_[slide];
   joint.type = JointType::pin_in_slot;
+  const FeatureIndex first = joint.between[0];
   std::ranges::replace(joint.between, line, part.add_feature(std::move(pin)));
+  if (line == first) {  // A pin's displacement is measured from the line: it has to run back.
+    Feature back = features_[joint.between[1]];
+    back.name = joints_[slide].name + " as a slot";
+    for (NumberIndex* along : {&back.along_x, &back.along_y}) {
+      const Number& forth = numbers_[*along];
+      *along = part.numbers_.add({Formula::difference(Formula(0), forth.formula), forth.part});
+    }
+    joint.between[1] = part.add_feature(std::move(back));
+  }
   return part;
 }
 

@@ -24,7 +24,7 @@ SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& follow
   const int last = solver.sweep().count - 1;
   const double width = std::abs(range) / std::max(1, last);
   const bool is_at_end = of.side < 0 ? of.step == 0 : of.step == last;
-  const bool is_degenerate = set.solution.status == SolutionStatus::degenerate;
+  const bool is_degenerate = set.is_degenerate();
   const bool may_go_far =
       !(is_at_end && is_degenerate) && (of.side > 0 || of.step == 0 || followed != nullptr);
   const double nearby = is_at_end ? 0 : width / 2;
@@ -41,7 +41,7 @@ SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& follow
     if (found->separable) {
       return found;
     }
-    if (found->solution.status == SolutionStatus::degenerate && distance >= nearby) {
+    if (found->is_degenerate() && distance >= nearby) {
       break;
     }
   }

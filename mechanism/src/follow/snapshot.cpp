@@ -49,6 +49,18 @@ bool is_regular(const Snapshot& snapshot) {
                      [](const ConfigurationPoint& one) { return one.slope.allFinite(); });
 }
 
+/// Whether some group's loop Jacobian has no sign, as where configurations of it meet.
+bool lacks_signs(const Snapshot& snapshot) {
+  return std::ranges::any_of(
+      snapshot.solution.configurations, [](const Configuration& configuration) {
+        return std::ranges::any_of(configuration.determinants,
+                                   [](double determinant) { return std::isnan(determinant); });
+      });
+}
+
+/// What all constraints close from several configurations of the rest may be one.
+constexpr double closest_settled = 1e-9;
+
 double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
   double square = std::numeric_limits<double>::infinity();
   for (const PointIndex one : points.keys()) {
@@ -70,6 +82,19 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
   from_ = values_.value_of(sweep().from);
   to_ = values_.value_of(sweep().to);
   sought_.length = length_of(plan.mechanism(), values_at(from_));
+  if (!plan.redundant().empty()) {
+    has_signs_ = !lacks_signs_throughout();
+  }
+}
+
+bool SnapshotSolver::lacks_signs_throughout() {
+  for (const double part : {0.38, 0.64, 0.13, 0.87}) {
+    const SnapshotPointer set = at(from_ + part * (to_ - from_));
+    if (set->count() > 0) {
+      return lacks_signs(*set);
+    }
+  }
+  return false;
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {
@@ -126,6 +151,7 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
   const Values& values = values_at(parameter);
   std::unique_ptr<Snapshot> snapshot = spare();
   snapshot->parameter = parameter;
+  snapshot->has_own_family = false;
   snapshot->spread = values.spread();
   snapshot->roles.resize(plan_.structure().groups.size());
   for (const GroupIndex group : snapshot->roles.keys()) {
@@ -169,7 +195,32 @@ SnapshotPointer SnapshotSolver::solved_here(double parameter) {
   if (closely_) {
     mark_known_paths(snapshot->solution);
   }
-  return completed(std::move(snapshot));
+  const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
+  set->has_own_family = has_own_family(*set);
+  set->separable = set->separable && !set->has_own_family;
+  (void)values_at(parameter);
+  return set;
+}
+
+bool SnapshotSolver::has_own_family(const Snapshot& set) {
+  constexpr double little = 1e-5;  // of the way that moves the mechanism by its size
+  const std::size_t count = set.solution.families.size();
+  if (set.solution.status == SolutionStatus::degenerate || count <= families_) {
+    families_ = std::min(families_, count);
+    return false;
+  }
+  const bool is_behind_middle = 2 * set.parameter > from_ + to_;
+  const double inward = is_behind_middle == (from_ < to_) ? from_ - to_ : to_ - from_;
+  std::shared_ptr<const Snapshot> beside;
+  try {
+    auto snapshot = begun(set.parameter + std::copysign(little * way_of_size(set), inward));
+    solver_.solve({.within_limits = false}, snapshot->solution);
+    beside = completed(std::move(snapshot));
+  } catch (const MechanismError&) {
+    return false;  // A formula may have no value there.
+  }
+  families_ = std::min(count, beside->solution.families.size());
+  return families_ < count && beside->separable && beside->count() > set.count();
 }
 
 void SnapshotSolver::mark_known_paths(Solution& solution) const {
@@ -230,8 +281,14 @@ std::shared_ptr<Snapshot> SnapshotSolver::completed(std::unique_ptr<Snapshot> sn
     set_point(snapshot->configuration(point), snapshot->points[point]);
   }
   snapshot->closest = least_distance(snapshot->points);
-  snapshot->separable = is_regular(*snapshot);
+  snapshot->separable =
+      is_regular(*snapshot) && (plan_.redundant().empty() || are_told_apart(*snapshot));
   return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
+}
+
+/// Where configurations of the rest meet, all constraints may tell of one, and not whose it is.
+bool SnapshotSolver::are_told_apart(const Snapshot& snapshot) const {
+  return snapshot.closest > closest_settled && !(has_signs_ && lacks_signs(snapshot));
 }
 
 void SnapshotSolver::set_point(const Configuration& configuration,

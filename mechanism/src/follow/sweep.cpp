@@ -85,9 +85,7 @@ class Sweeper {
   /// A step at which branches meet, or worse: sets on both sides of it are connected instead.
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
-    const EventKind kind = set->solution.status == SolutionStatus::degenerate
-                               ? EventKind::degenerate
-                               : EventKind::unresolved;
+    const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
     SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
     SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
     if ((!before || !after) && !solver_.looks_closely()) {
@@ -122,18 +120,21 @@ class Sweeper {
       gap_ = kind;
     }
     const bool is_explained = std::ssize(later_) > told;
-    if (!is_explained && kind == EventKind::degenerate && !is_told_before) {
-      later_.push_back(gap_event(kind, value, from.branches.items(),
-                                 after ? tracker_.branches().items() : std::vector<int>{}));
-    }
+    const bool is_gap = !is_explained && kind == EventKind::degenerate && !is_told_before;
+    std::vector<int> gone_before = from.branches.items();
     PassageEnd to;
     if (after) {
       to = {after, tracker_.branches()};
     }
+    std::vector<int> gone_after = to.branches.items();
     forget_outside(from);
     forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
     std::vector<StepRow> rows = passage_->rows(*set);
+    if (is_gap) {
+      later_.push_back(gap_event(kind, value, untold(std::move(gone_before), rows, {}),
+                                 untold(std::move(gone_after), rows, {})));
+    }
     if (kind == EventKind::unresolved) {
       if (!before && !after) {  // What was followed is too far away to tell whose rows these are.
         std::ranges::for_each(rows, [](StepRow& row) { row.branch = 0; });
@@ -179,19 +180,19 @@ class Sweeper {
 
   /// A step that the passage of an earlier one covers.
   void pass_later(int step, const Snapshot& set) {
-    if (set.solution.status == SolutionStatus::degenerate) {
+    const std::vector<StepRow> rows = passage_->rows(set);
+    if (set.is_degenerate()) {
       const auto place = std::ranges::find_if(later_, [&](const BranchEvent& event) {
         return sense() * (event.parameter - set.parameter) >= 0;
       });
       if (place == later_.end() || place->parameter != set.parameter) {
         later_.insert(place, gap_event(EventKind::degenerate, set.parameter,
-                                       passage_->branches_before(), passage_->branches_after()));
+                                       untold(passage_->branches_before(), rows, {}),
+                                       untold(passage_->branches_after(), rows, {})));
       }
     }
-    pass_within(step, set);
+    report(step, set, rows);
   }
-
-  void pass_within(int step, const Snapshot& set) { report(step, set, passage_->rows(set)); }
 
   /// The events since the last step, which may name branches that have their first rows at this
   /// one, and the rows of this.

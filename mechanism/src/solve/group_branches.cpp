@@ -212,7 +212,10 @@ class BranchExpansion {
       const double along = blocked_.dot(f);
       return std::abs(along) > negligible_part * f.norm() ? along : 0.0;
     };
-    double reach = start > 0 ? start : 1;
+    // What moves the group moves it at least by rounding: that is no measure of how far it goes.
+    const double moved = size_of(order, closures(order));
+    double reach = start > negligible_part * moved ? start : moved > 0 ? moved : 1;
+    double reached = 0;
     double rounding = 0;
     double a = 0;
     double b = 0;
@@ -227,9 +230,13 @@ class BranchExpansion {
       constant = std::abs(constant) > 1e-12 * terms ? constant : 0.0;
       rounding = 1e-2 * start + 2e-6 * std::sqrt(terms / std::abs(a));
       const double size = std::max({start, std::sqrt(std::abs(constant / a)), std::abs(b / a)});
+      reached = reach;
       reach = std::isfinite(size) && size > 0 ? size : reach;
     }
-    const bool decides = a != 0 && std::isfinite(a + b + constant);
+    // At the larger root the square is as large as the rest. Where parts as large as that root make
+    // less of it, it was rounding.
+    const bool decides =
+        std::abs(a) * reached > 1e-3 * std::abs(b) && std::isfinite(a + b + constant);
     return decides ? roots_of(a, b, constant, rounding) : std::vector<double>{};
   }
 

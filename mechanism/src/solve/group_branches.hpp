@@ -41,7 +41,8 @@ struct GroupBranch {
 /// root, branches touch or the group is singular throughout: then w f_4 is quadratic in that part
 /// of q_2. What the known orders do not decide is left NaN in the series.
 ///
-/// None as well where J lacks more than one rank, and where rounding does not tell.
+/// None as well where J lacks more than one rank, where A is rounding, and where that does not
+/// tell.
 [[nodiscard]] std::vector<GroupBranch> branches_through(const GroupOnTheMove& group);
 
 }  // namespace assur::mechanism::solve

@@ -90,6 +90,9 @@ void SettledRedundancy::close(AllConstraints::Poses& links) const {
 }
 
 double SettledRedundancy::settle(PlacedLinks& placed) {
+  if (!placed.path_known) {  // Their signs are no one configuration's.
+    std::ranges::fill(placed.determinants, std::numeric_limits<double>::quiet_NaN());
+  }
   const double without = gap_of_redundant(values_, placed.links, Status::ok);
   AllConstraints::Poses poses = poses_of(placed.links);
   constraints_.measure(poses);

@@ -163,7 +163,8 @@ class Mechanism {
   /// The mechanism without what a joint says of one of its links, by a feature of that link.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
   /// The mechanism with a pin for one of the lines of a prismatic joint, where that line begins: it
-  /// slides in the other one, and the joint holds by one constraint less.
+  /// slides in the other one, and the joint, whose displacement stays, holds by one constraint
+  /// less.
   [[nodiscard]] Mechanism with_pin(JointIndex slide, FeatureIndex line) const;
   /// The mechanism with a slot on one of the links of a revolute joint, along the line from another
   /// of the link's points: the joint holds by one constraint less.

@@ -54,11 +54,12 @@ template <typename Scalar>
 }
 
 /// How far lines, each a frame's x-axis, are apart: the larger of the second one's distance from
-/// the first, and of how far they part over a mechanism's size.
+/// the first, and of how far they part over a mechanism's size. Lines that point in opposite ways
+/// do so by twice that size.
 template <typename Scalar>
 [[nodiscard]] Scalar lines_apart(const Pose<Scalar>& one, const Pose<Scalar>& other, Scalar size) {
-  const Scalar sine = turned(other.direction, reversed(one.direction)).sin;
-  const Scalar parting = std::abs(sine) * size;
+  const Direction<Scalar> turn = turned(other.direction, reversed(one.direction));
+  const Scalar parting = (std::max)(std::abs(turn.sin), 1 - turn.cos) * size;
   return std::isnan(parting) ? parting : (std::max)(point_off_line(one, other), parting);
 }
 

@@ -1,0 +1,205 @@
+// Law: mechanisms that everybody knows go through places at which they stand firmly, but not what
+// is left of them without redundant constraints, or at which they may move freely elsewhere.
+#include <gtest/gtest.h>
+
+#include "named_linkages.hpp"
+
+namespace assur::test::named_passings_test {
+namespace {
+
+const double pi = std::acos(-1.0);
+constexpr double rate = 2;
+constexpr double second = 1;
+
+std::string at(double place) { return " at " + std::to_string(place); }
+
+SceneMaker with_ways() {
+  SceneMaker maker;
+  return maker.line("ground", "way", {0, 0}, {1, 0}).line("ground", "rise", {0, 0}, {0, 1});
+}
+
+/// With a crank about M, as long as the arms of a rod on either side of its end B.
+SceneMaker with_crank_and_rod(double length) {
+  return with_ways()
+      .point("ground", "M", 0, 0)
+      .bar("crank", {{"M", 0}, {"B", length}})
+      .bar("rod", {{"B", 0}, {"X", length}, {"Y", -length}});
+}
+
+// Scott Russell's linkage with two blocks: X slides along the x-axis, and Y along the y-axis. A
+// turned piston points the other way on its slide, of which only half is left: the name of that
+// joint comes first.
+SceneMaker two_blocks_scene(bool is_turned) {
+  return with_crank_and_rod(5)
+      .point("piston", "X", 0, 0)
+      .point("piston", "Z", 0, 1)
+      .line("piston", "way", {0, 0}, {is_turned ? -1.0 : 1.0, 0})
+      .point("ram", "Y", 0, 0)
+      .line("ram", "rise", {0, 0}, {0, 1})
+      .slide("Across", "ground.way", "piston.way")
+      .slide("Upwards", "ground.rise", "ram.rise");
+}
+
+KnownAssembly two_blocks(const JetPoint& b, bool is_turned, bool regular = true) {
+  const Jet x = Jet(2) * b.x;
+  const Jet y = Jet(2) * b.y;
+  return {{{"B", b}, {"X", {x, 0}}, {"Y", {0, y}}, {"Z", {x, is_turned ? -1 : 1}}},
+          {{"Across", x}, {"Upwards", y}},
+          regular};
+}
+
+SceneMaker turned_blocks_scene(double phi, bool is_turned) {
+  return two_blocks_scene(is_turned).parameter("phi", phi).drive("M", "phi", rate, second);
+}
+
+NamedPlace turned_blocks(double phi, bool is_turned) {
+  return {"Scott Russell's linkage on two blocks" + at(phi),
+          turned_blocks_scene(phi, is_turned),
+          {{two_blocks(at_angle({phi, rate, second}, 5), is_turned)}, {}},
+          {},
+          1e-9};
+}
+
+SceneMaker pushed_blocks_scene(double s, bool is_turned) {
+  return two_blocks_scene(is_turned).parameter("s", s).drive("Across", "s", rate, second);
+}
+
+NamedPlace pushed_blocks(double s, bool is_turned) {
+  const Jet x{s / 2, rate / 2, second / 2};
+  const Jet under = Jet(25) - x * x;
+  Known known;
+  if (under.value == 0) {
+    known.assemblies.push_back(two_blocks({x, 0}, is_turned, false));
+  } else {
+    known.assemblies.push_back(two_blocks({x, sqrt(under)}, is_turned));
+    known.assemblies.push_back(two_blocks({x, Jet(0) - sqrt(under)}, is_turned));
+  }
+  return {"Scott Russell's linkage, pushed" + at(s),
+          pushed_blocks_scene(s, is_turned),
+          known,
+          {},
+          1e-9};
+}
+
+// The elliptic trammel with a crank to the middle of its rod.
+SceneMaker trammel_scene(double phi) {
+  return with_crank_and_rod(4)
+      .parameter("phi", phi)
+      .drive("M", "phi", rate, second)
+      .slot("Across", "ground.way", "rod.X")
+      .slot("Upwards", "ground.rise", "rod.Y");
+}
+
+NamedPlace trammel(double phi) {
+  const JetPoint b = at_angle({phi, rate, second}, 4);
+  const Jet x = Jet(2) * b.x;
+  const Jet y = Jet(2) * b.y;
+  return {"the trammel with a crank" + at(phi),
+          trammel_scene(phi),
+          {{{{{"B", b}, {"X", {x, 0}}, {"Y", {0, y}}}, {{"Across", x}, {"Upwards", y}}}}, {}},
+          {},
+          1e-9};
+}
+
+const Theorem is_upright{"Y is on the line x = 0", 1,
+                         [](const Points& points) { return points.at("Y").x; }};
+
+/// A platform like its base, whose legs go around together where they are parallel and as long.
+SceneMaker like_its_base() {
+  SceneMaker maker;
+  for (const std::string link : {"ground", "platform"}) {
+    const std::string name = link == "ground" ? "G" : "P";
+    maker.point(link, name + "1", 0, 0).point(link, name + "2", 4, 0).point(link, name + "3", 0, 4);
+  }
+  return maker;
+}
+
+SceneMaker on_legs_scene() {
+  SceneMaker maker = like_its_base();
+  maker.parameter("leg", 3);
+  for (const std::string leg : {"1", "2", "3"}) {
+    maker.bar(
+        "leg" + leg,
+        {{"G" + leg, 0}, {"P" + leg, leg == "1" ? SceneMaker::Json("leg") : SceneMaker::Json(3)}});
+  }
+  return maker;
+}
+
+SceneMaker on_cranks_scene() {
+  SceneMaker maker = like_its_base();
+  maker.parameter("phi", 0);
+  for (const std::string leg : {"1", "2", "3"}) {
+    maker.drive("G" + leg, leg == "1" ? SceneMaker::Json("phi") : SceneMaker::Json(0), 0, 0)
+        .bar("crank" + leg, {{"G" + leg, 0}, {"E" + leg, 1}})
+        .bar("leg" + leg, {{"E" + leg, 0}, {"P" + leg, 1}});
+  }
+  return maker;
+}
+
+class NamedPassing : public testing::TestWithParam<NamedPlace> {};
+
+TEST_P(NamedPassing, IsAnsweredAsKnown) { expect_as_known(GetParam()); }
+
+std::vector<NamedPlace> places() {
+  std::vector<NamedPlace> result;
+  for (const double phi : {0.0, 1e-9, 1e-7, 1e-5, 0.5, pi / 2, pi / 2 + 1e-7, pi, 4.0}) {
+    result.push_back(turned_blocks(phi, false));
+    result.push_back(turned_blocks(phi, true));
+    result.push_back(trammel(phi));
+  }
+  for (const double s : {-10.0, -6.0, 0.0, 1e-6, 8.0, 10.0}) {
+    result.push_back(pushed_blocks(s, false));
+    result.push_back(pushed_blocks(s, true));
+  }
+  return result;
+}
+INSTANTIATE_TEST_SUITE_P(Everywhere, NamedPassing, testing::ValuesIn(places()));
+
+class NamedPassingSwept : public testing::TestWithParam<NamedSweep> {};
+
+TEST_P(NamedPassingSwept, IsFollowedAsKnown) { expect_swept_as_known(GetParam()); }
+
+std::vector<NamedSweep> sweeps() {
+  const auto about_upright = [](double reach) {
+    return trammel_scene(0).sweep("phi", pi / 2 - reach, pi / 2 + reach, 0);
+  };
+  return {
+      {"the trammel with a crank", about_upright(2), {4, 5}, {}, 1, {is_upright}},
+      {"the trammel, from its change point",
+       trammel_scene(0).sweep("phi", pi / 2, 3, 0),
+       {4},
+       {},
+       1,
+       {is_upright}},
+      {"the trammel, a little", about_upright(1e-5), {4, 5}, {}, 1, {is_upright}},
+      {"the trammel, hardly", about_upright(1e-7), {5}, {}, 1, {is_upright}},
+      {"Scott Russell's linkage on two blocks",
+       turned_blocks_scene(1, false).sweep("phi", 0.25, 3, 0),
+       {5},
+       {},
+       1,
+       {is_upright}},
+      {"Scott Russell's linkage, pushed",
+       pushed_blocks_scene(1, true).sweep("s", -10.5, 10.5, 0),
+       {7, 8},
+       {{{"birth"}, -10}, {{"fold"}, 10}},
+       0,
+       {}},
+      {"a platform whose legs are equal on a step",
+       on_legs_scene().sweep("leg", 2, 4, 0),
+       {3},
+       {{{"degenerate"}, 3}},
+       4,
+       {}},
+      {"a platform whose cranks are parallel between two steps",
+       on_cranks_scene().sweep("phi", -.25, .25, 0),
+       {2},
+       {},
+       6,
+       {}},
+  };
+}
+INSTANTIATE_TEST_SUITE_P(Along, NamedPassingSwept, testing::ValuesIn(sweeps()));
+
+}  // namespace
+}  // namespace assur::test::named_passings_test
