@@ -11,7 +11,8 @@ struct ReportedPart {
   Request request;  ///< with the part's links and joints in place of the mechanism's
 };
 
-/// The links that are reported or carry outputs, and all that hold them, up to the ground.
+/// The part of the mechanism that consists of the links that are reported or carry outputs, and of
+/// all links that hold them, up to the ground.
 [[nodiscard]] ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                                          const Request& request);
 
