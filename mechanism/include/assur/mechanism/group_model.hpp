@@ -26,9 +26,9 @@ struct GroupModel {
   int number;
   bool rigid;
   int mobility;                    ///< generic, where it can be assembled
-  int max_configurations;          ///< at most, of a rigid model; 0 of another
+  int max_configurations;          ///< the most that a rigid model has; 0 for others
   std::vector<bool> prismatic;     ///< of each joint
-  std::vector<std::string> kinds;  ///< that it serves, spelled
+  std::vector<std::string> kinds;  ///< the spellings of the kinds that it serves
   std::vector<ModelUnknown> unknowns;
   std::size_t dimension_count, input_count;
   const ModelKernel* kernel;  ///< its functions
