@@ -6,8 +6,10 @@
 
 namespace assur::mechanism::campaign {
 
+/// A number that a row does not have.
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// The outcome of a configuration within limits.
 [[nodiscard]] inline Outcome outcome_of(const Configuration& configuration) {
   return configuration.regularity == Status::ok ? Outcome::regular : Outcome::near_singular;
 }

@@ -26,6 +26,7 @@ enum class Offset : unsigned char {
   mouth        ///< of a tube: short of its rod's eye at the shortest
 };
 
+/// A point of the drawing, as a place on a feature of a link.
 struct Anchor {
   FeatureIndex feature;
   Offset offset = Offset::none;

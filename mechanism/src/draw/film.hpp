@@ -16,12 +16,15 @@ struct FilmedBranch {
   std::vector<double> spreads;
 };
 
+/// An event of the sweep: its kind, the numbers of its branches, and the value of the swept
+/// parameter.
 struct FilmedEvent {
   std::string event;
   std::vector<int> branches;
   double parameter;
 };
 
+/// The branches and events of a sweep, for an animation.
 struct Film {
   double from = 0, to = 0;  ///< of the swept parameter
   int count = 1;            ///< of steps, both ends among them

@@ -23,6 +23,7 @@ struct Obstacles {
   std::vector<Line> lines;
 };
 
+/// A text beside a point.
 struct Label {
   std::string text;
   Eigen::Vector2d at;  ///< the middle of its base line

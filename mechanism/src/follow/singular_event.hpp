@@ -9,6 +9,7 @@
 
 namespace assur::mechanism::follow {
 
+/// What happens to branches at one value of the swept parameter.
 enum class EventKind : unsigned char {
   fold,        ///< two configurations meet, and beyond there is neither
   birth,       ///< a fold seen from its other side
@@ -19,6 +20,7 @@ enum class EventKind : unsigned char {
   unresolved   ///< closer together than double precision can resolve
 };
 
+/// An event between two neighbouring sets, with the configurations of both that it concerns.
 struct SingularEvent {
   EventKind kind;
   double parameter;

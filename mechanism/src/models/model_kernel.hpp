@@ -68,6 +68,7 @@ struct Curvature {
 
 /// Variables that move, flat; the closures and the link poses that follow from them.
 using FlatSeries = support::FlatVariables<Series>;
+/// The series of a group's closures and of its link poses.
 struct MovingGroup {
   std::array<Series, most_unknowns> closures;
   std::array<Pose<Series>, most_links> poses;

@@ -33,6 +33,7 @@ struct DrivenBodies {
   Table<ElementaryJointIndex, std::vector<LinkIndex>> read;
 };
 
+/// The groups of a linkage; or, where it cannot be decomposed, the links that prevent it.
 struct Decomposition {
   Linkage linkage;  ///< with every pin of several links as joints of two
   std::vector<Component> components;

@@ -6,6 +6,7 @@
 
 namespace assur::mechanism::plan {
 
+/// A part of a mechanism, with the request for it.
 struct ReportedPart {
   Mechanism mechanism;
   Request request;  ///< with the part's links and joints in place of the mechanism's

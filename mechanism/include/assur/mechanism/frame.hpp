@@ -55,6 +55,7 @@ struct Point {
 /// The frame `inner`, which is given in `frame`, in the frame in which `frame` is given. `result`
 /// may not be one of the two.
 void compose(const Frame& frame, const Frame& inner, Frame& result);
+/// Does the same and returns the result.
 [[nodiscard]] Frame composed(const Frame& frame, const Frame& inner);
 
 /// The origin of `inner`, in the same frame.

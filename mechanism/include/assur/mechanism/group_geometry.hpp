@@ -150,6 +150,7 @@ namespace values {
 inline constexpr double parallel = 1e-3;
 inline constexpr double well = 0.05;  ///< are frames defined above this firmness
 
+/// The sine of the angle from one line to another.
 template <typename Scalar>
 [[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
                                   const LinkFeature<Scalar>& other) {

@@ -50,12 +50,13 @@ struct GroupModels {
 /// Every group that was generated: dyad, triad, tetrad.
 [[nodiscard]] const std::vector<GroupModels>& known_groups();
 
-/// Assur's class of a group with these joints among the links 0 .. link_count - 1 and the rest
-/// (`base_link`): the number of joints on its largest closed contour, where a link of three joints
-/// or more, all inside the group, is a contour of its own; two if it has none.
+/// The two links that a joint joins.
 struct JointPair {
   int first, second;
 };
+/// Assur's class of a group with these joints among the links 0 .. link_count - 1 and the rest
+/// (`base_link`): the number of joints on its largest closed contour, where a link of three joints
+/// or more, all inside the group, is a contour of its own; two if it has none.
 [[nodiscard]] int assur_class_of(int link_count, const std::vector<JointPair>& joints);
 
 }  // namespace assur::mechanism

@@ -48,6 +48,7 @@ struct Link {
   std::vector<FeatureIndex> features;
 };
 
+/// What a joint holds of the features between which it stands.
 enum class JointType : unsigned char {
   revolute,    ///< the points coincide; k links at one pin are k - 1 joints
   prismatic,   ///< the two lines coincide and point the same way

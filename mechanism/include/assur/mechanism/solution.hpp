@@ -13,6 +13,7 @@ namespace assur::mechanism {
 
 struct PlanData;
 
+/// What solving has found at one set of values.
 enum class SolutionStatus : unsigned char {
   ok,           ///< there are configurations; there may be families beside them
   no_assembly,  ///< the links cannot reach, as `reason` says: there are no configurations

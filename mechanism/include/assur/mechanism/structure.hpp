@@ -51,6 +51,7 @@ struct Linkage {
   std::vector<SharedPin> pins;
 };
 
+/// The links and elementary joints of a mechanism, with a block for each pin in a slot.
 [[nodiscard]] Linkage linkage_of(const Mechanism& mechanism);
 
 using GroupIndex = Index<struct FoundGroup>;
