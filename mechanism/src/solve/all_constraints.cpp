@@ -197,8 +197,8 @@ Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
   return result;
 }
 
-// The first feature's link carries the frame in which the second one is seen: when it turns, the
-// second feature appears to move the opposite way about the first one's pivot.
+// The first feature carries the frame in which the second one is seen. So when the first link
+// moves, the second feature appears to move as a point of that link would, but the opposite way.
 Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows_, unknowns());
   for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {

@@ -8,7 +8,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Up to this number, configurations are sorted without the rough sort before.
+/// Up to this number of configurations the rough sort is left out.
 constexpr std::size_t few = 64;
 
 /// The directions of some links.

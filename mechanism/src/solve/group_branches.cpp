@@ -171,8 +171,8 @@ class BranchExpansion {
     include(group_.u, &Moving::u);
     return size;
   }
-  /// The size of the unknowns' coefficient at an order, together with what the first-order turn
-  /// contributes there, in units of v.
+  /// The larger of two sizes, in units of v: that of the unknowns' coefficient at an order, and
+  /// that of what the first-order turn contributes there.
   [[nodiscard]] double size_of_order(Eigen::Index order) const {
     double turning = 0;
     for (Eigen::Index row = 0; row < count_; ++row) {
