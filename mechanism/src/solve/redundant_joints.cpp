@@ -101,10 +101,10 @@ Rates parting(const Pair& pair) {
                    turning * turning * across.dot(apart))};
 }
 
-/// Whether the features of all redundant joints stay together, to first and second order. Rates
-/// that are not known count as holding.
-bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
-             const RedundantJoint& joint, const RoundingOfRates& rounding) {
+/// Whether the features of a redundant joint stay together, to first and second order. Rates that
+/// are not known do not part them.
+bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
+                    const RedundantJoint& joint, const RoundingOfRates& rounding) {
   if (values.plan().request.redundancy_tolerance.exists()) {
     return true;
   }
@@ -122,10 +122,10 @@ bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
   return is_first && !(rates.second > rounding.second * speeding_up);
 }
 
-bool go_on(const Values& values, const Table<LinkIndex, Frame>& links,
-           const RoundingOfRates& rounding) {
+bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& links,
+                       const RoundingOfRates& rounding) {
   return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return goes_on(values, links, joint, rounding);
+    return stays_together(values, links, joint, rounding);
   });
 }
 
@@ -164,11 +164,11 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
 bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                          Status regularity) {
   constexpr double anything = std::numeric_limits<double>::infinity();
-  return go_on(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
+  return all_stay_together(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
 }
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
-  return go_on(values, links, {1e-6, 1e-6});
+  return all_stay_together(values, links, {1e-6, 1e-6});
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
