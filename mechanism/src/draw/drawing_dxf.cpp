@@ -32,7 +32,7 @@ constexpr std::array dxf_units = {DxfUnit{"in", 1},  DxfUnit{"ft", 2}, DxfUnit{"
                                   DxfUnit{"cm", 5},  DxfUnit{"m", 6},  DxfUnit{"km", 7},
                                   DxfUnit{"um", 13}, DxfUnit{"dm", 14}};
 
-/// Of AutoCAD's colour index, beside those of the palette.
+/// Colours of AutoCAD's index that resemble those of the palette, in the same order.
 constexpr std::array dxf_colours = {5, 30, 94, 211, 40, 151};
 constexpr int dxf_ink = 7;
 

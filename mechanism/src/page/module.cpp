@@ -12,7 +12,7 @@ constexpr std::size_t most_numbers = 8'000'000;
 
 /// The page writes its question here.
 std::string question;
-/// Of the last question; the page reads it before it asks the next one.
+/// The answer to the last question; the page reads it before it asks the next one.
 std::string answer;
 draw::Film film;
 
