@@ -1,5 +1,6 @@
 # Turns the CSV of a sweep of the worked mechanism into docs/guide/sweeps.svg:
-#   assur solve sweep.json --format csv > sweep.csv && gnuplot -e "csv='sweep.csv'" docs/guide/sweeps.gnuplot
+#   build/assur solve examples/quintero_2011_rrp_rrr.json --format csv > sweep.csv
+#   gnuplot -e "csv='sweep.csv'" docs/guide/sweeps.gnuplot
 set terminal svg size 900,480 font "sans,13" background "white"
 set output "docs/guide/sweeps.svg"
 set key outside right top
@@ -11,6 +12,9 @@ set xtics 45
 set grid lc rgb "#dddddd"
 select(condition) = sprintf("< awk -F, 'NR==1 {for (i=1; i<=NF; i++) c[$i]=i; next} %s \
   {print $c[\"phi\"]*180/3.14159265358979, $c[\"D.y\"], \"\\\"\" $NF \"\\\"\"}' %s", condition, csv)
-plot for [b=1:6] select(sprintf("$3==%d", b)) using 1:2 with lines lw 2 title sprintf("branch %d", b), \
+array colours[6] = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
+# Branches lie to the left of a fold and to the right of a birth, so labels go to the other side.
+plot for [b=1:6] select(sprintf("$3==%d", b)) using 1:2 with lines lw 2 lc rgb colours[b] title sprintf("branch %d", b), \
      select("$NF!=\"\"") using 1:2 with points pt 7 ps 0.7 lc rgb "black" title "dead centre", \
-     select("$NF!=\"\"") using 1:2:3 with labels left offset 0.8,-0.6 notitle
+     select("$NF~/^fold/") using 1:2:3 with labels left offset 0.8,0 notitle, \
+     select("$NF~/^birth/") using 1:2:3 with labels right offset -0.8,0 notitle

@@ -1,9 +1,12 @@
 #include "command/arguments.hpp"
 
 #include <algorithm>
+#include <array>
 #include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <charconv>
+#include <regex>
+#include <utility>
 
 namespace assur::generator::command {
 
@@ -39,6 +42,19 @@ std::string complaint_of_options(const std::vector<std::string>& words,
     }
   }
   return "";
+}
+
+std::string complaint_of_library(const std::string& text) {
+  const std::array<std::pair<std::regex, const char*>, 3> sentences = {
+      {{std::regex("^(--[a-z-]+): .* required .*missing$"), "$1 needs a value"},
+       {std::regex("^(--[a-z-]+): At Most 1 required.*$"), "$1 may be given only once"},
+       {std::regex("^Exactly 1 option from \\[(\\S+),(\\S+),(\\S+),(\\S+)\\] is required.*$"),
+        "give exactly one of $1, $2, $3, $4"}}};
+  std::string result = text;
+  for (const auto& [pattern, sentence] : sentences) {
+    result = std::regex_replace(result, pattern, sentence);
+  }
+  return result;
 }
 
 }  // namespace assur::generator::command

@@ -18,4 +18,8 @@ namespace assur::generator::command {
 [[nodiscard]] std::string complaint_of_options(const std::vector<std::string>& words,
                                                const std::vector<std::string>& options);
 
+/// What the library of command lines says of a missing or repeated value, as a sentence; other
+/// texts of it are sentences already and stay.
+[[nodiscard]] std::string complaint_of_library(const std::string& text);
+
 }  // namespace assur::generator::command

@@ -92,8 +92,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
     std::vector<std::string> options;
     add_options(*chosen.front(), options);
     const std::string mistyped = complaint_of_options({argv + 1, argv + argc}, options);
-    return name + ": " + (mistyped.empty() ? error.what() : mistyped) + " (see assur " + name +
-           " --help)";
+    return name + ": " + (mistyped.empty() ? complaint_of_library(error.what()) : mistyped) +
+           " (see assur " + name + " --help)";
   }
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) {
@@ -124,7 +124,7 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options,
 /// And those that compute them.
 void add_computing_options(CLI::App& command, CampaignOptions& options,
                            const CLI::Validator& not_empty) {
-  command.add_option("scene", options.scene, "scene file (JSON)")->required()->check(not_empty);
+  command.add_option("SCENE", options.scene, "scene file (JSON)")->required()->check(not_empty);
   add_campaign_options(command, options, not_empty);
   command.add_option("--set", options.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
@@ -203,7 +203,7 @@ int run(int argc, char** argv) {
 
   SolveOptions solve;
   command = app.add_subcommand("solve", "find the assembly configurations of a scene");
-  command->add_option("scene", solve.scene, "scene file (JSON)")->required()->check(not_empty);
+  command->add_option("SCENE", solve.scene, "scene file (JSON)")->required()->check(not_empty);
   command->add_option("--set", solve.settings, "NAME=EXPR, replaces a parameter's value")
       ->expected(1)
       ->take_all();
@@ -224,7 +224,7 @@ int run(int argc, char** argv) {
 
   DrawOptions draw;
   command = app.add_subcommand("draw", "draw a scene as SVG, DXF or an interactive page");
-  command->add_option("scene", draw.scene, "scene file (JSON)")->required()->check(not_empty);
+  command->add_option("SCENE", draw.scene, "scene file (JSON)")->required()->check(not_empty);
   command->add_option("--output", draw.output, "file to write: .svg, .html or .dxf")
       ->required()
       ->check(not_empty);
@@ -278,7 +278,7 @@ int run(int argc, char** argv) {
 
   MergeOptions merge;
   command = app.add_subcommand("merge", "put the shards of a sample or a map together");
-  command->add_option("files", merge.files, "all shards, in any order")->required();
+  command->add_option("FILE", merge.files, "all shards, in any order")->required();
   add_campaign_options(*command, merge, not_empty);
   command->callback([&] {
     chosen = [&] {
@@ -297,7 +297,7 @@ int run(int argc, char** argv) {
 
   AuditOptions audit;
   command = app.add_subcommand("audit", "compare what a source prints with the derivation");
-  command->add_option("files", audit.files, "audit files, or papers in LaTeX with --map")
+  command->add_option("FILE", audit.files, "audit files, or papers in LaTeX with --map")
       ->required();
   command->add_option("--map", audit.map, "what the notation of the papers stands for")
       ->check(not_empty);

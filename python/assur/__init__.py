@@ -1,8 +1,8 @@
 """Planar linkages in closed form: every assembly configuration of a scene, as NumPy arrays.
 
-Angles are radians, lengths are in the scene's unit, rates are per unit of time. Arrays are views
-that cannot be written to; each keeps alive what it looks into. A number that is not known to two
-digits is NaN.
+Angles are radians, lengths are in the scene's unit, rates are per unit of time. Arrays are
+read-only views, each of which keeps its memory alive. A number that is not known to two digits is
+NaN. Every error is an assur.Error, whose text is one line with the place, the fault and the mend.
 
     import assur
 

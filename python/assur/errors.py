@@ -1,8 +1,8 @@
-"""Turns what cannot be used into exceptions; their text is the line that the command prints."""
+"""Turns invalid input into exceptions; their text is the line that the command prints."""
 
 
 class Error(Exception):
-    """What every exception of assur is: one line with the place, what is wrong, and the mend."""
+    """The base of all exceptions of assur: one line with the place, the fault, and the mend."""
 
 
 class SceneError(Error, ValueError):
@@ -10,9 +10,10 @@ class SceneError(Error, ValueError):
 
 
 class OverConstrained(SceneError):
-    """There are more constraints than the links have freedoms.
+    """A scene has more constraints than its links have freedoms.
 
-    ``surplus`` is how many are too many, ``joints`` the names of the joints among which they are.
+    ``surplus`` is the number of constraints too many, and ``joints`` has the names of the joints
+    among which they are.
     """
 
     surplus = 0
@@ -20,12 +21,12 @@ class OverConstrained(SceneError):
 
 
 class UnknownName(Error, LookupError):
-    """The scene has no parameter, link, joint or output of that name."""
+    """The scene has no parameter, link, joint or output with this name."""
 
 
 class ShapeError(Error, ValueError):
-    """A value is no number, or an array has not the shape or the length that is needed."""
+    """A value is not a number, or an array does not have the necessary shape or length."""
 
 
 class NotWanted(Error, AttributeError):
-    """The scene does not ask for this result, so that it was not computed."""
+    """The scene does not want this result, so it was not computed."""

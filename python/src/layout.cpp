@@ -102,17 +102,18 @@ const std::vector<Field<Frame>>& fields<Frame>() {
        {3},
        Need::velocity,
        [](const Frame& link, const Spread&, double* to) { put(link.velocity, to); },
-       "vx, vy of the link's origin, omega"},
+       "vx, vy of the link's origin, omega, per unit of time"},
       {"acceleration",
        {3},
        Need::acceleration,
        [](const Frame& link, const Spread&, double* to) { put(link.acceleration, to); },
-       "ax, ay of the link's origin, alpha"},
+       "ax, ay of the link's origin, alpha, per unit of time squared"},
       {"sensitivity",
        {3, parameters},
        Need::sensitivity,
        [](const Frame& link, const Spread&, double* to) { put(link.follows.first, to); },
-       "derivatives of x, y, theta to the parameters, the drivers held at their laws"}};
+       "derivatives of x, y, theta with respect to the parameters,\nwhile the drivers follow their "
+       "laws"}};
   return all;
 }
 
@@ -128,17 +129,18 @@ const std::vector<Field<SlideState>>& fields<SlideState>() {
        {},
        Need::velocity,
        [](const SlideState& slide, const Spread&, double* to) { *to = slide.velocity; },
-       "of the displacement"},
+       "rate of the displacement, per unit of time"},
       {"acceleration",
        {},
        Need::acceleration,
        [](const SlideState& slide, const Spread&, double* to) { *to = slide.acceleration; },
-       "of the displacement"},
+       "second rate of the displacement, per unit of time squared"},
       {"sensitivity",
        {parameters},
        Need::sensitivity,
        [](const SlideState& slide, const Spread&, double* to) { put(slide.follows.first, to); },
-       "derivatives of the displacement to the parameters, the drivers held at their laws"}};
+       "derivatives of the displacement with respect to the parameters,\nwhile the drivers follow "
+       "their laws"}};
   return all;
 }
 
@@ -154,59 +156,59 @@ const std::vector<Field<Point>>& fields<Point>() {
        {2},
        Need::velocity,
        [](const Point& point, const Spread&, double* to) { put(point.velocity, to); },
-       "vx, vy"},
+       "vx, vy, per unit of time"},
       {"acceleration",
        {2},
        Need::acceleration,
        [](const Point& point, const Spread&, double* to) { put(point.acceleration, to); },
-       "ax, ay"},
+       "ax, ay, per unit of time squared"},
       {"tangential",
        {},
        Need::both_rates,
        [](const Point& point, const Spread&, double* to) {
          *to = mechanism::path_acceleration(point).tangential;
        },
-       "acceleration along the path; NaN where the point rests"},
+       "acceleration along the path; NaN where the point is at rest"},
       {"normal",
        {},
        Need::both_rates,
        [](const Point& point, const Spread&, double* to) {
          *to = mechanism::path_acceleration(point).normal;
        },
-       "acceleration across the path, positive to its left; NaN where the point rests"},
+       "acceleration across the path, positive to its left; NaN where the point is at rest"},
       {"sensitivity",
        {2, parameters},
        Need::sensitivity,
        [](const Point& point, const Spread&, double* to) { put(point.follows.first, to); },
-       "derivatives of x, y to the parameters, the drivers held at their laws"},
+       "derivatives of x, y with respect to the parameters,\nwhile the drivers follow their laws"},
       {"worst_case",
        {2},
        Need::sensitivity,
        [](const Point& point, const Spread& spread, double* to) {
          put(mechanism::worst_case(point, spread), to);
        },
-       "sum of |derivative| times tolerance, for x and y"},
+       "largest deviation of x and y to first order,\nthe sum of |derivative| times tolerance"},
       {"rss",
        {2},
        Need::sensitivity,
        [](const Point& point, const Spread& spread, double* to) {
          put(mechanism::root_sum_square(point, spread), to);
        },
-       "root of the sum of (derivative times tolerance)^2, for x and y"},
+       "root sum square for x and y, of derivative times tolerance"},
       {"covariance",
        {2, 2},
        Need::spread,
        [](const Point& point, const Spread& spread, double* to) {
          put(mechanism::spread_of(point, spread).covariance, to);
        },
-       "of x and y, by first derivatives, in the square of the scene's unit"},
+       "covariance of x and y by first derivatives, in the square of the scene's unit"},
       {"mean_shift",
        {2},
        Need::spread,
        [](const Point& point, const Spread& spread, double* to) {
          put(mechanism::spread_of(point, spread).mean_shift, to);
        },
-       "of x and y, by second derivatives"},
+       "shift of the mean of x and y by second derivatives, in the scene's unit"},
       {"hessian",
        {2, parameters, parameters},
        Need::spread,
@@ -216,7 +218,8 @@ const std::vector<Field<Point>>& fields<Point>() {
            to += second.size();
          }
        },
-       "second derivatives of x and y to the parameters, the drivers held at their laws"}};
+       "second derivatives of x and y with respect to the parameters,\nwhile the drivers follow "
+       "their laws"}};
   return all;
 }
 

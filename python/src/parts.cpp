@@ -101,16 +101,23 @@ void bind_kind(py::module_& module, const Names& names) {
       .def(
           "__getitem__",
           [what](const All& all, const std::string& name) { return part_named(all, name, what); },
-          "__getitem__(self, name, /)\n--\n\nThe state of one, by its name.")
-      .def("__len__", [](const All& all) { return section_of(all).names.size(); })
-      .def("__iter__", [](const All& all) { return py::iter(py::cast(section_of(all).names)); })
-      .def("__contains__",
-           [](const All& all, const py::object& name) {
-             return py::cast(section_of(all).names).contains(name);
-           })
+          "__getitem__(self, name, /)\n--\n\nThe state of the part with this name. Raises "
+          "UnknownName if there is none.")
+      .def(
+          "__len__", [](const All& all) { return section_of(all).names.size(); },
+          "The number of names.")
+      .def(
+          "__iter__", [](const All& all) { return py::iter(py::cast(section_of(all).names)); },
+          "Iterates over the names, in the scene's order.")
+      .def(
+          "__contains__",
+          [](const All& all, const py::object& name) {
+            return py::cast(section_of(all).names).contains(name);
+          },
+          "Whether there is a part with this name.")
       .def(
           "keys", [](const All& all) { return section_of(all).names; },
-          "keys(self)\n--\n\nThe names, in the scene's order.")
+          "keys(self)\n--\n\nThe list of the names, in the scene's order.")
       .def(
           "values",
           [what](const All& all) {
@@ -120,7 +127,7 @@ void bind_kind(py::module_& module, const Names& names) {
             }
             return states;
           },
-          "values(self)\n--\n\nThe states, in the order of the names.")
+          "values(self)\n--\n\nThe list of the states, in the order of the names.")
       .def(
           "items",
           [what](const All& all) {
@@ -130,45 +137,56 @@ void bind_kind(py::module_& module, const Names& names) {
             }
             return items;
           },
-          "items(self)\n--\n\nPairs of a name and a state.");
+          "items(self)\n--\n\nThe list of pairs of a name and a state.");
 }
 
 }  // namespace
 
 void bind_parts(py::module_& module) {
-  bind_kind<Frame>(module,
-                   {"LinkState", "Links", "link",
-                    "A link. Of several configurations, every array has them as its first axis.",
-                    "The reported links by their names, the ground among them."});
-  bind_kind<SlideState>(module,
-                        {"JointState", "Joints", "reported prismatic joint or pin in a slot",
-                         "A prismatic joint or a pin in a slot. Of several configurations, arrays.",
-                         "The reported prismatic joints and pins in slots by their names."});
-  bind_kind<Point>(module,
-                   {"OutputState", "Outputs", "output",
-                    "An output. Of several configurations, every array has them as its first axis.",
-                    "The outputs by their names."});
+  bind_kind<Frame>(
+      module,
+      {"LinkState", "Links", "link",
+       "The state of a link. If there are several configurations, they are the first axis of\n"
+       "every array. A result that the scene does not want raises NotWanted.",
+       "A mapping from the names of the reported links, including the ground, to LinkState."});
+  bind_kind<SlideState>(
+      module, {"JointState", "Joints", "reported prismatic joint or pin in a slot",
+               "The state of a prismatic joint or a pin in a slot. If there are several\n"
+               "configurations, every float is an array of shape (configurations,), and they\n"
+               "are the first axis of every array. A result that the scene does not want\n"
+               "raises NotWanted.",
+               "A mapping from the names of the reported prismatic joints and pins in slots to\n"
+               "JointState."});
+  bind_kind<Point>(
+      module, {"OutputState", "Outputs", "output",
+               "The state of an output. If there are several configurations, every float is an\n"
+               "array of shape (configurations,), and they are the first axis of every array.\n"
+               "A result that the scene does not want raises NotWanted.",
+               "A mapping from the names of the outputs to OutputState."});
   py::class_<RowsView, std::shared_ptr<RowsView>>(
       module, "States",
-      "One configuration, or several: then every array has a first axis for them.")
+      "The states of one configuration, or of several, which are then the first axis of every\n"
+      "array.")
       .def_property_readonly(
-          "links", [](const RowsView& of) { return Parts<Frame>{of}; }, "Links: by their names.")
+          "links", [](const RowsView& of) { return Parts<Frame>{of}; },
+          "Links: the reported links by their names.")
       .def_property_readonly(
           "joints", [](const RowsView& of) { return Parts<SlideState>{of}; },
-          "Joints: prismatic joints and pins in slots, by their names.")
+          "Joints: the reported prismatic joints and pins in slots by their names.")
       .def_property_readonly(
           "outputs", [](const RowsView& of) { return Parts<Point>{of}; },
-          "Outputs: by their names.")
+          "Outputs: the outputs by their names.")
       .def_property_readonly(
           "residual",
           [](const py::object& self) {
             return numbers_at(self.cast<const RowsView&>(), 0, {}, self);
           },
-          "float or array: the largest closure error, in the scene's unit.")
+          "float, or array of shape (configurations,): the largest closure error, in the scene's\n"
+          "unit.")
       .def_property_readonly(
           "regular",
           [](const py::object& self) { return regular_at(self.cast<const RowsView&>(), self); },
-          "bool or array: whether every derivative keeps six digits.");
+          "bool, or array of shape (configurations,): whether every derivative keeps six digits.");
 }
 
 }  // namespace assur::python

@@ -49,11 +49,13 @@ void bind_group(py::module_& module) {
   py::class_<GroupOfPlan>(module, "Group", "An Assur group of a plan.")
       .def_readonly("assur_class", &GroupOfPlan::assur_class,
                     "int: 2 for a dyad, 3 for a triad, 4 for a tetrad.")
-      .def_readonly("kind", &GroupOfPlan::kind, "str: its joints, R or P.")
-      .def_readonly("model", &GroupOfPlan::model, "int: the number of its model.")
+      .def_readonly("kind", &GroupOfPlan::kind,
+                    "str: the letters of its joints, R for revolute and P for prismatic.")
+      .def_readonly("model", &GroupOfPlan::model,
+                    "int: the number of its model, as `assur catalogue` lists it.")
       .def_readonly("links", &GroupOfPlan::links, "list of str: the names of its links.")
       .def_readonly("relative_to", &GroupOfPlan::relative_to,
-                    "str or None: the moving link relative to which it is solved.");
+                    "str or None: the moving link relative to which it is solved, if any.");
 }
 
 }  // namespace
@@ -73,8 +75,11 @@ void bind_plan(py::module_& module) {
   PlanClass plan(
       module, "Plan",
       "Plan(scene, /)\n--\n\n"
-      "A scene, taken apart once, to be solved for any number of values, on any threads.\n\n"
-      "Raises OverConstrained, and SceneError for a scene that cannot be solved.");
+      "The decomposition of a scene into groups, made once. It solves the scene for any number of\n"
+      "values, and threads may share it.\n\n"
+      "Raises SceneError for a scene that cannot be solved, and its subclass OverConstrained for "
+      "one\n"
+      "with more constraints than freedoms.");
   plan.def(py::init([](const SharedScene& scene) {
              const py::gil_scoped_release others_run;
              return std::make_shared<PlannedScene>(scene);
@@ -82,7 +87,7 @@ void bind_plan(py::module_& module) {
            py::arg("scene"), py::pos_only())
       .def_property_readonly(
           "scene", [](const PlannedScene& planned) { return planned.scene; },
-          "Scene: what it is the plan of.")
+          "Scene: the scene that it was made from.")
       .def_property_readonly(
           "parameters",
           [](const PlannedScene& planned) {
@@ -112,11 +117,11 @@ void bind_plan(py::module_& module) {
             }
             return tuple_of(names);
           },
-          "tuple of str: the names of the joints that hold where the others do.")
+          "tuple of str: the names of the redundant joints, which only hold where the others do.")
       .def_property_readonly(
           "most_configurations",
           [](const PlannedScene& planned) { return planned.plan.most_configurations(); },
-          "float: how many configurations there are at most.")
+          "float: the largest number of configurations that there can be.")
       .def(
           "solve",
           [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
@@ -124,11 +129,13 @@ void bind_plan(py::module_& module) {
           },
           ByPlace("values ") = py::none(), py::pos_only(),
           "solve(self, values=None, /, **parameters)\n--\n\n"
-          "Every configuration, as a Solution.\n\n"
-          "values, and keywords: numbers by the names of parameters, in place of their formulas.\n"
-          "A keyword goes before the mapping. Angles are radians.\n\n"
-          "Raises UnknownName, ShapeError for what is no number, and SceneError for values that\n"
-          "cannot be used. Links that cannot reach are no error: see Solution.status.")
+          "Returns every configuration, as a Solution.\n\n"
+          "values, and keywords: numbers for parameters, by their names, in place of their "
+          "formulas.\n"
+          "A keyword overrides the mapping. Angles are radians.\n\n"
+          "Raises UnknownName, ShapeError for a value that is not a number, and SceneError for "
+          "values\n"
+          "that cannot be used. Links that cannot reach are not an error: see Solution.status.")
       .def(
           "solve_one",
           [](const SharedPlan& planned, const py::object& number, const py::object& values,
@@ -138,8 +145,10 @@ void bind_plan(py::module_& module) {
           },
           ByPlace("number "), ByPlace("values ") = py::none(), py::pos_only(),
           "solve_one(self, number, values=None, /, **parameters)\n--\n\n"
-          "The configuration of a number, from 1, alone in a Solution.\n\n"
-          "Raises SceneError where there is not one of that number, and as solve does.")
+          "Returns the configuration with a number, from 1, alone in a Solution.\n\n"
+          "values and keywords: see solve. Raises SceneError if there is no such configuration, "
+          "and\n"
+          "as solve does.")
       .def(
           "solve_nearest",
           [](const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
@@ -147,8 +156,10 @@ void bind_plan(py::module_& module) {
           },
           ByPlace("values ") = py::none(), py::pos_only(),
           "solve_nearest(self, values=None, /, **parameters)\n--\n\n"
-          "The configuration nearest to the scene's reference, alone in a Solution.\n\n"
-          "Raises SceneError where the scene has no reference, and as solve does.");
+          "Returns the configuration nearest to the scene's reference, alone in a Solution.\n\n"
+          "values and keywords: see solve. Raises SceneError if the scene has no reference, and "
+          "as\n"
+          "solve does.");
   add_solve_batch(module, plan);
   add_sweep(module, plan);
 }

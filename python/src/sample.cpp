@@ -130,29 +130,38 @@ py::object array_of(const std::optional<Eigen::Vector2d>& numbers) {
 }
 
 void bind_nominal(py::module_& module) {
-  py::class_<NominalPoint>(module, "NominalPoint",
-                           "An output at the nominal values, and what derivatives there say.")
+  py::class_<NominalPoint>(
+      module, "NominalPoint",
+      "An output at the nominal values, with the deviations that derivatives there predict. These\n"
+      "are None where the derivatives are not known.")
       .def_property_readonly(
           "position", [](const NominalPoint& point) { return array_of(point.position, {2}); },
           "Array of shape (2,): x, y in the scene's unit.")
       .def_property_readonly(
           "worst_case", [](const NominalPoint& point) { return array_of(point.worst_case); },
-          "Array of shape (2,), or None: sum of |derivative| times half-width, for x and y.")
+          "Array of shape (2,), or None: largest deviation of x and y, the sum of |derivative| "
+          "times\n"
+          "the sum of |derivative| times half-width.")
       .def_property_readonly(
           "rss", [](const NominalPoint& point) { return array_of(point.rss); },
-          "Array of shape (2,), or None: root of the sum of (derivative times half-width)^2.")
+          "Array of shape (2,), or None: root sum square for x and y, of derivative times "
+          "the sum of |derivative| times half-width.")
       .def_property_readonly(
           "covariance",
           [](const NominalPoint& point) {
             return point.spread ? array_of(point.spread->covariance, {2, 2}) : py::none();
           },
-          "Array of shape (2, 2), or None: of x and y, by first derivatives.")
+          "Array of shape (2, 2), or None: covariance of x and y by first derivatives, in the "
+          "square\n"
+          "of the scene's unit.")
       .def_property_readonly(
           "mean_shift",
           [](const NominalPoint& point) {
             return point.spread ? array_of(point.spread->mean_shift, {2}) : py::none();
           },
-          "Array of shape (2,), or None: of x and y, by second derivatives.");
+          "Array of shape (2,), or None: shift of the mean of x and y by second derivatives, in "
+          "the\n"
+          "scene's unit.");
 }
 
 }  // namespace
@@ -163,34 +172,39 @@ void bind_sample(py::module_& module) {
       module, "Samples", "Outputs under random deviations within the tolerances.")
       .def_property_readonly(
           "positions", positions_of,
-          "dict of arrays of shape (count, 2): x, y of each output, by its name;\n"
-          "NaN where a sample has no configuration.")
+          "dict of arrays of shape (count, 2): x, y of each output, by its name, in the scene's\n"
+          "unit; NaN where a sample has no configuration.")
       .def_property_readonly(
           "outcome",
           [](const py::object& self) { return view_of(self.cast<const Sampled&>().outcome, self); },
-          "Array of shape (count,): what became of each sample, an Outcome.")
+          "Array of shape (count,): the Outcome of each sample.")
       .def_property_readonly(
           "nominal", nominal_of,
-          "dict of NominalPoint: the outputs without deviations, by their names.")
+          "dict of NominalPoint: the outputs at the nominal values, by their names.")
       .def_property_readonly("deviations", deviations_of,
                              "dict of float: the half-widths of the deviating parameters.")
-      .def_property_readonly(
-          "parameters", parameters_of_samples,
-          "Array of shape (count, len(deviations)): values of the deviating parameters, computed\n"
-          "when it is asked for.")
+      .def_property_readonly("parameters", parameters_of_samples,
+                             "Array of shape (count, len(deviations)): the values of the deviating "
+                             "parameters. They are\n"
+                             "computed at every access.")
       .def("reason", reason_of_sample, py::arg("sample"), py::pos_only(),
            "reason(self, sample, /)\n--\n\n"
-           "What the solver says of a sample that has no configuration.")
-      .def("__len__", [](const Sampled& samples) { return samples.count; });
-  module.def("sample", sampled, py::arg("scene"), py::arg("count"), py::arg("seed"),
-             py::arg("branch") = 0, py::arg("threads") = 0,
-             "sample(scene, count, seed, branch=0, threads=0)\n--\n\n"
-             "Outputs under random deviations within the scene's tolerances, as Samples: the same\n"
-             "numbers as `assur sample` has for the seed, on any number of threads.\n\n"
-             "branch: the number of the nominal configuration, from 1; for 0 the nearest to the\n"
-             "scene's reference, or else the first. threads: 0 for all that the machine has.\n\n"
-             "Raises SceneError where nothing deviates, nothing is an output, or there is no such\n"
-             "configuration. Ctrl-C ends it.");
+           "Returns the reason, as str, why a sample, from 0, has no configuration. Raises "
+           "IndexError\n"
+           "beyond the last sample.")
+      .def(
+          "__len__", [](const Sampled& samples) { return samples.count; },
+          "The number of samples.");
+  module.def(
+      "sample", sampled, py::arg("scene"), py::arg("count"), py::arg("seed"), py::arg("branch") = 0,
+      py::arg("threads") = 0,
+      "sample(scene, count, seed, branch=0, threads=0)\n--\n\n"
+      "Returns outputs under random deviations within the scene's tolerances, as Samples: the\n"
+      "same numbers as `assur sample` with this seed, on any number of threads.\n\n"
+      "branch: the number of the nominal configuration, from 1; for 0 the one nearest to the\n"
+      "scene's reference, or else the first. threads: 0 for as many as the machine has.\n\n"
+      "Raises SceneError where nothing deviates, nothing is an output, or there is no such\n"
+      "configuration. Ctrl-C ends it.");
 }
 
 }  // namespace assur::python

@@ -114,15 +114,16 @@ std::vector<std::string> driven_joints(const Scene& scene) {
 void bind_scene(py::module_& module) {
   py::class_<Scene, SharedScene>(
       module, "Scene",
-      "A mechanism and what is wanted of it, from read_scene or parse_scene; nothing changes it.")
+      "A mechanism and what is wanted of it, which read_scene or parse_scene returns. It is\n"
+      "immutable.")
       .def_property_readonly(
           "file", [](const Scene& scene) { return scene.file; },
-          "str: the name of its file, which errors begin with.")
+          "str: the name of its file, with which errors begin.")
       .def_property_readonly(
           "name", [](const Scene& scene) { return scene.mechanism.name(); }, "str: its name.")
       .def_property_readonly(
           "unit", [](const Scene& scene) { return scene.mechanism.unit(); },
-          "str: what its unit of length is called; empty where it does not say.")
+          "str: the name of its unit of length; empty if the scene does not give one.")
       .def_property_readonly(
           "parameters",
           [](const Scene& scene) { return tuple_of(text::names_of(scene.mechanism.parameters())); },
@@ -144,19 +145,27 @@ void bind_scene(py::module_& module) {
           "tuple of str: the names of its outputs.")
       .def("svg", svg_of_scene, py::arg("configuration") = 0, py::arg("nearest") = false,
            "svg(self, configuration=0, nearest=False)\n--\n\n"
-           "A picture, 80 mm wide, as the text of an SVG file: of all configurations, of one by\n"
-           "its number, or of the one nearest to the scene's reference.\n\n"
+           "Returns a picture, 80 mm wide, as the text of an SVG file: of all configurations, of "
+           "the\n"
+           "one with a number, or of the one nearest to the scene's reference.\n\n"
            "Raises SceneError where there is no such configuration.")
-      .def("moving_svg", moving_svg, py::arg("branch") = 0,
-           "moving_svg(self, branch=0)\n--\n\n"
-           "The same of one branch of the scene's sweep, in motion: by its number, or the one\n"
-           "nearest to the reference, or else the first.")
+      .def(
+          "moving_svg", moving_svg, py::arg("branch") = 0,
+          "moving_svg(self, branch=0)\n--\n\n"
+          "Returns a moving picture, as the text of an SVG file, of one branch of the scene's "
+          "sweep:\n"
+          "the one with a number, or for 0 the one nearest to the reference, or else the first.\n\n"
+          "Raises SceneError where the scene has no sweep or no such branch.")
       .def("dxf", dxf, py::arg("configuration") = 0, py::arg("nearest") = false,
            "dxf(self, configuration=0, nearest=False)\n--\n\n"
-           "A drawing for CAD as the text of a DXF file, in the scene's unit.")
+           "Returns a drawing for CAD as the text of a DXF file, in the scene's unit. Arguments "
+           "and\n"
+           "errors are those of svg.")
       .def("page", page,
            "page(self)\n--\n\n"
-           "The text of an HTML page that needs no other file and animates the scene's sweep.")
+           "Returns the text of an HTML page that needs no other file and animates the scene's "
+           "sweep.\n\n"
+           "Raises SceneError where no step of the sweep has a configuration.")
       .def("_repr_svg_", picture_of_scene)
       .def("__repr__", [](const Scene& scene) {
         return "<assur.Scene " + scene.file +
@@ -165,17 +174,17 @@ void bind_scene(py::module_& module) {
   module.def(
       "read_scene", read, ByPlace("file "), ByPlace("values ") = py::none(), py::pos_only(),
       "read_scene(file, values=None, /, **parameters)\n--\n\n"
-      "The scene of a JSON file.\n\n"
-      "values, and keywords: by the names of parameters, numbers or texts of expressions, which\n"
-      "take the place of the file's; a keyword goes before.\n\n"
+      "Returns the Scene in a JSON file.\n\n"
+      "values, and keywords: numbers or texts of expressions for parameters, by their names, in\n"
+      "place of those in the file. A keyword overrides the mapping.\n\n"
       "Raises SceneError with the file, the place in it, what is wrong, and the mend.");
-  module.def("parse_scene", parse, ByPlace("scene "), ByPlace("values ") = py::none(),
-             py::pos_only(),
-             "parse_scene(scene, values=None, /, **parameters)\n--\n\n"
-             "The scene of a JSON text, or of a dictionary of the same form, in which NumPy's\n"
-             "numbers and arrays may stand. values and keywords: see read_scene.");
+  module.def(
+      "parse_scene", parse, ByPlace("scene "), ByPlace("values ") = py::none(), py::pos_only(),
+      "parse_scene(scene, values=None, /, **parameters)\n--\n\n"
+      "Returns the Scene in a JSON text, or in a dictionary of the same form, which may contain\n"
+      "numbers and arrays of NumPy. values, keywords and errors: see read_scene.");
   module.def("scene_schema", mechanism::scene_schema,
-             "scene_schema()\n--\n\nThe JSON Schema of scenes, as text.");
+             "scene_schema()\n--\n\nReturns the JSON Schema of scenes, as text.");
 }
 
 }  // namespace assur::python

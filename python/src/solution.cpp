@@ -130,31 +130,34 @@ std::string json_of(const SolvedScene& solved) {
 }
 
 void bind_family(py::module_& module) {
-  py::class_<SolvedFamily>(module, "Family",
-                           "A choice of earlier groups for which a later one moves freely, or "
-                           "cannot be assembled.")
+  py::class_<SolvedFamily>(
+      module, "Family",
+      "A choice of configurations of earlier groups for which a later group moves freely, or is\n"
+      "inconsistent.")
       .def_property_readonly(
           "group", [](const SolvedFamily& of) { return of.family->group.place() + 1; },
           "int: the number of the group, from 1.")
       .def_property_readonly(
           "mobility", [](const SolvedFamily& of) { return of.family->mobility; },
-          "int: where it was found assembled, or zero.")
+          "int: how many freedoms the group has; zero where it was not found assembled.")
       .def_property_readonly(
           "reason", [](const SolvedFamily& of) { return of.family->reason; },
-          "str: which joints leave it free.")
+          "str: the reason, with the joints that leave the group free.")
       .def_property_readonly("links", placed_links,
-                             "dict: of the links that stand, arrays [x, y, theta].");
+                             "dict of arrays of shape (3,): x, y, theta of the links that are "
+                             "placed, by their names.");
 }
 
 void bind_nearest(py::module_& module) {
   py::class_<Nearest>(module, "Nearest",
                       "How far a solution is from the scene's reference, in radians.")
-      .def_readonly("distance", &Nearest::distance,
-                    "float: root of the sum of the squares of the links' turns.")
+      .def_readonly(
+          "distance", &Nearest::distance,
+          "float: root of the sum of the squared angles between the links and the reference.")
       .def_readonly("runner_up", &Nearest::runner_up,
-                    "float or None: the distance of the next configuration.")
+                    "float or None: the distance of the next configuration, if there is one.")
       .def_readonly("place", &Nearest::configuration,
-                    "int: the place of the nearest configuration in the solution, from 0.");
+                    "int: the index of the nearest configuration in the solution, from 0.");
 }
 
 }  // namespace
@@ -167,48 +170,62 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "number",
           [](const SolvedConfiguration& one) { return one.solution->number_of(one.place); },
-          "int or None: its number, from 1, as the command counts; None if it is not known.")
+          "int or None: its number, from 1, as `assur solve` counts; None if it is not known.")
       .def_property_readonly(
           "branches",
           [](const SolvedConfiguration& one) -> std::optional<RowsView> {
             const auto& rates = one.solution->branches[one.place];
             return rates == nullptr ? std::nullopt : std::optional(RowsView{rates});
           },
-          "States or None: rates of the motions through it, where several cross.")
+          "States or None: the states with the rates of each motion, where several motions cross "
+          "in\n"
+          "this configuration.")
       .def("svg", svg_of_one,
-           "svg(self)\n--\n\nA picture of it, as the text of an SVG file; see Scene.svg.")
+           "svg(self)\n--\n\n"
+           "Returns a picture of this configuration, as the text of an SVG file; see Scene.svg.")
       .def("_repr_svg_", [](const SolvedConfiguration& one) { return picture(one, svg_of_one); });
   py::class_<SolvedScene, RowsView, SharedSolution>(
       module, "Solution",
-      "Every configuration at one set of values. solution[0] is the first; links, joints and\n"
-      "outputs of the solution itself have all of them, along the first axis of every array.")
-      .def_property_readonly("status", status_of, "Status: what became of the values.")
+      "Every configuration at one set of values. solution[0] is the first one. In links, joints "
+      "and\n"
+      "outputs of the solution itself, the configurations are the first axis of every array.")
+      .def_property_readonly("status", status_of, "Status: OK, NO_ASSEMBLY or DEGENERATE.")
       .def_property_readonly(
           "mobility", [](const SolvedScene& solved) { return solved.solution.mobility; },
-          "int: of the freest family, where there are families only.")
-      .def_property_readonly("reason", reason_of,
-                             "str: why there is no configuration; empty where there is one.")
-      .def_property_readonly("families", families_of, "tuple of Family: beside configurations.")
+          "int: the freedoms of the freest family, where there are families only.")
+      .def_property_readonly(
+          "reason", reason_of,
+          "str: the reason why there is no configuration; empty where there is one.")
+      .def_property_readonly("families", families_of,
+                             "tuple of Family: the families beside the configurations.")
       .def_property_readonly(
           "left_out", [](const SolvedScene& solved) { return solved.solution.left_out; },
-          "int or None: configurations beyond limits; None if they were not counted.")
+          "int or None: how many configurations are beyond the limits of joints; None if they "
+          "were\n"
+          "not counted.")
       .def_property_readonly(
           "dropped", [](const SolvedScene& solved) { return solved.solution.dropped; },
-          "int: choices of configurations for which a driver's law has no value.")
+          "int: how many choices of configurations leave a driver's law without a value.")
       .def_property_readonly(
           "drop_reason", [](const SolvedScene& solved) { return solved.solution.drop_reason; },
-          "str: what such a law says.")
+          "str: the message of such a law; empty if there is none.")
       .def_property_readonly("parameters", parameters_of,
-                             "dict: the values of all parameters, by their names.")
+                             "dict of float: the values of all parameters, by their names.")
       .def_property_readonly("nearest", nearest_of,
-                             "Nearest or None: to the scene's reference; SceneError without one.")
-      .def("__len__", [](const SolvedScene& solved) { return solved.rows->count(); })
+                             "Nearest or None: the configuration nearest to the scene's reference; "
+                             "None if there is no\n"
+                             "configuration. Raises SceneError if the scene has no reference.")
+      .def(
+          "__len__", [](const SolvedScene& solved) { return solved.rows->count(); },
+          "The number of configurations.")
       .def("__getitem__", configuration_at, py::arg("place"), py::pos_only(),
-           "__getitem__(self, place, /)\n--\n\nThe configuration at a place, from 0.")
+           "__getitem__(self, place, /)\n--\n\nThe Configuration at an index, from 0.\n\n"
+           "Raises IndexError beyond the last one.")
       .def("svg", svg_of_all,
-           "svg(self)\n--\n\nA picture of it, as the text of an SVG file; see Scene.svg.")
+           "svg(self)\n--\n\n"
+           "Returns a picture of its configurations, as the text of an SVG file; see Scene.svg.")
       .def("to_json", json_of,
-           "to_json(self)\n--\n\nThe text that `assur solve --format json` prints.")
+           "to_json(self)\n--\n\nReturns the text that `assur solve --format json` prints.")
       .def("_repr_svg_", [](const SolvedScene& solved) { return picture(solved, svg_of_all); })
       .def("__str__", text_of)
       .def("__repr__", [](const SolvedScene& solved) {

@@ -74,10 +74,11 @@ auto all_of(std::vector<Number> SolvedBatch::*member) {
 void add_solve_batch(py::module_& module, PlanClass& plan) {
   py::class_<SolvedBatch, RowsView, std::shared_ptr<SolvedBatch>>(
       module, "Batch",
-      "The configurations of many sets of values, the items, item by item. The first axis of the\n"
-      "arrays of links, joints and outputs has a row for each configuration of each item.")
+      "The configurations of many items, each of which is a set of values. The first axis of the\n"
+      "arrays of links, joints and outputs has a row for each configuration of each item, item by\n"
+      "item.")
       .def_property_readonly("status", all_of(&SolvedBatch::status),
-                             "Array of shape (items,): what became of each item, a Status.")
+                             "Array of shape (items,): the Status of each item.")
       .def_property_readonly(
           "offsets", all_of(&SolvedBatch::offsets),
           "Array of shape (items + 1,): item i has the rows from offsets[i] to offsets[i + 1].")
@@ -86,15 +87,18 @@ void add_solve_batch(py::module_& module, PlanClass& plan) {
       .def_property_readonly(
           "configuration", all_of(&SolvedBatch::configuration),
           "Array of shape (rows,): the number of each configuration in its item, from 1.")
-      .def("__len__", [](const SolvedBatch& batch) { return batch.status.size(); });
-  plan.def(
-      "solve_batch", solve_batch, ByPlace("values ") = py::none(), py::pos_only(),
-      "solve_batch(self, values=None, /, **parameters)\n--\n\n"
-      "Every configuration of many sets of values, as a Batch.\n\n"
-      "values, and keywords: by the names of parameters, arrays of one length, shape (items,),\n"
-      "or numbers that all items share. Arrays of doubles are read where they are.\n\n"
-      "Raises ShapeError for arrays of other shapes, and as solve does, with the item. Ctrl-C\n"
-      "ends it.");
+      .def(
+          "__len__", [](const SolvedBatch& batch) { return batch.status.size(); },
+          "The number of items.");
+  plan.def("solve_batch", solve_batch, ByPlace("values ") = py::none(), py::pos_only(),
+           "solve_batch(self, values=None, /, **parameters)\n--\n\n"
+           "Returns every configuration of many sets of values, as a Batch.\n\n"
+           "values, and keywords: for parameters, by their names, arrays of one shape (items,), or "
+           "numbers\n"
+           "that all items share. Arrays of doubles are read without a copy.\n\n"
+           "Raises ShapeError for arrays of other shapes, and as solve does, with the number of "
+           "the item.\n"
+           "Ctrl-C ends it.");
 }
 
 }  // namespace assur::python

@@ -153,29 +153,35 @@ template <typename Kind>
 py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& module, const char* name,
                                                               const char* doc) {
   return py::class_<Kind, RowsView, std::shared_ptr<Kind>>(module, name, doc)
-      .def_property_readonly("step", all_of<Kind>(&SweptRows::step),
-                             "Array of shape (rows,): the number of the step, from 0; of an event\n"
-                             "the last step not beyond it.")
+      .def_property_readonly(
+          "step", all_of<Kind>(&SweptRows::step),
+          "Array of shape (rows,): the number of the step, from 0; for an event\n"
+          "the last step that is not beyond it.")
       .def_property_readonly("parameter", all_of<Kind>(&SweptRows::parameter),
                              "Array of shape (rows,): the value of the swept parameter.")
-      .def("__len__", [](const Kind& rows) { return rows.step.size(); });
+      .def(
+          "__len__", [](const Kind& rows) { return rows.step.size(); }, "The number of rows.");
 }
 
 void bind_rows(py::module_& module) {
   swept_class<Branch>(module, "Branch",
-                      "One branch of a sweep: the first axis of every array has its rows.")
+                      "One branch of a sweep. Its rows are the first axis of every array.")
       .def_readonly("number", &Branch::number,
-                    "int: of the branch, from 1; zero of what belongs to none, or is the nearest.")
+                    "int: the number of the branch, from 1; zero for configurations without a "
+                    "branch, and for\n"
+                    "the branch nearest to the reference.")
       .def_property_readonly(
           "configuration", all_of<Branch>(&SweptRows::configuration),
           "Array of shape (rows,): the number of the configuration at its step;\n"
           "zero where that is not known.")
       .def_readonly("ends_at", &Branch::ends_at,
-                    "float or None: where sweep_branch cannot follow it any further.");
-  swept_class<Events>(module, "Events", "The events of a sweep, a row for each.")
+                    "float or None: the value of the parameter at which sweep_branch cannot follow "
+                    "the branch\n"
+                    "any further; None if it reaches the end.");
+  swept_class<Events>(module, "Events", "The events of a sweep, one row per event.")
       .def_property_readonly(
           "event", [](const Events& events) { return py::tuple(py::cast(events.event)); },
-          "tuple of str: what happens and to which branches, as `fold 1 2`.");
+          "tuple of str: each event with the numbers of its branches, such as `fold 1 2`.");
 }
 
 }  // namespace
@@ -183,22 +189,25 @@ void bind_rows(py::module_& module) {
 void add_sweep(py::module_& module, PlanClass& plan) {
   bind_rows(module);
   py::class_<SweptScene>(module, "Sweep", "The branches of a sweep, and the events between them.")
-      .def_readonly("parameter", &SweptScene::parameter, "str: the name of what is swept.")
-      .def_readonly("branches", &SweptScene::branches, "dict of Branch: by their numbers, from 1.")
+      .def_readonly("parameter", &SweptScene::parameter, "str: the name of the swept parameter.")
+      .def_readonly("branches", &SweptScene::branches,
+                    "dict of Branch: the branches by their numbers, from 1.")
       .def_readonly("unassigned", &SweptScene::unassigned,
-                    "Branch: configurations that belong to no branch.")
-      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and others.");
-  plan.def(
-          "sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
-          "sweep(self, values=None, /, **parameters)\n--\n\n"
-          "Every branch of the scene's sweep, as a Sweep, other parameters at the given values.\n\n"
-          "Raises SceneError where the scene has no sweep, and as solve does. Ctrl-C ends it.")
-      .def(
-          "sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
-          "sweep_branch(self, number, /)\n--\n\n"
-          "One branch alone, as a Branch, in the memory of its rows, however many others there\n"
-          "are: by its number at the first step, or for 0 the nearest to the scene's reference.\n\n"
-          "Raises SceneError where there is none, and as sweep does. Ctrl-C ends it.");
+                    "Branch: the configurations that belong to no branch.")
+      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and other events.");
+  plan.def("sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
+           "sweep(self, values=None, /, **parameters)\n--\n\n"
+           "Returns every branch of the scene's sweep, as a Sweep, with other parameters at the "
+           "given\n"
+           "values (see solve).\n\n"
+           "Raises SceneError if the scene has no sweep, and as solve does. Ctrl-C ends it.")
+      .def("sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
+           "sweep_branch(self, number, /)\n--\n\n"
+           "Returns one branch alone, as a Branch, which takes the memory of its own rows only: "
+           "the\n"
+           "branch with a number at the first step, or for 0 the one nearest to the scene's\n"
+           "reference.\n\n"
+           "Raises SceneError if there is no such branch, and as sweep does. Ctrl-C ends it.");
 }
 
 }  // namespace assur::python

@@ -36,6 +36,24 @@ TEST(BadArguments, NameTheirSubcommand) {
   expect_one_line(run_assur("derive"),
                   "derive: KIND_OR_MODEL is required (see assur derive --help)");
 }
+TEST(BadArguments, MissingOrRepeated) {
+  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+  const std::vector<std::array<std::string, 2>> calls = {
+      {"solve", "error: solve: SCENE is required (see assur solve --help)\n"},
+      {"merge", "error: merge: FILE is required (see assur merge --help)\n"},
+      {"audit", "error: audit: FILE is required (see assur audit --help)\n"},
+      {"solve " + scene + " --branch", "error: solve: --branch needs a value (see assur solve"},
+      {"solve " + scene + " --format", "error: solve: --format needs a value (see assur solve"},
+      {"solve " + scene + " --branch 1 --branch 2",
+       "error: solve: --branch may be given only once (see assur solve"},
+      {"emit --output .",
+       "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"},
+      {"emit --all --model 1 --output .",
+       "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"}};
+  for (const auto& [call, message] : calls) {
+    expect_one_line(run_assur(call), message);
+  }
+}
 
 TEST(BadArguments, SuggestWhatWasMeant) {
   const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";

@@ -62,7 +62,7 @@ class GridWorker {
   }
 
  private:
-  /// What is there in place of configurations.
+  /// Solves the cell. Returns what it has instead of configurations, if it has none.
   std::optional<Outcome> solve() {
     try {
       values_.set(place_);

@@ -6,13 +6,15 @@
 
 namespace assur::mechanism::campaign {
 
+/// A number that a row does not have.
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
+/// The outcome of a configuration within limits.
 [[nodiscard]] inline Outcome outcome_of(const Configuration& configuration) {
   return configuration.regularity == Status::ok ? Outcome::regular : Outcome::near_singular;
 }
 
-/// Of a solution without configurations.
+/// The outcome of a solution without configurations.
 [[nodiscard]] inline Outcome outcome_without_configurations(const Solution& solution) {
   return solution.status == SolutionStatus::degenerate ? Outcome::degenerate
          : !solution.breaches.empty()                  ? Outcome::beyond_limits
@@ -28,7 +30,7 @@ inline void add_output_columns(const Mechanism& mechanism, std::vector<Column>& 
   }
 }
 
-/// Their numbers; of no configuration none.
+/// Adds the outputs' coordinates to a row; NaN for null, which means no configuration.
 inline void add_outputs(const Mechanism& mechanism, const Configuration* configuration,
                         std::vector<double>& row) {
   for (const OutputIndex output : mechanism.outputs().keys()) {
@@ -41,7 +43,7 @@ inline void add_outputs(const Mechanism& mechanism, const Configuration* configu
   }
 }
 
-/// A request of positions alone, without what belongs to other questions.
+/// The request reduced to positions, without the sweep and the covariance.
 [[nodiscard]] inline Request positions_alone(Request request) {
   request.want = {true, false, false, false};
   request.sweep.reset();

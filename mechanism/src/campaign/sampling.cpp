@@ -100,8 +100,8 @@ std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& 
 }
 
 /// The request of the samples: positions, near to a configuration. Links that drivers place stand
-/// alike in all configurations of a sample, and tell nothing; where there are no others, they are
-/// named because a reference must name some.
+/// alike in all configurations of a sample and so cannot distinguish them; if there are no others,
+/// they are named because a reference must name some.
 Request sample_request(const Request& request, const Plan& plan, const Configuration& nominal,
                        Mechanism& mechanism) {
   Request result = positions_alone(request);
@@ -188,7 +188,7 @@ class Sampling::Worker {
           *nearest->runner_up < 3 * nearest->distance) {
         outcome = Outcome::ambiguous;
       }
-    } catch (const MechanismError&) {  // is an outcome, whose reason is told by `reason_of`
+    } catch (const MechanismError&) {  // this is an outcome; `reason_of` gives its reason
     }
     rows.insert(rows.end(), {static_cast<double>(sample), static_cast<double>(outcome)});
     campaign::add_outputs(sampling_->plan_->mechanism(), found, rows);

@@ -7,7 +7,8 @@ namespace assur::mechanism::description {
 
 namespace {
 
-/// A chain of a thousand cranks takes two seconds to plan, and the time grows as the cube.
+/// The most links: a chain of a thousand cranks takes two seconds to plan, and the time grows as
+/// the cube.
 constexpr std::size_t most_links = 1000;
 
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
@@ -266,7 +267,7 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
 void Mechanism::set_limits(const std::string& joint, const Given& lowest, const Given& highest) {
   const std::string part = "joints." + joint + ".limits";
   const JointIndex index = joint_named(joint, part);
-  (void)number(highest, part + "[1]");  // Where it is refused, the lowest stays as it was.
+  (void)number(highest, part + "[1]");  // If this throws, the lowest limit stays as it was.
   put_number(lowest, part + "[0]", joints_[index].lowest);
   put_number(highest, part + "[1]", joints_[index].highest);
 }

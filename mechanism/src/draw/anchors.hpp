@@ -22,14 +22,15 @@ enum class Offset : unsigned char {
   none,
   first_end,   ///< the lowest place of what slides along the line, and a margin before it
   second_end,  ///< the highest, and a margin behind it
-  ahead,       ///< a short way, which tells a direction
+  ahead,       ///< a short way, which shows a direction
   mouth        ///< of a tube: short of its rod's eye at the shortest
 };
 
+/// A point of the drawing, as a place on a feature of a link.
 struct Anchor {
   FeatureIndex feature;
   Offset offset = Offset::none;
-  JointIndex joint = {};  ///< whose displacements the offset is about
+  JointIndex joint = {};  ///< the joint whose displacements define the offset
   double sense = 1;       ///< -1 where they count against the line
 };
 
@@ -38,8 +39,8 @@ struct Anchor {
 using FeatureFrames = Table<FeatureIndex, Pose<double>>;
 [[nodiscard]] FeatureFrames feature_frames(const Mechanism& mechanism, const Values& values);
 
-/// The poses of a mechanism's links in a configuration of the part of it that is planned; nothing
-/// for links that are not of that part.
+/// The poses of a mechanism's links in a configuration of its planned part; nothing for links
+/// outside that part.
 using LinkPoses = Table<LinkIndex, std::optional<Pose<double>>>;
 [[nodiscard]] LinkPoses link_poses(const Mechanism& mechanism, const Mechanism& planned,
                                    const Configuration& configuration);
@@ -48,8 +49,7 @@ using LinkPoses = Table<LinkIndex, std::optional<Pose<double>>>;
 void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
                            const Configuration& configuration, Reaches& reaches);
 
-/// Where an anchor is, in the frame of the ground; `size` is the mechanism's, which margins are
-/// parts of.
+/// The place of an anchor in the frame of the ground; margins are parts of the mechanism's `size`.
 [[nodiscard]] Eigen::Vector2d position(const Anchor& anchor, const Mechanism& mechanism,
                                        const FeatureFrames& frames, const LinkPoses& poses,
                                        const Reaches& reaches, double size);

@@ -53,7 +53,7 @@ std::vector<std::size_t> convex_hull(const std::vector<Eigen::Vector2d>& points,
       }
       hull.push_back(*first);
     }
-    hull.pop_back();  // begins the other half
+    hull.pop_back();  // the other half begins with this point
   };
   add_half(order.begin(), order.end());
   add_half(order.rbegin(), order.rend());

@@ -10,7 +10,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// The configurations that are drawn, and what is said of them.
+/// The configurations that are drawn, with their numbers.
 struct Chosen {
   Solution solution;
   std::vector<std::pair<int, std::size_t>> drawn;  ///< numbers from 1, places in the solution

@@ -32,7 +32,7 @@ constexpr std::array dxf_units = {DxfUnit{"in", 1},  DxfUnit{"ft", 2}, DxfUnit{"
                                   DxfUnit{"cm", 5},  DxfUnit{"m", 6},  DxfUnit{"km", 7},
                                   DxfUnit{"um", 13}, DxfUnit{"dm", 14}};
 
-/// Of AutoCAD's colour index, beside those of the palette.
+/// Colours of AutoCAD's index that resemble those of the palette, in the same order.
 constexpr std::array dxf_colours = {5, 30, 94, 211, 40, 151};
 constexpr int dxf_ink = 7;
 
@@ -75,7 +75,7 @@ class LayerNames {
   std::set<std::string> taken_;
 };
 
-/// R12 has no letters beyond ASCII: what they are is written as `\\U+00B5`.
+/// The text in ASCII, since R12 has no other letters: another one is written as `\\U+00B5`.
 std::string in_ascii(const std::string& text) {
   std::string result;
   std::uint32_t letter = 0;
@@ -151,7 +151,7 @@ class DxfWriter {
                                           : Layer{Layer::Holds::link, before + shape.link};
   }
 
-  /// What follows is on this layer.
+  /// Puts the entities that follow on a layer.
   void layer(const Layer& wanted, int colour) {
     layer_ = names_.of(wanted);
     layers_.emplace(layer_, colour);
@@ -227,7 +227,8 @@ class DxfWriter {
     polyline({from + aside, to + aside, to - aside, from - aside}, true);
   }
 
-  /// What is fixed is the same in all stances, but for how far things slide along it.
+  /// Adds the fixed shapes, which are the same in all stances, except for how far things slide
+  /// along them.
   void add_ground() {
     for (const Shape& shape : drawing_.shapes) {
       if (shape.fixed) {

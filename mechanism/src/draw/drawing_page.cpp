@@ -19,9 +19,9 @@ namespace assur::mechanism::draw {
 namespace {
 
 constexpr std::size_t most_page_bytes = 999'999;
-/// For the page itself, its scripts and its shapes.
+/// The bytes of the page itself, its scripts and its shapes.
 constexpr std::size_t bytes_beside_numbers = 120'000;
-/// More does not make a page better.
+/// The most bytes of numbers; more do not make a page better.
 constexpr std::size_t most_number_bytes = 750'000;
 /// In base 64.
 constexpr double bytes_of_number = sizeof(float) * 4 / 3.0;
@@ -101,7 +101,7 @@ std::string colours_of_page(const char* Colour::*shade) {
   return text + "}";
 }
 
-/// The page with texts where it has their names between braces; what these texts hold is not read.
+/// The page with texts in place of their names in braces; braces within the texts are left alone.
 std::string filled(const std::string& page, const std::map<std::string, std::string>& texts) {
   std::string result;
   std::size_t done = 0;
@@ -113,8 +113,8 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   return result + page.substr(done);
 }
 
-/// What the page solves anew, and the parameters that have values of their own: null where there
-/// are none but the one that is swept.
+/// The scene that the page solves for other values, and the parameters with values of their own;
+/// null if there is none but the swept one.
 Json solved_anew(const Mechanism& mechanism, const Request& request, const SceneText& scene) {
   const Values values = Plan(mechanism, request).values();
   Json parameters = Json::array();

@@ -20,7 +20,7 @@ constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
 constexpr int output_numbers = 6;
 constexpr int spread_numbers = 3;
-/// Of more parameters no derivatives are taken: nobody waits so long for a picture.
+/// With more parameters no derivatives are taken, since a picture would take too long.
 constexpr std::size_t most_derived = 200;
 
 /// A configuration at a step.
@@ -168,7 +168,7 @@ class FilmMaker {
     rows_[branch].push_back(std::move(row));
   }
 
-  /// What was recorded as points; the features of each step are evaluated once.
+  /// The film of what was recorded; the features of each step are evaluated once.
   Film finished() {
     if (rows_.empty()) {
       const Values values = plan_.values();

@@ -5,8 +5,8 @@
 
 namespace assur::mechanism::draw {
 
-/// A branch of the sweep, step by step. Steps at which it is not, and rates that are not known, are
-/// NaN.
+/// A branch of the sweep, step by step. Numbers are NaN at steps at which it does not exist, and
+/// for rates that are not known.
 struct FilmedBranch {
   int number;                   ///< as in `assur solve --format csv`
   std::vector<double> points;   ///< for each step x and y of each point of the shapes
@@ -16,12 +16,15 @@ struct FilmedBranch {
   std::vector<double> spreads;
 };
 
+/// An event of the sweep: its kind, the numbers of its branches, and the value of the swept
+/// parameter.
 struct FilmedEvent {
   std::string event;
   std::vector<int> branches;
   double parameter;
 };
 
+/// The branches and events of a sweep, for an animation.
 struct Film {
   double from = 0, to = 0;  ///< of the swept parameter
   int count = 1;            ///< of steps, both ends among them
@@ -33,7 +36,7 @@ struct Film {
   std::size_t left_out = 0;  ///< branches that are not in the film
 };
 
-/// The branches of the sweep, at steps that hold those of the scene, unless that takes more than
+/// The branches of the sweep, at steps that include those of the scene, unless that takes more than
 /// `most_numbers`; without a sweep, the configurations. There are `most_drawn` of them at most, and
 /// always the chosen one: by its number, or for 0 the one nearest to the reference, or else the
 /// first. Spreads come of the request's covariance or, without one, of the tolerances, each the

@@ -10,8 +10,8 @@ namespace assur::mechanism::draw {
 
 using Json = nlohmann::ordered_json;
 
-/// Title, unit, sweep, shapes, outputs, events and branches; `told` says what stands for the
-/// numbers of a branch: themselves, or where they are.
+/// Title, unit, sweep, shapes, outputs, events and branches; `told` turns the numbers of a branch
+/// into JSON: the numbers themselves, or where they are.
 [[nodiscard]] Json film_json(const Mechanism& mechanism, const Request& request, const Film& film,
                              const std::function<Json(const std::vector<double>&)>& told);
 

@@ -8,7 +8,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// Of capital letters, by which a text is centred.
+/// The height of capital letters, by which a text is centred.
 constexpr double letter_height = 0.72 * text_height;
 constexpr double gap = 1;
 

@@ -14,7 +14,7 @@ struct Box {
 
 /// What labels keep away from.
 struct Obstacles {
-  Box inside;              ///< of which a label stays
+  Box inside;              ///< labels stay within it
   std::vector<Box> boxes;  ///< no label touches one
   struct Line {
     Eigen::Vector2d from, to;
@@ -23,6 +23,7 @@ struct Obstacles {
   std::vector<Line> lines;
 };
 
+/// A text beside a point.
 struct Label {
   std::string text;
   Eigen::Vector2d at;  ///< the middle of its base line
@@ -32,7 +33,8 @@ constexpr double text_height = 10;
 /// About how wide a text is in a plain font of that height.
 [[nodiscard]] double text_width(const std::string& text);
 
-/// The text about a point where it is in the way least; what has no free place is left out.
+/// Places texts beside their points where they are least in the way; a text without a free place is
+/// left out.
 class LabelPlacer {
  public:
   explicit LabelPlacer(Obstacles obstacles) : obstacles_(std::move(obstacles)) {}
@@ -40,7 +42,7 @@ class LabelPlacer {
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
 
  private:
-  /// Infinite where the place is not free.
+  /// The cost of a place; infinite where it is not free.
   [[nodiscard]] double cost(const Box& box) const;
 
   Obstacles obstacles_;

@@ -10,7 +10,7 @@ namespace assur::mechanism::draw {
 namespace {
 
 constexpr double seconds_of_sweep = 4;
-/// Between two moments points move straight.
+/// The most moments; points move straight between two of them.
 constexpr std::size_t most_moments = 72;
 constexpr std::size_t most_numbers = 40'000'000;
 constexpr std::size_t numbers_of_output = 6;

@@ -17,9 +17,10 @@ struct SvgElement {
 };
 using SvgElements = std::vector<SvgElement>;
 
+/// The SVG of elements.
 [[nodiscard]] std::string written(const SvgElements& elements);
 
-/// The same elements at several moments, which follow one another at equal times, for ever.
+/// The SVG of elements at several moments, which follow one another at equal times, over and over.
 [[nodiscard]] std::string written_moving(const std::vector<SvgElements>& moments, double seconds);
 
 }  // namespace assur::mechanism::draw

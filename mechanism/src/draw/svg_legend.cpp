@@ -17,7 +17,7 @@ constexpr double row_height = 15;
 constexpr double legend_side = 8;
 constexpr double longest_bar = 80;
 
-/// What people call an event.
+/// The usual words for an event.
 std::string words_for(const std::string& event) {
   return event == "fold" || event == "birth" ? "dead centre"
          : event == "crossing"               ? "change point"

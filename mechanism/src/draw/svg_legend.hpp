@@ -7,6 +7,7 @@ namespace assur::mechanism::draw {
 
 /// How high the legend is, in units of the picture.
 [[nodiscard]] double legend_height(const Drawing& drawing);
+/// The elements of the legend, below the drawing.
 [[nodiscard]] std::string legend_elements(const Drawing& drawing, const Picture& picture);
 
 /// The sign of a singular event, about a place of the picture.

@@ -134,7 +134,7 @@ void append(const SvgElements& more, SvgElements& elements) {
   elements.insert(elements.end(), more.begin(), more.end());
 }
 
-/// From back to front.
+/// The symbols in the order of drawing, from back to front.
 constexpr std::array layers = {Symbol::plate, Symbol::bar,   Symbol::rod,
                                Symbol::tube,  Symbol::guide, Symbol::slot,
                                Symbol::block, Symbol::pin,   Symbol::tracer};

@@ -105,8 +105,8 @@ class SymbolMaker {
     add({Symbol::pin, "", at.name, is_ground(link(pin)), {point(pin)}});
   }
 
-  /// What is not a cylinder is a block on a line: on the ground's, or on that of the link which
-  /// reaches farther from it.
+  /// Adds a slide: a cylinder, or else a block on a line, which is that of the ground or of the
+  /// link that reaches farther from it.
   void add_slide(JointIndex joint) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex first = at.between[0];
@@ -155,8 +155,8 @@ class SymbolMaker {
     return farthest;
   }
 
-  /// Between two links that move: one that a driver moves, or that has an eye at either end and
-  /// nothing else, if it keeps some length all the way.
+  /// Whether a slide between two moving links is drawn as a cylinder: a driver moves it, or it has
+  /// an eye at either end and nothing else; and it keeps some length all the way.
   [[nodiscard]] bool is_cylinder(JointIndex joint) const {
     const Joint& at = mechanism_.joints()[joint];
     const std::optional<Reach>& reach = seen_.reaches[joint];
@@ -170,7 +170,7 @@ class SymbolMaker {
            (mechanism_.driver_of(joint).exists() || eyes_alone);
   }
 
-  /// Behind the joints, which have added what their links reach to.
+  /// Adds the links, after the joints have added the points to which their links reach.
   void add_links() {
     for (const LinkIndex link : mechanism_.links().keys()) {
       if (is_ground(link) || !is_drawn(link)) {

@@ -108,7 +108,7 @@ class WayFollower {
           first_[way] = open_[way];
         }
       } else if (row.step == 0) {
-        continue;  // stands there from the other half
+        continue;  // the other half has this point already
       }
       ways_.traces[open_[way]].points.push_back(row.state->outputs[output].position);
     }
@@ -124,7 +124,7 @@ class WayFollower {
     }
     for (const Point& point : row.state->outputs) {
       if (!point.position.allFinite()) {
-        return;  // at an escape, they are nowhere
+        return;  // at an escape the points are at infinity
       }
       mark.points.push_back(point.position);
     }

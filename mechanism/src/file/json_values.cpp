@@ -10,13 +10,13 @@ namespace {
 
 /// No scene has more lists and objects in one another than six.
 constexpr int deepest = 20;
-/// An object looks its keys up one by one.
+/// The most keys of one object, since an object looks up its keys one by one.
 constexpr std::size_t most_keys = 20000;
 
 }  // namespace
 
 SceneJson parsed(const std::string& text) {
-  // The library keeps the last of two equal keys without a word; a scene must not.
+  // The library silently keeps the last of two equal keys; a scene must not have two.
   std::vector<std::set<std::string>> open;
   const auto watch = [&](int depth, SceneJson::parse_event_t event, SceneJson& value) {
     if (depth > deepest) {

@@ -14,11 +14,12 @@ namespace assur::mechanism::file {
 /// Ordered, because the order of links and joints decides how a group is spelled.
 using SceneJson = nlohmann::ordered_json;
 
-/// The document that a text spells. Throws MechanismError for what is not JSON, and for a key that
+/// The document in a text. Throws MechanismError for a text that is not JSON, and for a key that
 /// occurs twice in one object.
 [[nodiscard]] SceneJson parsed(const std::string& text);
 
-/// Each throws MechanismError where a value is not what it must be; `part` is what it calls it.
+/// Each of the following throws MechanismError where a value has the wrong form; `part` is what the
+/// message calls it.
 void expect_object(const SceneJson& value, const std::string& part);
 void expect_keys(const SceneJson& value, const std::string& part, std::span<const SceneKey> known);
 [[nodiscard]] const SceneJson& required(const SceneJson& value, const std::string& key,

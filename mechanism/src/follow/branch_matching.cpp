@@ -7,12 +7,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Turn + defect of a match may not exceed this, against one plus the size of the point: a branch
-/// that runs to infinity is followed at the scale where it is. It bounds how wide an S of two folds
-/// on one branch can be and yet be taken for a straight piece.
+/// The largest turn + defect of a match, in parts of one plus the size of the point, so that a
+/// branch that runs to infinity is followed at its own scale. It bounds how wide an S of two folds
+/// can be and still be taken for a straight piece of one branch.
 constexpr double longest_bend = 0.01;
 
-/// Distance of the origin from the segment between two points.
+/// The distance of the origin from the segment between two points.
 double distance_to_segment(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   const Eigen::VectorXd along = to - from;
   const double length = along.squaredNorm();
@@ -49,11 +49,11 @@ class Matcher {
   }
 
  private:
-  /// Whether every point's match is that of the same number, and no two come near: the points are
-  /// so far apart that the others need not be looked at. Let every point go as far as r at most and
-  /// bend by b. Then h times a slope is r + b at most, the defect of any other pair is the least
-  /// distance of two points less 2 r + b at least, and the cubics stay as far apart as `is_far`
-  /// asks for where that distance exceeds 3 (r + b).
+  /// Whether each point's match is the one with the same index and no two branches come near,
+  /// because the points are so far apart that other pairs need not be looked at. Let every point
+  /// move by r at most and bend by b. Then h times a slope is r + b at most, the defect of any
+  /// other pair is the least distance of two points less 2 r + b at least, and the cubics stay as
+  /// far apart as `is_far` asks for where that distance exceeds 3 (r + b).
   [[nodiscard]] bool stay_apart() const {
     if (left_.count() != right_.count()) {
       return false;
@@ -174,9 +174,9 @@ class Matcher {
     return std::abs(step_) * (to.slope - from.slope).norm() + defect(from, to, step_);
   }
 
-  /// Whether the cubics of two matches stay so far apart that nothing has to be sampled: both ends
-  /// are, and between them a difference D of cubics with slopes s strays from its first value by at
-  /// most |D1 - D0| + 4/27 h (|s0| + |s1|).
+  /// Whether the cubics of two matches stay so far apart that nothing has to be sampled: they are
+  /// far apart at both ends, and between these a difference D of cubics with slopes s strays from
+  /// its first value by at most |D1 - D0| + 4/27 h (|s0| + |s1|).
   [[nodiscard]] bool is_far(PointIndex one, PointIndex other, double limit) const {
     const ConfigurationPoint& from = left_.points[one];
     const ConfigurationPoint& other_from = left_.points[other];
@@ -188,8 +188,8 @@ class Matcher {
     return (from.at - other_from.at).norm() - move - 4.0 / 27 * std::abs(step_) * slopes > limit;
   }
 
-  /// Least distance between the cubics of two matches, each difference taken as straight between
-  /// quarters of the interval.
+  /// The least distance between the cubics of two matches, where their difference is taken as
+  /// straight between quarters of the interval.
   [[nodiscard]] double clearance(PointIndex one, PointIndex other) const {
     constexpr int parts = 4;
     const auto apart = [&](int part) -> Eigen::VectorXd {

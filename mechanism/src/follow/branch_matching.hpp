@@ -7,8 +7,8 @@
 
 namespace assur::mechanism::follow {
 
-/// Two matched configurations of the left set whose branches come too close in between to be told
-/// apart.
+/// Two matched configurations of the left set whose branches come too close to each other in
+/// between to be told apart.
 struct TouchingPair {
   PointIndex one, other;
 };
@@ -22,7 +22,7 @@ struct BranchMatching {
   /// right: however straight the match, it goes through a singular configuration.
   std::vector<PointIndex> turned;
 
-  /// Every branch goes through, none comes near another, and none is singular on its way.
+  /// Whether every branch goes through, none comes near another, and none is singular on its way.
   [[nodiscard]] bool clear() const {
     return left_alone.empty() && right_alone.empty() && touching.empty() && turned.empty();
   }

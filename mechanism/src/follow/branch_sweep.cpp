@@ -14,7 +14,7 @@ namespace {
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest_step = 1e-13;
 
-/// Follows one branch from step to step, with one configuration here and one further on.
+/// Follows one branch from step to step; it holds the configuration here and the one further on.
 class BranchFollower {
  public:
   BranchFollower(const Plan& plan, std::size_t number, const SweepObserver& observer)
@@ -59,7 +59,8 @@ class BranchFollower {
     solver_.count_from(current_);
   }
 
-  /// Goes on to a value, or to where the branch ends before it.
+  /// Follows the branch to a value, or to where it ends before. Returns whether it has reached the
+  /// value.
   [[nodiscard]] bool goes_on_to(double value) {
     const double least =
         shortest_step * std::max(std::abs(solver_.to() - solver_.from()), std::abs(value));

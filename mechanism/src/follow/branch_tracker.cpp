@@ -10,11 +10,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The longest interval, as a part of the sweep, that any events may explain: beside a singular
-/// configuration others may be that a longer one does not show.
+/// The longest interval, as a part of the sweep, that events may explain: a longer one may hide
+/// further singular configurations beside the one that it shows.
 constexpr double longest_explained = 1e-4;
-/// Touching branches that are this close may be explained in any sweep. In a short one they can no
-/// longer be told apart when an interval has become that small a part of it.
+/// Touching branches that are this close may be explained in an interval of any length. In a short
+/// sweep they can no longer be told apart once an interval has become as small a part of it as
+/// above.
 constexpr double close_by = 2e-5;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest = 1e-14;
@@ -137,8 +138,8 @@ void BranchTracker::adopt(const SnapshotPointer& set, const Table<PointIndex, Po
   current_ = set;
 }
 
-/// Goes on only with what is matched, touches nothing and is not singular on its way; the rest ends
-/// and begins.
+/// Continues only the branches that are matched, touch no other and are not singular on their way.
+/// All others end, and new ones begin.
 void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& matching) {
   Table<PointIndex, PointIndex> to_right = matching.to_right;
   for (const TouchingPair& pair : matching.touching) {

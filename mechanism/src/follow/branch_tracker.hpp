@@ -19,28 +19,28 @@ struct BranchEvent {
   double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
-/// Numbers branches from 1 as they appear.
+/// Follows all branches from set to set and numbers them from 1 as they appear.
 class BranchTracker {
  public:
   explicit BranchTracker(SnapshotSolver& solver) : solver_(solver) {}
 
-  /// The first set, or the first after a gap: every configuration begins a branch.
+  /// Starts with the first set, or the first one after a gap: every configuration begins a branch.
   void begin(const SnapshotPointer& set);
-  /// From the current set to one further on, which must be separable; halves the interval until
-  /// all is clear.
+  /// Goes on from the current set to one further on, which must be separable, and halves the
+  /// interval until every branch and event in it is clear.
   void advance(const SnapshotPointer& set);
-  /// All branches end without a further set. Returns their numbers.
+  /// Ends all branches without a further set. Returns their numbers.
   std::vector<int> stop();
 
   [[nodiscard]] bool running() const { return current_ != nullptr; }
   [[nodiscard]] const SnapshotPointer& current() const { return current_; }
   /// The numbers of the current set's configurations.
   [[nodiscard]] const Table<PointIndex, int>& branches() const { return branches_; }
-  /// Hands out the events since the last call.
+  /// Returns the events since the last call.
   [[nodiscard]] std::vector<BranchEvent> take_events();
 
  private:
-  /// Goes on to a set if events explain the interval; whether they do.
+  /// Goes on to a set if events explain the interval. Returns whether they do.
   [[nodiscard]] bool is_explained(const SnapshotPointer& set, BranchMatching matching,
                                   Explaining by);
   void adopt(const SnapshotPointer& set, const Table<PointIndex, PointIndex>& to_right,

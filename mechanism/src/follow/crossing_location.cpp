@@ -11,7 +11,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Branches about their crossing, as straight lines that touch cubics.
+/// Branches about their crossing: the tangents there of the cubics through both sides.
 struct CrossingLines {
   double centre;
   std::vector<Eigen::VectorXd> places;     ///< at the centre
@@ -48,7 +48,7 @@ struct CrossingLines {
   [[nodiscard]] Eigen::VectorXd place(std::size_t index, double move) const {
     return places[index] + slopes[index] * move;
   }
-  /// Least distance of a line from the others, at a distance of one from the centre.
+  /// The least distance of a line from the others, at a parameter distance of one from the centre.
   [[nodiscard]] double clearance(std::size_t index) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t other = 0; other < count(); ++other) {
@@ -56,7 +56,7 @@ struct CrossingLines {
     }
     return least;
   }
-  /// The configurations that are nearest to the lines, if each is near its own alone.
+  /// The configurations nearest to the lines, if each is near to its own line only.
   [[nodiscard]] std::optional<ConfigurationBundle> followed(SnapshotSolver& solver,
                                                             double move) const {
     constexpr double tolerance = 0.3;
@@ -83,14 +83,14 @@ struct CrossingLines {
   }
 };
 
-/// The places of a crossing's samples, in parts of the width. The outer ones tell where a smooth
-/// branch is at the inner ones.
+/// The places of a crossing's samples, in parts of the width. From the outer four follows where a
+/// smooth branch would be at the inner two.
 constexpr std::array crossing_places{-1.0, -2.0 / 3, 2.0 / 3, 1.0, -1.0 / 3, 1.0 / 3};
 constexpr std::size_t outer_places = 4;
 using CrossingSamples = std::array<ConfigurationBundle, crossing_places.size()>;
 
-/// Where a branch that is smooth from one side of its crossing to the other would be, by values and
-/// derivatives at the outer places.
+/// Where a branch that passes its crossing smoothly would be, from values and derivatives at the
+/// outer places.
 Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch, double width,
                              double place) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples[0].at(branch).at.size());
@@ -191,13 +191,13 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
   std::optional<CrossingEstimate> last;
   double least = std::numeric_limits<double>::infinity();
   double opening = least;
-  int in_vain = 0;  // widths since anything became better
+  int in_vain = 0;  // how many widths have not improved the estimate
   double width = (right.set->parameter - left.set->parameter) / 1024;
   for (int index = 0; index < widths && in_vain < most_in_vain; ++index, width *= 2) {
     in_vain += last ? 1 : 0;
     const auto estimate = crossing_at_width(solver, lines, width);
     if (!estimate) {
-      continue;  // So close to one another the branches cannot be told apart, or so far.
+      continue;  // At this width the branches are too close, or too far apart, to be followed.
     }
     if (estimate->opening < opening / 2) {
       in_vain = 0;
@@ -217,7 +217,7 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
     }
     last = estimate;
   }
-  // A length that rounding has changed opens branches that cross steeply by more.
+  // Rounding of a length opens a crossing of steep branches further.
   const double steepness = std::max(1.0, fastest / slowest);
   if (!best || !(opening < steepness * crossing_limit) ||
       !is_one(*solver.at(best->parameter), best->place)) {

@@ -8,8 +8,8 @@
 
 namespace assur::mechanism::follow {
 
-/// The square of a gap between branches that pass one another. What is below this is a change of
-/// the lengths by rounding.
+/// The largest square of a gap between two branches that still counts as a crossing: rounding of
+/// the lengths can open a crossing by as much.
 inline constexpr double crossing_limit = 1e-13;
 
 /// Configurations of one set, on branches that meet.
@@ -25,17 +25,17 @@ struct ConfigurationBundle {
 };
 
 /// The crossing of branches that go from `left` to `right`, first to first. Their spread is
-/// analytic in the parameter and changes its sign; sampled at several widths, since rounding
-/// spoils what is near and truncation what is far, and the widths that agree best are taken.
-/// Nothing if the branches do not go through smoothly: where a crossing is opened by a gap w, each
+/// analytic in the parameter and changes its sign. It is sampled at several widths, since rounding
+/// spoils narrow ones and truncation wide ones, and the two widths that agree best decide. Returns
+/// nothing if the branches do not go through smoothly: where a crossing is opened by a gap w, each
 /// differs from a smooth one by w^2 / separation, and the product of both may not exceed
 /// `crossing_limit`.
 [[nodiscard]] std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
                                                            const ConfigurationBundle& left,
                                                            const ConfigurationBundle& right);
 
-/// Whether one configuration stands at a place, and not two to either side of it, or none: its
-/// closures tell an opening that is lost in the rounding of the branches.
+/// Whether a set has one configuration at a place, rather than two beside it or none. This detects
+/// an opening that is lost in the rounding of the branches.
 [[nodiscard]] bool is_one(const Snapshot& set, const Eigen::VectorXd& place);
 
 }  // namespace assur::mechanism::follow

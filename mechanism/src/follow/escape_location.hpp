@@ -1,4 +1,4 @@
-// Turns a configuration that runs to infinity into the value at which it is there.
+// Turns a configuration that runs to infinity into the parameter value at which it does.
 #pragma once
 
 #include <optional>
@@ -7,11 +7,12 @@
 
 namespace assur::mechanism::follow {
 
-/// Where a configuration of a set runs to infinity: the zero of 1 / (w . X), w its direction.
+/// Locates where a configuration of a set runs to infinity: the zero of 1 / (w . X), where w is its
+/// direction.
 [[nodiscard]] std::optional<EventLocation> locate_escape(SnapshotSolver& solver,
                                                          const SnapshotPointer& near,
                                                          PointIndex index);
-/// The first estimate of the same, as a distance from a point.
+/// The first estimate of the same zero, as its parameter distance from a point.
 [[nodiscard]] double distance_to_escape(const ConfigurationPoint& point);
 
 }  // namespace assur::mechanism::follow

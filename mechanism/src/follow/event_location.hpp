@@ -1,24 +1,24 @@
-// Turns configurations near a singular one, with weights, into the configuration there.
+// Turns weighted configurations near a singular one into the singular configuration.
 #pragma once
 
 #include "snapshot.hpp"
 
 namespace assur::mechanism::follow {
 
-/// Where a singular event happens. Its rates and gradients are not numbers.
+/// Where a singular event happens. The rates and derivatives of the configuration are NaN.
 struct EventLocation {
   double parameter;
   Configuration configuration;
   double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
-/// A configuration of a mechanism with nothing known.
+/// A configuration of the plan's mechanism in which all numbers are NaN.
 [[nodiscard]] Configuration unknown_configuration(const Plan& plan);
 
-/// Weights of the values at `nodes` in the interpolating polynomial's value at zero.
+/// The weights of the values at `nodes` in the value at zero of the interpolating polynomial.
 [[nodiscard]] Eigen::VectorXd weights_at_zero(const Eigen::VectorXd& nodes);
 
-/// The weighted sum of configurations; rates and gradients stay unknown.
+/// The weighted sum of configurations; rates and derivatives stay NaN.
 class Blend {
  public:
   explicit Blend(const Plan& plan);
@@ -30,7 +30,7 @@ class Blend {
   Configuration sum_;
 };
 
-/// The point of a set that is nearest to a place; none of an empty set.
+/// The point of a set that is nearest to a place; an index that does not exist if the set is empty.
 [[nodiscard]] PointIndex nearest(const Snapshot& set, const Eigen::VectorXd& place);
 
 }  // namespace assur::mechanism::follow

@@ -7,7 +7,7 @@
 
 namespace assur::mechanism::follow {
 
-/// As the page on sweeps lists them.
+/// The words of an event, such as `fold 1 2`, as docs/guide/sweeps.md lists them.
 [[nodiscard]] std::string event_text(const BranchEvent& event);
 
 }  // namespace assur::mechanism::follow

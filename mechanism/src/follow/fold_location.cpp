@@ -22,8 +22,8 @@ std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set, const Eig
   return pair;
 }
 
-/// The pair at another distance from its fold: half-way between the two moves smoothly, and their
-/// separation is as the root of the distance.
+/// The same pair at another distance from its fold. The midpoint of the two moves smoothly, and
+/// their separation grows as the square root of the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double parameter) {
   const double distance = pair.distance_to_fold();
@@ -56,19 +56,20 @@ std::optional<ConfigurationPair> approached(SnapshotSolver& solver, Configuratio
   return pair;
 }
 
-/// One width of a fold's interpolation, and what its widest pair contributed: about what the next
-/// narrower width would change.
+/// The estimate from one width of a fold's interpolation, and the contribution of its widest pair,
+/// which is about what the next narrower width would change.
 struct FoldEstimate {
   EventLocation location;
   double change;
 };
 
-/// How g is taken at a configuration. Its own is exact for what rounding made of it, and so is the
-/// place along the motion. That of the pair, with opposite signs, is free of the motion of the
-/// middle, which spoils the interpolation of pairs that are far from their fold.
+/// How g is taken at a configuration. The configuration's own g is exact for the lengths as
+/// rounding has left them, and so is the place along the motion. The pair's g, with opposite signs,
+/// is free of the motion of the middle, which spoils the interpolation of pairs far from their
+/// fold.
 enum class NodeOf : unsigned char { each, pair };
 
-/// Interpolates over pairs up to a separation, which truncates at its eighth power.
+/// Interpolates over pairs up to a separation; the truncation error is of its eighth power.
 std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
                                                const ConfigurationPair& near, double target,
                                                NodeOf node) {
@@ -138,12 +139,12 @@ double ConfigurationPair::distance_to_fold() const {
 
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,
                                          bool through) {
-  // Narrower where the branches bend sharply, as they do beside another fold, at the cost of some
-  // rounding; wider where rounding leaves nothing else.
+  // The narrow widths serve branches that bend sharply, as they do beside another fold, at the cost
+  // of some rounding; the wide ones come last, for where rounding spoils all others.
   constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-2, 6e-2};
   constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
   constexpr double settled = 1e-10;
-  constexpr double lessened = 0.1;  // What lessens by chance is rounding.
+  constexpr double lessened = 0.1;  // A smaller improvement may be the chance of rounding.
   std::optional<FoldEstimate> best;
   for (const double target : through ? std::span<const double>(wide) : usual) {
     const auto found = fold_at_separation(solver, near, target, NodeOf::each);

@@ -16,19 +16,20 @@ struct ConfigurationPair {
   [[nodiscard]] const ConfigurationPoint& second() const;
   [[nodiscard]] Eigen::VectorXd apart() const { return second().at - first().at; }
   [[nodiscard]] double separation() const { return apart().norm(); }
-  /// To the fold, if there is one near: the squared separation is linear in the parameter there.
+  /// The estimated parameter distance to the fold, if there is one near: the squared separation is
+  /// linear in the parameter there.
   [[nodiscard]] double distance_to_fold() const;
 };
 
 /// Follows a pair to the fold where it meets. Along the branch through a fold both the parameter
-/// and the configuration are analytic in g = dp / d(v . X), v the direction between the two; each
-/// configuration near it gives one exact g, and the fold is at g = 0. `through` tells that a third
-/// branch passes there, so that the Jacobian loses digits sooner.
+/// and the configuration are analytic in g = dp / d(v . X), where v is the direction between the
+/// two; each configuration near the fold gives one exact g, and the fold is at g = 0. `through`
+/// says that a third branch passes there, so that the Jacobian loses digits sooner.
 [[nodiscard]] std::optional<EventLocation> locate_fold(SnapshotSolver& solver,
                                                        const ConfigurationPair& near, bool through);
 
-/// The same from the nearest pair that rounding lets be followed, and wider ones, with
-/// g = dp / d(v . (X - M)), M the middle of each.
+/// Locates the same fold from the nearest pair that rounding allows, and wider ones, with g = dp /
+/// d(v . (X - M)), where M is the middle of each pair.
 [[nodiscard]] std::optional<EventLocation> locate_fold_from(SnapshotSolver& solver,
                                                             const ConfigurationPair& near);
 

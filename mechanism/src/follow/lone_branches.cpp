@@ -9,13 +9,13 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// How far a branch may be from where its slope led, against one plus the size of the point.
+/// How far a branch may be from where its slope led, in parts of one plus the size of the point.
 constexpr double longest_miss = 0.01;
-/// Of the way to any other at most one part of so many.
+/// The miss may be at most this small a part of the distance to any other point: one part in five.
 constexpr double clear_of_others = 5;
 
-/// Whether one point leads to another, and to no other that stands beside that: what all of them
-/// miss alike tells them no less apart.
+/// Whether one point leads to another, and to no third point beside that. A miss that all of them
+/// share does not count, since it does not confuse them.
 bool leads(const BranchPoint& from, const BranchPoint& to, const Eigen::VectorXd& curvature) {
   const double step = to.set->parameter - from.set->parameter;
   const Eigen::VectorXd miss =
@@ -28,7 +28,7 @@ bool leads(const BranchPoint& from, const BranchPoint& to, const Eigen::VectorXd
          });
 }
 
-/// The second derivative at the second of two points, of the cubic through both.
+/// The second derivative, at the second of two points, of the cubic through both.
 Eigen::VectorXd curvature_at(const ConfigurationPoint& before, const ConfigurationPoint& here,
                              double step) {
   return (2 * before.slope + 4 * here.slope - 6 / step * (here.at - before.at)) / step;
@@ -49,7 +49,7 @@ SnapshotPointer LoneBranches::at(double parameter) {
 std::optional<BranchPoint> LoneBranches::continued(BranchPoint from, double parameter) {
   constexpr int most_tries = 400;
   constexpr double shorter = 0.6;
-  constexpr double longer = 16;          // A long step may pass what a short one would end in.
+  constexpr double longer = 16;  // A long step may pass a place at which a short one would end.
   constexpr double shortest = 1.0 / 64;  // of the last
   double step = parameter - from.set->parameter;
   double last = std::abs(step);

@@ -1,4 +1,5 @@
-// Turns one configuration into the one that continues it, past sets in which rounding hides others.
+// Turns one configuration into the one that continues it, past sets in which rounding hides other
+// configurations.
 #pragma once
 
 #include <map>
@@ -19,16 +20,17 @@ struct BranchPoint {
   [[nodiscard]] bool is_known() const;
 };
 
-/// Follows branches one by one. Behind groups that are singular at one value the rounding of each
-/// is the error of the next, so that a slow branch is lost sooner than one that turns fast, and no
-/// set near that value tells all: but each branch has steps that lead past it.
+/// Follows branches one by one. Where groups behind one another are singular at one value, the
+/// rounding of each is the error of the next. A slow branch is then lost sooner than one that turns
+/// fast, and no set near that value shows all branches; but for each branch there are steps that
+/// lead past it.
 class LoneBranches {
  public:
   explicit LoneBranches(SnapshotSolver& solver) : solver_(solver) {}
 
-  /// What continues a configuration at another value, on either side of it: after each step the
-  /// only one near to where the last led, and the only one from which that is near. Nothing if
-  /// there is no way of such steps.
+  /// The configuration that continues one at another value, before or after it. Each step goes to
+  /// the only configuration near to where the last one led, and must be the only one that leads
+  /// there. Returns nothing if there is no way of such steps.
   [[nodiscard]] std::optional<BranchPoint> continued(BranchPoint from, double parameter);
 
   [[nodiscard]] SnapshotSolver& solver() const { return solver_; }
@@ -37,7 +39,7 @@ class LoneBranches {
   [[nodiscard]] SnapshotPointer at(double parameter);
 
   SnapshotSolver& solver_;
-  std::map<double, SnapshotPointer> kept_;  ///< what several branches are asked for
+  std::map<double, SnapshotPointer> kept_;  ///< sets that several branches use
 };
 
 }  // namespace assur::mechanism::follow

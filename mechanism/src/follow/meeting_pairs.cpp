@@ -7,11 +7,13 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// A third branch within a fold: the pair must be as close, and the third as near to its middle.
+/// For a third branch to pass within a fold, the pair must be this close, and the third as near to
+/// its middle.
 constexpr double through_separation = 2e-3;
 constexpr double through_offset = 0.02;
 
-/// Two branches shortly before they meet move towards each other, and their middle hardly moves.
+/// Whether two branches run head-on: shortly before they meet they move towards each other, and
+/// their middle hardly moves.
 bool head_on(const ConfigurationPair& pair) {
   const Eigen::VectorXd& one = pair.first().slope;
   const Eigen::VectorXd& other = pair.second().slope;

@@ -1,4 +1,4 @@
-// Turns configurations that have no match across an interval into pairs that meet in it.
+// Turns configurations without a match across an interval into pairs that meet in it.
 #pragma once
 
 #include <utility>
@@ -23,13 +23,14 @@ struct Side {
   }
 };
 
-/// The pair that is to meet next: the closest of those that run head-on, or else the closest.
+/// The pair that meets next: the closest of those that run head-on, or else the closest of all.
 /// Where several pairs meet in one configuration, the closest belong to different ones.
 [[nodiscard]] std::pair<PointIndex, PointIndex> meeting(const Side& side,
                                                         const std::vector<PointIndex>& among);
 
-/// No other configuration is near the pair or where it will meet, but perhaps one right between,
-/// `through`, or those among `alone` that meet where it does.
+/// Whether no other configuration is near the pair or the place where it will meet. Allowed are one
+/// right between the two, which becomes `through`, and those among `alone` that meet in the same
+/// place.
 [[nodiscard]] bool is_apart_from_others(const ConfigurationPair& pair, double distance,
                                         const std::vector<PointIndex>& alone, PointIndex& through);
 

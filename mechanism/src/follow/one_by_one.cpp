@@ -29,7 +29,7 @@ class Follower {
       : branches_(solver), left_(left), right_(right) {}
 
   std::optional<OneByOne> run() {
-    constexpr std::size_t most_branches = 32;  // Each is solved for with all others.
+    constexpr std::size_t most_branches = 32;  // Each one costs solving for all others.
     if (left_->count() != right_->count() || left_->count() > most_branches) {
       return std::nullopt;
     }
@@ -82,8 +82,8 @@ class Follower {
     meeting->passings.push_back(std::move(passing));
   }
 
-  /// What a length that rounding has changed opens is as much wider on a branch as this is faster.
-  /// Where branches cross, one configuration stands, not two to either side or none.
+  /// Whether branches cross smoothly at a meeting. Rounding of a length opens a crossing further on
+  /// a faster branch; and at a crossing there is one configuration, not two beside it or none.
   [[nodiscard]] bool is_smooth(const Meeting& meeting) {
     double slowest = std::numeric_limits<double>::infinity();
     for (const SmoothPassing& passing : meeting.passings) {

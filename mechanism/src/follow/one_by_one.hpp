@@ -1,4 +1,4 @@
-// Turns an interval in which no set tells all configurations into its branches, followed one by
+// Turns an interval in which no set shows all configurations into its branches, followed one by
 // one, and their crossings.
 #pragma once
 
@@ -10,13 +10,15 @@
 
 namespace assur::mechanism::follow {
 
-/// What continues each configuration of the left set, and where several of them go through one
-/// configuration. Nothing unless there are few, each is followed through, and each that goes
-/// through a singular configuration does so smoothly.
+/// The configuration that continues each one of the left set, and the crossings where several of
+/// them go through one configuration.
 struct OneByOne {
   Table<PointIndex, PointIndex> to_right;
   std::vector<SingularEvent> crossings;
 };
+/// Follows each configuration of the left set to the right one. Returns nothing unless there are
+/// few of them, each can be followed through, and each that goes through a singular configuration
+/// does so smoothly.
 [[nodiscard]] std::optional<OneByOne> explained_one_by_one(SnapshotSolver& solver,
                                                            const SnapshotPointer& left,
                                                            const SnapshotPointer& right);

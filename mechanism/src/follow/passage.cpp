@@ -16,7 +16,7 @@ bool is_singular(const Snapshot& step, PointIndex point) {
   return step.configuration(point).regularity != Status::ok;
 }
 
-/// How many branches a configuration is known to have.
+/// How many branches are known to go through a configuration.
 std::size_t room(const Snapshot& step, PointIndex point) {
   return std::max<std::size_t>(1, step.configuration(point).branches.size());
 }
@@ -107,7 +107,7 @@ void Passage::add_rows(const Snapshot& step, PointIndex point, std::vector<const
                        std::vector<StepRow>& rows) const {
   const Configuration& here = step.configuration(point);
   const auto first = rows.size();
-  // Constraints that are too many leave one motion of several.
+  // The redundant constraints leave one of several motions.
   if (here.rates_known && leads.size() > 1 && !here.plan->redundant.empty()) {
     const auto rank = [&](const Lead* lead) {
       return std::pair(difference_of_rates(*lead, here), lead->branch);

@@ -1,5 +1,5 @@
-// Turns the branches on both sides of steps that cannot be told apart into the branches of their
-// rows.
+// Turns the branches on both sides of steps whose configurations cannot be told apart into the
+// branches of the steps' rows.
 #pragma once
 
 #include <vector>
@@ -11,18 +11,18 @@ namespace assur::mechanism::follow {
 /// One end of a passage: a set that can be followed, and the numbers of its branches.
 struct PassageEnd {
   SnapshotPointer set;
-  Table<PointIndex, int> branches;  ///< 0 of those that are not to be told
+  Table<PointIndex, int> branches;  ///< 0 for those that are not reported
 };
 
-/// A row of a step: a configuration, as one branch has it.
+/// A row of a step: a configuration, with the rates that it has on one branch.
 struct StepRow {
   PointIndex point;
   int branch;  ///< 0 if it belongs to none
   const Configuration* state;
 };
 
-/// An interval within which sets of configurations are not followed: its steps' rows are told by
-/// the branches that lead into it and out of it.
+/// An interval within which sets of configurations are not followed. The rows of its steps are
+/// assigned to the branches that lead into it and out of it.
 class Passage {
  public:
   /// Either end may be missing. `length` is the unit of the points.
@@ -30,7 +30,7 @@ class Passage {
   Passage(const Passage&) = delete;  // the leads point to the ends
   Passage& operator=(const Passage&) = delete;
 
-  /// Whether a value lies inside, in the sense of a sweep.
+  /// Whether a value lies inside, seen in the sense of a sweep.
   [[nodiscard]] bool covers(double parameter, double sense) const {
     return after_.set != nullptr && sense * (after_.set->parameter - parameter) > 0;
   }
@@ -40,10 +40,11 @@ class Passage {
   /// The numbers of the branches that lead into it, and of those that lead out of it.
   [[nodiscard]] std::vector<int> branches_before() const { return told(before_); }
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
-  /// The rows of a step. Each configuration goes to the branch that is expected nearest to it, at
-  /// first to one that goes through; then a singular one to all others that have none, for several
-  /// may meet in it. Each of those that go through it has a row, with its own rates where they are
-  /// known; otherwise the least of their numbers is given.
+  /// The rows of a step. Each configuration is assigned to the branch that is expected nearest to
+  /// it, first to one that goes through. A singular configuration is then assigned to all other
+  /// branches that have none yet, for several may meet in it. Each branch that goes through it has
+  /// a row, with its own rates where they are known; otherwise one row has the least of their
+  /// numbers.
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
 
  private:

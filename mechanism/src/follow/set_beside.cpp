@@ -7,10 +7,11 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Beside a step whose configurations cannot be told apart, at first at this part of the sweep.
+/// The first distance from the step, as a part of the sweep.
 constexpr double beside = 1e-5;
-/// And at last where the mechanism has moved by this part of its size, be it beyond the next steps
-/// or the end of a short sweep: what is close to a change point is not a matter of the steps.
+/// The farthest distance is where the mechanism has moved by this part of its size, even if that is
+/// beyond the next steps or the end of a short sweep: how far a change point spoils sets does not
+/// depend on the steps.
 constexpr double farthest_beside = 0.25;
 
 }  // namespace

@@ -12,9 +12,9 @@ struct StepSide {
   int side;             ///< -1 before it, 1 behind it, in the sense of the sweep
 };
 
-/// The nearest set that can be followed, on one side of a step; not behind what is followed
-/// already, which is null if nothing is, nor beyond the neighbours of the step where sets tell no
-/// configurations. Null if there is none.
+/// The nearest set that can be followed on one side of a step. It is not searched for before
+/// `followed`, the last set of the branches (null if there is none), nor far beyond the step's
+/// neighbours where solutions are degenerate. Null if there is none.
 [[nodiscard]] SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& followed,
                                          const StepSide& of);
 

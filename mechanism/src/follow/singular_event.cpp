@@ -17,7 +17,7 @@ namespace {
 
 using Events = std::vector<SingularEvent>;
 
-/// Sizes from which on a branch may be on its way to infinity.
+/// A branch may be on its way to infinity if its point is larger than this.
 constexpr double far_away = 50;
 
 class Explanation {
@@ -39,7 +39,8 @@ class Explanation {
     return std::move(events_);
   }
 
-  /// Folds of pairs among `alone`; false if one of these is in no fold of the interval.
+  /// Explains the configurations in `alone` by folds of pairs. Returns false if one of them is in
+  /// no fold of the interval.
   [[nodiscard]] bool explain_alone(const Side& side, std::vector<PointIndex> alone) {
     alone.erase(std::remove_if(alone.begin(), alone.end(),
                                [&](PointIndex index) { return explain_escape(side, index); }),
@@ -59,8 +60,8 @@ class Explanation {
     return alone.empty();
   }
 
-  /// False if the pair does not meet within the interval, away from all others but those among
-  /// `alone` that meet where it does.
+  /// Explains a pair by a fold. Returns false if it does not meet within the interval, or if others
+  /// are near it that do not belong to `alone` and meet in the same place.
   [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
                                   const std::vector<PointIndex>& alone) {
     constexpr double slack = 0.1;
@@ -79,7 +80,7 @@ class Explanation {
     if (!found) {
       return false;
     }
-    // Within rounding the end itself may be the fold.
+    // The fold may be at the end itself, up to rounding.
     const double rounding = 1e-13 * std::max(std::abs(side.end), std::abs(side.near->parameter));
     const double beyond =
         std::abs(found->parameter - side.near->parameter) - std::abs(side.reach());
@@ -131,7 +132,7 @@ class Explanation {
     return true;
   }
 
-  /// Crossings; other bundles of branches may be folds and births at one place.
+  /// Explains bundles of branches by crossings. Other bundles may be folds and births at one place.
   [[nodiscard]] bool explain_crossings(const SnapshotPointer& left, const SnapshotPointer& right) {
     for (const std::vector<PointIndex>& bundle : bundles(left->count())) {
       const auto [before, after] = bundles_of(left, right, bundle);
@@ -164,7 +165,7 @@ class Explanation {
     return true;
   }
 
-  /// Matched configurations on both sides.
+  /// The bundles of matched configurations on both sides.
   [[nodiscard]] std::pair<ConfigurationBundle, ConfigurationBundle> bundles_of(
       const SnapshotPointer& left, const SnapshotPointer& right,
       const std::vector<PointIndex>& bundle) const {
@@ -175,7 +176,8 @@ class Explanation {
     return {{left, bundle}, {right, matched}};
   }
 
-  /// By parameter; what differs by rounding alone, folds first, and then as the sets are listed.
+  /// Sorts events by their parameter. Where that differs by rounding only, folds come first, and
+  /// then the order of the sets decides.
   void put_in_order(double sense) {
     const double rounding = 1e-10 * std::abs(solver_.to() - solver_.from());
     const auto before = [=](const SingularEvent& one, const SingularEvent& other) {
@@ -187,16 +189,16 @@ class Explanation {
                  ? one.kind < other.kind
                  : std::tie(one.left, one.right) < std::tie(other.left, other.right);
     };
-    // What is equal but for rounding is no order that a faster sort could rely on.
+    // Comparison up to rounding is not transitive, so a faster sort cannot rely on it.
     numeric::insertion_sort(
         events_.size(),
         [&](std::size_t one, std::size_t other) { return before(events_[one], events_[other]); },
         [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
   }
 
-  /// Whether each match that turns goes through an event, or straight on to within rounding, where
-  /// the mechanism moves freely at one value. Were that opened by w, two branches would change
-  /// places within w: a defect of w / step.
+  /// Whether each match whose determinant changes its sign goes through an event, or goes straight
+  /// on up to rounding, as where the mechanism moves freely at one value. If such a place were
+  /// opened by w, two branches would change places within w, which makes a defect of w / step.
   [[nodiscard]] bool turns_are_explained(const SnapshotPointer& left,
                                          const SnapshotPointer& right) const {
     const double step = right->parameter - left->parameter;
@@ -220,8 +222,9 @@ class Explanation {
     });
   }
 
-  /// Whether there are as many configurations between the events as they leave: others may be born
-  /// and end again within the interval. Events that are close to one another are not told apart.
+  /// Whether there are as many configurations between the events as these account for: others may
+  /// be born and end again within the interval. No set is taken between events that are close to
+  /// one another.
   [[nodiscard]] bool are_all(const SnapshotPointer& left, const SnapshotPointer& right) {
     constexpr double close = 1e-2;
     std::size_t count = left->count();
@@ -242,7 +245,7 @@ class Explanation {
     return true;
   }
 
-  /// The branches that touch one another, directly or through others; two or more each.
+  /// The sets of two or more branches that touch one another, directly or through others.
   [[nodiscard]] std::vector<std::vector<PointIndex>> bundles(std::size_t count) const {
     Table<PointIndex, PointIndex> leader(count);
     for (const PointIndex point : leader.keys()) {
@@ -263,7 +266,7 @@ class Explanation {
     return bundles;
   }
 
-  /// Whether the difference of any two branches turns round.
+  /// Whether the difference of any two branches reverses its direction.
   [[nodiscard]] static bool change_sides(const ConfigurationBundle& before,
                                          const ConfigurationBundle& after) {
     for (std::size_t one = 0; one < before.count(); ++one) {

@@ -9,44 +9,46 @@
 
 namespace assur::mechanism::follow {
 
+/// What happens to branches at one value of the swept parameter.
 enum class EventKind : unsigned char {
   fold,        ///< two configurations meet, and beyond there is neither
   birth,       ///< a fold seen from its other side
   crossing,    ///< two branches pass through one another
   escape,      ///< a displacement grows beyond all bounds
   arrival,     ///< an escape seen from its other side
-  degenerate,  ///< infinitely many configurations, or a verdict that there are none
-  unresolved   ///< closer together than double precision tells
+  degenerate,  ///< infinitely many configurations, or inconsistent ones
+  unresolved   ///< closer together than double precision can resolve
 };
 
+/// An event between two neighbouring sets, with the configurations of both that it concerns.
 struct SingularEvent {
   EventKind kind;
   double parameter;
-  std::vector<PointIndex> left;   ///< configurations of the left set that it befalls
+  std::vector<PointIndex> left;   ///< configurations of the left set that it concerns
   std::vector<PointIndex> right;  ///< configurations of the right set that begin there
-  PointIndex through;             ///< of the left set: passes through a fold or birth; or none
+  PointIndex through;  ///< the one of the left set that passes through a fold or birth, if any
   Configuration configuration;
   double uncertainty = 0;  ///< of the parameter, by rounding
 };
 
 /// What may explain an interval.
 enum class Explaining : unsigned char {
-  crossings,   ///< alone: it is long
-  any_event,   ///< it is short
-  all_that_is  ///< it cannot be halved: folds may be located from afar
+  crossings,   ///< only these, since the interval is long
+  any_event,   ///< the interval is short
+  all_that_is  ///< the interval cannot be halved, so folds may be located from afar
 };
 
-/// The events between two sets, in the order of the sweep; nothing if the interval is too long for
-/// each to be told and located by itself. Matches that turn out to be a fold and a birth at one
-/// place are dissolved.
+/// The events between two sets, in the order of the sweep. Returns nothing if the interval is too
+/// long for each event to be recognised and located by itself. Matches that turn out to be a fold
+/// and a birth at one place are removed.
 [[nodiscard]] std::optional<std::vector<SingularEvent>> explain(SnapshotSolver& solver,
                                                                 const SnapshotPointer& left,
                                                                 const SnapshotPointer& right,
                                                                 BranchMatching& matching,
                                                                 Explaining by);
 
-/// The folds and births that lie where the sweep's range ends: `near` is a set inside, `end` the
-/// parameter value, which has no set of its own that could be matched.
+/// The folds and births where the sweep's range ends: `near` is a set inside the range, and `end`
+/// the parameter value, at which no set can be matched.
 [[nodiscard]] std::vector<SingularEvent> folds_at_end(SnapshotSolver& solver,
                                                       const SnapshotPointer& near, double end);
 

@@ -12,7 +12,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The first group whose determinants have two signs; none.
+/// The first group whose determinant changes its sign between two points, if any.
 GroupIndex first_turned(const BranchPoint& from, const BranchPoint& to) {
   const auto& before = from.state().determinants;
   const auto& after = to.state().determinants;
@@ -25,10 +25,10 @@ GroupIndex first_turned(const BranchPoint& from, const BranchPoint& to) {
   return {};
 }
 
-/// The places of samples on one side, in parts of the width. The outer ones tell where a smooth
-/// branch is at the innermost.
+/// The places of samples on one side, in parts of the width. From the outer ones follows where a
+/// smooth branch would be at the innermost.
 constexpr std::array sample_places{0.25, 0.5, 0.75, 1.0};
-constexpr std::size_t inner_samples = 2;  ///< the first, one on either side
+constexpr std::size_t inner_samples = 2;  ///< the first two, one on either side
 
 class Passing {
  public:
@@ -56,8 +56,8 @@ class Passing {
   }
 
  private:
-  /// The place of the width at which closures are open least, and the least opening of all. Returns
-  /// whether this has become less.
+  /// Keeps the place of the width with the least residual of the closures, and the least opening of
+  /// all widths. Returns whether the opening has become smaller.
   bool take(std::optional<SmoothPassing> found) {
     if (!found) {
       return false;
@@ -82,12 +82,13 @@ class Passing {
     return point.state().determinants[group_];
   }
 
-  /// Determinants are compared where the links of the group play the same roles.
+  /// Whether the links of the group play the same roles at a point as at the start: only then are
+  /// determinants comparable.
   [[nodiscard]] bool plays_its_roles(const BranchPoint& point) const {
     return point.set->roles[group_] == from_.set->roles[group_];
   }
 
-  /// Where a formula has no value there, the closures are open beyond all bounds.
+  /// The residual of the closures at a place; infinite where a formula has no value.
   [[nodiscard]] double closure_error(const EventLocation& location) const {
     SnapshotSolver& solver = branches_.solver();
     try {
@@ -98,7 +99,8 @@ class Passing {
     }
   }
 
-  /// Samples by turns before and after the centre, from the inside out; empty if one is not found.
+  /// The samples, alternately before and after the centre, from the inside out; empty if one cannot
+  /// be found.
   [[nodiscard]] std::vector<BranchPoint> samples(double width) {
     std::vector<BranchPoint> found;
     BranchPoint before = from_;
@@ -148,7 +150,8 @@ class Passing {
     return passing;
   }
 
-  /// From the inside out, by turns on both sides.
+  /// Whether nodes that are listed alternately on both sides, from the inside out, grow on either
+  /// side.
   [[nodiscard]] static bool is_monotonic(const Eigen::VectorXd& nodes) {
     for (Eigen::Index index = 0; index < nodes.size(); ++index) {
       const double nearer = index < 2 ? 0 : std::abs(nodes(index - 2));
@@ -160,7 +163,7 @@ class Passing {
     return true;
   }
 
-  /// Where the branch would be at the parameter of a sample, by places and slopes of the outer
+  /// Where the branch would be at the parameter of a sample, from places and slopes of the outer
   /// ones.
   [[nodiscard]] static Eigen::VectorXd smooth_place(const std::vector<BranchPoint>& found,
                                                     const BranchPoint& sample) {

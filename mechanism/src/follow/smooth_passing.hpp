@@ -1,5 +1,5 @@
 // Turns one branch on both sides of a value at which its groups are singular into how it passes
-// that.
+// that value.
 #pragma once
 
 #include <optional>
@@ -14,18 +14,19 @@ struct SmoothPassing {
   EventLocation location;
   Eigen::VectorXd place;
   Eigen::VectorXd slope;
-  /// The square of the gap between this branch and one that it would turn off to, were it open.
+  /// The square of the gap that would separate this branch from one onto which it turns, if the
+  /// crossing were open.
   double opening;
 };
 
-/// Whether the determinant of a group has another sign at the second point.
+/// Whether the determinant of any group changes its sign between the two points.
 [[nodiscard]] bool is_turned(const BranchPoint& from, const BranchPoint& to);
 
-/// The second point is what continues the first. The singular value is the zero of the determinant
-/// of the first group that turns there, for all groups before it are regular. Places and slopes on
-/// both sides tell where a smooth branch is between them, at a ladder of widths: rounding spoils
-/// what is near, and truncation what is far. Nothing if no group turns, or rounding leaves no
-/// width.
+/// How a branch passes between two points, the second of which continues the first. The singular
+/// value is the zero of the determinant of the first group whose sign changes, for all groups
+/// before it are regular. Places and slopes on both sides determine where a smooth branch is
+/// between them. They are taken at several widths, since rounding spoils narrow ones and truncation
+/// wide ones. Returns nothing if no sign changes, or if rounding leaves no width.
 [[nodiscard]] std::optional<SmoothPassing> passing(LoneBranches& branches, const BranchPoint& from,
                                                    const BranchPoint& to);
 

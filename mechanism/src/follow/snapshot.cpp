@@ -11,9 +11,9 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Between two steps; a turn takes about a hundred.
+/// The largest number of sets between two steps; one turn of a crank takes about a hundred.
 constexpr int most_between_steps = 200000;
-/// Angles that laws read are counted at so many values of a sweep at least.
+/// Whole turns of angles that laws read are counted at this many values of a sweep at least.
 constexpr double least_counts = 512;
 
 /// The longest distance between two features of one link, which no motion changes; where no link
@@ -38,8 +38,9 @@ double length_of(const Mechanism& mechanism, const Values& values) {
   return longest > 0 ? longest : largest > 0 ? largest : 1;
 }
 
-/// Where branches meet, and only there, derivatives lose their digits before places do: what has
-/// its derivatives is apart from all others.
+/// Whether all configurations have their derivatives. Where branches meet, and only there,
+/// derivatives lose their digits before places do, so configurations with derivatives are apart
+/// from one another.
 bool is_regular(const Snapshot& snapshot) {
   const auto& configurations = snapshot.solution.configurations;
   return snapshot.solution.status != SolutionStatus::degenerate &&
@@ -160,7 +161,8 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
   return snapshot;
 }
 
-/// Where laws read angles, these are counted on from the anchor in small steps.
+/// The set at a value. Where laws read angles, their turns are counted from the anchor in small
+/// steps.
 SnapshotPointer SnapshotSolver::solved(double parameter) {
   if (anchor_ != nullptr) {
     const SnapshotPointer anchor = anchor_;

@@ -15,7 +15,7 @@ struct ConfigurationPoint {
   Eigen::VectorXd at;
   Eigen::VectorXd slope;
 };
-/// A configuration of one set, by its place there.
+/// The index of a configuration in its set.
 using PointIndex = Index<ConfigurationPoint>;
 
 /// Every configuration at one value of the swept parameter.
@@ -26,9 +26,10 @@ struct Snapshot {
   /// The roles that the links of every group played: determinants are compared where they agree.
   Table<GroupIndex, const RoleAssignment*> roles;
   Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
-  /// Every configuration is known, regular and apart from all others, so that each can be followed.
+  /// Whether every configuration is known, regular and apart from all others, so that each can be
+  /// followed.
   bool separable = true;
-  double closest = 0;  ///< least distance between two points; infinite where there are not two
+  double closest = 0;  ///< the least distance of two points; infinite for fewer than two
   /// Whether something moves freely here alone, and with it branches that stand elsewhere.
   bool has_own_family = false;
 
@@ -43,34 +44,34 @@ struct Snapshot {
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 
-/// Solves a mechanism anywhere within its sweep, with one set of values that it moves.
+/// Solves a mechanism anywhere within its sweep, with one set of values that it changes.
 class SnapshotSolver {
  public:
   /// The plan's request must have a sweep, and the plan must outlive the solver. All parameters but
   /// the swept one are as in `values`.
   SnapshotSolver(const Plan& plan, const Values& values);
 
-  /// At a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
+  /// The set at a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
   [[nodiscard]] SnapshotPointer at_step(double parameter);
-  /// Anywhere: what `at_step` would throw is the reason of a degenerate solution. Throws
-  /// MechanismError where too much is asked for between two steps.
+  /// The set at any value. Where `at_step` would throw, the set is degenerate, with the error as
+  /// its reason. Throws MechanismError after too many calls between two steps.
   [[nodiscard]] SnapshotPointer at(double parameter);
-  /// The configuration of a number, or where that is zero the one nearest to the reference, alone
-  /// in the set; the set is empty where there is none. Throws as `at_step` does.
+  /// The set of one configuration: the one with a number, or for zero the one nearest to the
+  /// reference. The set is empty if there is none. Throws as `at_step` does.
   [[nodiscard]] SnapshotPointer one_at(double parameter, std::size_t number);
-  /// The configuration nearest to a point, alone in the set, and no nearer to any other than
-  /// `closest`. Throws as `at` does.
+  /// The set of the one configuration that is nearest to a point; all others are at least `closest`
+  /// away. Throws as `at` does.
   [[nodiscard]] SnapshotPointer near(double parameter, const Eigen::VectorXd& point);
-  /// Angles that laws read are counted on from those of a set by whole turns; a step's set is taken
-  /// for that as it is solved.
+  /// From now on, angles that laws read are counted by whole turns from those of a set. Solving a
+  /// step does this with the step's set.
   void count_from(const SnapshotPointer& set);
-  /// Whether sets can be followed, too, whose derivatives all constraints together tell, and group
-  /// by group none: that takes longer, and crossings are located by sets that are nearer to them.
+  /// From now on, sets can be followed, too, whose slopes are known only from all constraints
+  /// together, and not group by group. That takes longer, and crossings are located less precisely.
   void look_closely(bool closely) { closely_ = closely; }
   [[nodiscard]] bool looks_closely() const { return closely_; }
-  /// Counts anew how much is asked for between two steps; `at_step` does.
+  /// Resets the count of calls between two steps; `at_step` does so, too.
   void begin_step() { between_steps_ = 0; }
-  /// The mechanism's values there. They change with the next call.
+  /// The mechanism's values at a value of the swept parameter. They change with the next call.
   [[nodiscard]] const Values& values_at(double parameter);
 
   [[nodiscard]] const Plan& plan() const { return plan_; }
@@ -80,25 +81,26 @@ class SnapshotSolver {
   /// A length of the mechanism, the unit of the points.
   [[nodiscard]] double length() const { return sought_.length; }
   /// How far the parameter goes while it moves driven links, or features on their links, by the
-  /// mechanism's size; its own size where it moves none; zero of an empty set.
+  /// mechanism's size. If it moves none, the parameter's own size; zero for an empty set.
   [[nodiscard]] double way_of_size(const Snapshot& set);
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
-  /// How fast the parameter moves features on their own links, in that unit: of them the fastest.
+  /// The largest speed at which the parameter moves features on their own links, in units of the
+  /// points.
   [[nodiscard]] double speed_of_features(double parameter);
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
   /// Whether a set that is not degenerate has families that one beside it lacks, and fewer
   /// configurations for it.
   [[nodiscard]] bool has_own_family(const Snapshot& set);
-  /// One to be solved at a value, to which `values_` are set.
+  /// A snapshot to be solved at a value, to which `values_` are set.
   [[nodiscard]] std::unique_ptr<Snapshot> begun(double parameter);
   void count_between_steps();
-  /// One to be written: whatever it holds is of another value.
+  /// A snapshot to be overwritten: whatever it holds belongs to another value.
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
-  /// With its configurations' points, and whether these can be told apart.
+  /// The snapshot with its configurations' points, and with whether these can be told apart.
   [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
   /// Of a set at the present values: marks configurations whose paths all constraints tell.
   void mark_known_paths(Solution& solution) const;
@@ -112,14 +114,15 @@ class SnapshotSolver {
   solve::MechanismSolver solver_;
   /// Snapshots that nobody holds any more, for their memory. Snapshots may outlive the solver.
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
-  Eigen::Index column_;  ///< of the derivatives to the swept parameter
+  Eigen::Index column_;  ///< of the derivatives with respect to the swept parameter
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism
-  SnapshotPointer anchor_;     ///< whose angles are counted on; null where laws read none
-  bool has_signs_ = false;     ///< where constraints are redundant: not singular throughout
-  std::size_t families_ = 0;   ///< in the last set, of those that one beside it has, too
-  int between_steps_ = 0;      ///< how many were asked for since the last step
+  SnapshotPointer
+      anchor_;  ///< the set from whose angles turns are counted; null where laws read none
+  bool has_signs_ = false;    ///< where constraints are redundant: not singular throughout
+  std::size_t families_ = 0;  ///< in the last set, of those that one beside it has, too
+  int between_steps_ = 0;     ///< how many were asked for since the last step
   bool closely_ = false;
 };
 

@@ -14,19 +14,18 @@
 #include "told_branches.hpp"
 
 namespace assur::mechanism::follow {
-
 namespace {
 
-/// The sweep is solved at least at so many values, however few steps it has: a pair of branches
-/// that is born and ends again between two of them is not seen.
+/// The sweep is solved in at least this many intervals, however few steps it has. A pair of
+/// branches that is born and ends again within one interval is not seen.
 constexpr int least_intervals = 512;
-/// What is this near to a step, in parts of the way that moves the mechanism by its size, happens
-/// there: well above what rounding makes of it, which depends on the listing and the unit, and well
-/// below where sets can be followed.
+/// An event that is this near to a step, in parts of the way that moves the mechanism by its size,
+/// is taken to happen at the step. This is well above rounding, which depends on the listing and
+/// the unit, and well below the distance at which sets can be followed.
 constexpr double at_a_step = 5e-15;
 
-/// A crossing may be this much farther from its place than the estimates of that differ, which tell
-/// the order of their error.
+/// The error of a crossing's place may be this many times the difference of its estimates, which
+/// gives the order of the error only.
 constexpr double doubt_of_crossings = 3;
 
 class Sweeper {
@@ -37,7 +36,7 @@ class Sweeper {
         tracker_(solver_),
         told_(!plan.redundant().empty()) {}
 
-  /// Returns how many branches have been numbered.
+  /// Runs the sweep. Returns how many branches have been numbered.
   int run() {
     for (int step = 0; step < count(); ++step) {
       (void)solver_.values_at(value_at(step));
@@ -82,7 +81,8 @@ class Sweeper {
     report(step, *set, rows);
   }
 
-  /// A step at which branches meet, or worse: sets on both sides of it are connected instead.
+  /// Handles a step whose set cannot be followed, since branches meet there or worse: sets on both
+  /// sides of it are connected instead.
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
@@ -136,7 +136,7 @@ class Sweeper {
                                  untold(std::move(gone_after), rows, {})));
     }
     if (kind == EventKind::unresolved) {
-      if (!before && !after) {  // What was followed is too far away to tell whose rows these are.
+      if (!before && !after) {  // The branches followed before are too far away to own these rows.
         std::ranges::for_each(rows, [](StepRow& row) { row.branch = 0; });
       }
       add_unresolved(step, value, rows);
@@ -144,12 +144,10 @@ class Sweeper {
     report(step, *set, rows);
   }
 
-  /// Once more where a step has no set beside it, with sets that all constraints tell, if it is not
-  /// one itself.
+  /// Handles a step that has no set beside it, with a closer look at both.
   void look_closely_beside(int step, const SnapshotPointer& set) {
     solver_.look_closely(true);
-    const SnapshotPointer closely = solver_.at(set->parameter);
-    if (closely->separable) {
+    if (const SnapshotPointer closely = solver_.at(set->parameter); closely->separable) {
       passage_.reset();
       pass(step, closely);
     } else {
@@ -158,8 +156,9 @@ class Sweeper {
     solver_.look_closely(false);
   }
 
-  /// Where no set can be followed beyond the first or last step, what neither rows nor events tell
-  /// of branches; and where there is none on either side of a step, that none is followed.
+  /// Adds an unresolved event where no set can be followed beyond the first or last step, for the
+  /// branches that neither rows nor events name; and where none can be followed on either side of a
+  /// step, for the gap that begins there.
   void add_unresolved(int step, double value, const std::vector<StepRow>& rows) {
     const bool is_new_gap = !passage_->leads_in() && !passage_->leads_on() && !gap_;
     if (is_new_gap) {
@@ -178,7 +177,7 @@ class Sweeper {
     }
   }
 
-  /// A step that the passage of an earlier one covers.
+  /// Handles a step that the passage of an earlier step covers.
   void pass_later(int step, const Snapshot& set) {
     const std::vector<StepRow> rows = passage_->rows(set);
     if (set.is_degenerate()) {
@@ -194,8 +193,8 @@ class Sweeper {
     report(step, set, rows);
   }
 
-  /// The events since the last step, which may name branches that have their first rows at this
-  /// one, and the rows of this.
+  /// Reports the events since the last step, which may name branches that have their first rows at
+  /// this step, and then the rows of this step.
   void report(int step, const Snapshot& set, const std::vector<StepRow>& rows) {
     for (const StepRow& row : rows) {
       told_.note(row);
@@ -206,7 +205,7 @@ class Sweeper {
     }
   }
 
-  /// Begins to follow branches, which after a gap is told at a place.
+  /// Begins to follow branches. After a gap this is an event, at `place`.
   void begin(const SnapshotPointer& set, double place) {
     tracker_.begin(set);
     if (gap_) {
@@ -215,7 +214,7 @@ class Sweeper {
     }
   }
 
-  /// In equal parts, so that few steps see what many do.
+  /// Advances in equal parts, so that a sweep of few steps finds the same events as one of many.
   void advance(const SnapshotPointer& set) {
     const double from = tracker_.current()->parameter;
     const double whole = set->parameter - from;
@@ -230,7 +229,7 @@ class Sweeper {
     tracker_.advance(set);
   }
 
-  /// A fold at the first or last value itself.
+  /// Adds the folds and births at the first or last value itself.
   void add_end_events(const SnapshotPointer& near, double end) {
     for (SingularEvent& event : folds_at_end(solver_, near, end)) {
       BranchEvent named{event.kind, end, {}, {}, 0, std::move(event.configuration)};
@@ -263,8 +262,8 @@ class Sweeper {
                       &set.spread, row.state});
   }
 
-  /// What happens at a step to within rounding happens there, and nothing is told of what happens
-  /// beyond the ends of the sweep.
+  /// Takes the tracker's events. Those at a step up to rounding are moved to the step, and those
+  /// beyond the ends of the sweep are not reported.
   void take_events() {
     const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
     const double nearest =
@@ -293,9 +292,9 @@ class Sweeper {
     }
   }
 
-  /// What is not resolved happens anywhere about a middle. Of branches that have no row and end or
-  /// begin beyond the ends of the sweep none is told, and where it may be before or behind a step,
-  /// no row between is known to be of these.
+  /// Handles an unresolved event, which happens anywhere within its uncertainty about a middle.
+  /// Branches without rows that may end or begin beyond the ends of the sweep are not reported. If
+  /// the uncertainty exceeds a step, no row within the passage is assigned to these branches.
   void leave_unknown(BranchEvent& event, double middle) {
     const double reach = sense() * event.uncertainty;
     if (2 * event.uncertainty > step_width()) {
@@ -313,7 +312,7 @@ class Sweeper {
     }
   }
 
-  /// Whether an event lies within the sweep and befalls branches that do.
+  /// Whether an event, and the branches that it names, lie within the sweep.
   [[nodiscard]] bool is_within(const BranchEvent& event) const {
     const bool only_ends = event.kind == EventKind::fold || event.kind == EventKind::escape;
     const bool only_begins = event.kind == EventKind::birth || event.kind == EventKind::arrival;
@@ -322,8 +321,9 @@ class Sweeper {
            !(only_begins && event.parameter == solver_.to());
   }
 
-  /// What an event outside the sweep ends or begins is no branch of it, nor is one that does not
-  /// hold the constraints that are too many; what is unresolved has no rows in the passage.
+  /// Removes branches from an end of a passage: those that events outside the sweep end or begin,
+  /// those that violate the redundant constraints, and unresolved ones, which have no rows in the
+  /// passage.
   void forget_outside(PassageEnd& end) const {
     for (const PointIndex point : end.branches.keys()) {
       int& branch = end.branches[point];
@@ -333,8 +333,8 @@ class Sweeper {
       }
     }
   }
-  /// Fills in an event's residual; returns how the parameters vary there. Where a formula has no
-  /// value at the event, the residual stays unknown and nothing varies.
+  /// Sets an event's residual, and returns the spread of the parameters there. Where a formula has
+  /// no value at the event, the residual stays unknown and the spread is zero.
   [[nodiscard]] Spread complete(BranchEvent& event) {
     try {
       const Values& values = solver_.values_at(event.parameter);
@@ -370,7 +370,8 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep
-  std::set<int> unresolved_;        ///< that events leave unknown over more than one step
+  std::set<int>
+      unresolved_;  ///< numbers of branches that events leave unknown over more than one step
   ToldBranches told_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step
@@ -388,7 +389,7 @@ int sweep(const Plan& plan, const SweepObserver& observer) {
 
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
   const SweepObserver complete = follow::expect_sweep(plan, values, observer);
-  if (!plan.redundant().empty()) {  // throws where they do not hold as the sweep begins
+  if (!plan.redundant().empty()) {  // solving throws where they do not hold as the sweep begins
     Values first = values;
     first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
     (void)plan.solve(first);

@@ -5,14 +5,14 @@
 
 namespace assur::mechanism::follow {
 
-/// The value of a step; steps count from 0.
+/// The value of the swept parameter at a step; steps count from 0.
 [[nodiscard]] inline double value_at_step(double from, double to, int step, int count) {
   const int last = count - 1;
   return last == 0 ? from : from + (to - from) * (static_cast<double>(step) / last);
 }
 
 /// Throws MechanismError for a request without a sweep, and for one that cannot be run. Returns the
-/// observer with something to call for everything.
+/// observer with functions that do nothing in place of those that it lacks.
 [[nodiscard]] SweepObserver expect_sweep(const Plan& plan, const Values& values,
                                          SweepObserver observer);
 

@@ -21,8 +21,8 @@ class ModelFunctions {
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  /// Derivatives divide by a product of as many lengths as there are unknowns. Where it leaves the
-  /// range of double they are not known.
+  /// Derivatives divide by a product of as many lengths as there are unknowns. Where that leaves
+  /// the range of double, they are not known.
   static constexpr double most_binary_digits = 1000;
 
  public:

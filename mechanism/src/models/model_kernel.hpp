@@ -14,7 +14,8 @@
 
 namespace assur::mechanism::models {
 
-/// A group has at most four links; nothing of it is larger than the rows of all its link poses.
+/// The bounds of a group's sizes: it has at most four links, and no array of it is longer than all
+/// its link poses.
 inline constexpr int most_links = 4;
 inline constexpr int most_unknowns = 8;
 inline constexpr int most_configurations = 6;
@@ -47,9 +48,9 @@ struct MotionQuery {
 struct GroupMotion {
   double residual = 0;              ///< largest of the closures
   Regularity<double> standing;      ///< by the pivots alone
-  double size = 0;                  ///< what one radian moves points by
-  double held = 0;                  ///< how far rounding may have moved what holds the group
-  support::Displacement displaced;  ///< and, at most, its links
+  double size = 0;                  ///< the distance by which one radian moves points
+  double held = 0;                  ///< how far rounding may have moved the group's neighbours
+  support::Displacement displaced;  ///< how far, at most, it may have moved the group's links
   std::array<Pose<double>, most_links> poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
@@ -67,6 +68,7 @@ struct Curvature {
 
 /// Variables that move, flat; the closures and the link poses that follow from them.
 using FlatSeries = support::FlatVariables<Series>;
+/// The series of a group's closures and of its link poses.
 struct MovingGroup {
   std::array<Series, most_unknowns> closures;
   std::array<Pose<Series>, most_links> poses;
@@ -78,10 +80,10 @@ namespace assur::mechanism {
 
 /// The functions of one model behind plain numbers: d, u and q are flat.
 struct ModelKernel {
-  /// `displaced`: the neighbours, by rounding.
+  /// Finds all configurations; `displaced` is how far rounding may have moved the neighbours.
   void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u,
                    const support::Displacement& displaced, models::GroupAssemblies& found);
-  /// By how much the closures fail at least, where there are no configurations.
+  /// Sets the least residual of the closures, where there are no configurations.
   Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
   void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,
                const models::FlatVariables& q, const models::MotionQuery& query,
@@ -93,7 +95,7 @@ struct ModelKernel {
   /// The closures and poses of a group that moves, to the order of a series.
   void (*expand)(const models::FlatSeries& d, const models::FlatSeries& u,
                  const models::FlatSeries& q, models::MovingGroup& moving);
-  /// Whether the angles that prismatic joints tie are compatible (of a degenerate model).
+  /// For a degenerate model, whether the angles that prismatic joints tie are compatible.
   bool (*is_compatible)(const models::FlatVariables& d, const models::FlatVariables& u);
 };
 

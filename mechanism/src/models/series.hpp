@@ -1,4 +1,4 @@
-// Turns formulas into formulas for the Taylor coefficients of what moves.
+// Turns formulas into the Taylor coefficients of their values along a motion.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace assur::mechanism::models {
 
-/// c0 + c1 t + ... + c4 t^4, and what is of higher order cut off. A coefficient that is not known
-/// is NaN, and makes those that depend on it NaN, which are of its order and above.
+/// The series c0 + c1 t + ... + c4 t^4, with higher orders cut off. An unknown coefficient is NaN,
+/// and makes NaN all that depend on it, which are of its order and above.
 struct Series {
   static constexpr std::size_t order = 4;
   std::array<double, order + 1> c{};
@@ -36,12 +36,12 @@ struct Series {
 [[nodiscard]] double turning_rate(const Direction<Series>& direction);
 [[nodiscard]] double second_turning_rate(const Direction<Series>& direction);
 
-/// The frame `inner`, which is given in `frame`, in the frame in which that one moves.
+/// The frame `inner`, which is given in `frame`, in the frame in which `frame` moves.
 [[nodiscard]] Pose<Series> composed(const Pose<Series>& frame, const Pose<Series>& inner);
 /// A frame at rest.
 [[nodiscard]] Pose<Series> at_rest(const Pose<double>& pose);
-/// A number that moves with a rate and a second rate; where these are zero it is at rest, and
-/// elsewhere what is of higher order is not known.
+/// A number with a rate and a second rate. If both are zero it is at rest; otherwise its higher
+/// orders are not known.
 [[nodiscard]] Series moving(double value, double rate, double second_rate);
 
 }  // namespace assur::mechanism::models

@@ -27,7 +27,7 @@ Series rate_of(const Series& a) {
   return rate;
 }
 
-/// What starts at a value and has a rate.
+/// The series that starts at a value and has a rate.
 Series integral(double start, const Series& rate) {
   Series result(start);
   for (std::size_t k = 1; k <= Series::order; ++k) {

@@ -1,4 +1,5 @@
-// Turns functions that laws of drivers name into their Taylor coefficients, of what moves.
+// Turns the functions that laws of drivers may contain into their Taylor coefficients along a
+// motion.
 #pragma once
 
 #include "models/series.hpp"

@@ -7,12 +7,12 @@ namespace assur::mechanism::page {
 
 namespace {
 
-/// A film of more numbers does not fit into the memory of a small computer.
+/// The most numbers of a film; more do not fit into the memory of a small computer.
 constexpr std::size_t most_numbers = 8'000'000;
 
 /// The page writes its question here.
 std::string question;
-/// Of the last question; the page reads it before it asks the next one.
+/// The answer to the last question; the page reads it before it asks the next one.
 std::string answer;
 draw::Film film;
 
@@ -31,8 +31,8 @@ draw::Json solved(const draw::Json& asked) {
 
 extern "C" {
 
-/// Room for a question of so many bytes: JSON in UTF-8, `text` of a scene file and `settings` as
-/// `parse_scene` takes them.
+/// Makes room for a question of a number of bytes: JSON in UTF-8 with the `text` of a scene file
+/// and `settings` as `parse_scene` takes them.
 [[clang::export_name("question")]] char* question_of(std::size_t bytes) {
   question.resize(bytes);
   return question.data();

@@ -18,8 +18,8 @@ bool is_among(LinkIndex link, const Links& links) {
   return std::ranges::binary_search(links, link);
 }
 
-/// Joins the links of a pin to another one of them, which one joint of the pin joins to the first.
-/// Of a pin's joints each has the link that they share as its first.
+/// Makes `hub` the link that all joints of a pin share. Each joint of a pin has the shared link as
+/// its first.
 void set_hub(Linkage& linkage, const std::vector<ElementaryJointIndex>& pin, LinkIndex hub) {
   ElementaryJoint at = linkage.joints[*std::ranges::find_if(
       pin, [&](ElementaryJointIndex joint) { return linkage.joints[joint].second == hub; })];
@@ -76,7 +76,7 @@ class ClusterFinder {
   }
 
  private:
-  /// The links of a pin, or of a joint of two: the one that they share first.
+  /// The links of a pin, or of a joint of two links; the shared one comes first.
   [[nodiscard]] Links links_at(const std::vector<ElementaryJointIndex>& pin) const {
     Links links = {linkage_.joints[pin.front()].first};
     for (const ElementaryJointIndex joint : pin) {
@@ -85,7 +85,7 @@ class ClusterFinder {
     return links;
   }
 
-  /// Each set with one more link of the component that is joined to it.
+  /// All sets that result when a set gets one more link of the component that is joined to it.
   [[nodiscard]] std::set<Links> grown(const std::set<Links>& sets) const {
     std::set<Links> result;
     for (const Links& set : sets) {
@@ -116,7 +116,7 @@ class ClusterFinder {
     return count;
   }
 
-  /// A candidate for the base of a set: the sooner, the smaller.
+  /// The rank of a candidate for the base of a set; the smallest rank is chosen.
   using Rank = std::tuple<bool, int, std::string, std::vector<std::string>>;
   struct Candidate {
     Rank rank;
@@ -167,8 +167,8 @@ class ClusterFinder {
     return {is_block, -joints, names_[base], names};
   }
 
-  /// Where some links of a set share a pin, these are joined to one of them: the base, or the one
-  /// whose name comes first.
+  /// The linkage in which the links of a set that share a pin are joined to one of them: the base,
+  /// or the one whose name comes first.
   [[nodiscard]] Linkage with_hubs_in(const Links& set, LinkIndex base) const {
     Linkage linkage = linkage_;
     for (const auto& [name, pin] : pins_) {
@@ -188,7 +188,8 @@ class ClusterFinder {
     return linkage;
   }
 
-  /// What is left with the base in place of the group's links, which it carries.
+  /// The cluster with the rest of the component, in which the base replaces the group's links,
+  /// which it carries.
   std::optional<Cluster> concluded() {
     linkage_ = std::move(best_->linkage);
     Cluster& cluster = best_->cluster;

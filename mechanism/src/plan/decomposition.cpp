@@ -17,17 +17,18 @@ using TieIndex = Index<Tie>;
 /// The place of a component in the order.
 using RankIndex = Index<Component>;
 
-/// What moves as one: links that drivers tie together, or the point of a pin of several links.
+/// A set of links that drivers tie together, or the point of a pin of several links; it moves as
+/// one.
 struct Body {
-  LinkIndex link;                 ///< the carrier; none for a pin
-  int freedoms;                   ///< three of a link, two of a point
+  LinkIndex link;                 ///< the carrier; does not exist for a pin
+  int freedoms;                   ///< three for a link, two for a point
   std::vector<TieIndex> matched;  ///< for each freedom that is taken, the tie that takes it
 };
 
-/// What ties one body to another, or to what is placed.
+/// A joint or driver that ties one body to another, or to a placed link.
 struct Tie {
   BodyIndex body;
-  BodyIndex other;  ///< none for what is placed
+  BodyIndex other;  ///< does not exist for a placed link
   std::string joint;
   int equations = 2;
   std::vector<LinkIndex> read = {};  ///< by the law of its driver
@@ -57,7 +58,8 @@ class StructuralGraph {
     }
   }
 
-  /// What alternating paths from what is left over on one side reach.
+  /// Finds the parts that alternating paths reach from the freedoms, or the equations, that are
+  /// left over.
   void find_imbalances(Decomposition& result) const {
     std::set<BodyIndex> free;
     std::set<TieIndex> overloading;
@@ -74,7 +76,7 @@ class StructuralGraph {
         overloading.insert(tie);
       }
     }
-    // A free body frees those whose constraints could be matched with it instead.
+    // A body is free, too, if one of its constraints could be matched with a free body instead.
     for (bool grown = true; grown;) {
       grown = false;
       for (const BodyIndex body : bodies_.keys()) {
@@ -144,7 +146,7 @@ class StructuralGraph {
 
   void tie(BodyIndex one, BodyIndex other, const std::string& joint, int equations = 2,
            std::vector<LinkIndex> read = {}) {
-    if (one == other) {  // within what moves as one there is no freedom to take
+    if (one == other) {  // a tie within one body takes no freedom
       one = other = BodyIndex();
     }
     if (!one.exists()) {
@@ -179,8 +181,8 @@ class StructuralGraph {
     }
   }
 
-  /// Finds a freedom for one equation of a tie, and others for those that must make way; each body
-  /// is asked once in a round.
+  /// Matches one equation of a tie with a freedom, moving other equations to other freedoms where
+  /// they are in the way. Each body is asked once in a round. Returns whether there was a freedom.
   [[nodiscard]] bool matched(TieIndex tie) {
     for (const BodyIndex body : {ties_[tie].body, ties_[tie].other}) {
       if (!body.exists() || asked_[body] == round_) {
@@ -209,8 +211,9 @@ class StructuralGraph {
     }
   }
 
-  /// Of the components that depend on ranked ones only, the smallest goes next, and of these the
-  /// one whose links' names come first: configurations may be numbered group by group.
+  /// Ranks the components: of those that depend on ranked ones only, the smallest goes next, and
+  /// among equal ones the one whose links' names come first. The order must not depend on the
+  /// listing, since configurations may be numbered group by group.
   void rank_bodies(Decomposition& result) {
     Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size()), read(bodies_.size());
     for (const BodyIndex body : bodies_.keys()) {
@@ -279,7 +282,8 @@ class StructuralGraph {
     }
   }
 
-  /// What depends on itself by way of what laws read; not what waits behind it.
+  /// Finds the links that depend on themselves through what laws read, without those that only wait
+  /// for these.
   void find_circle(Table<BodyIndex, std::vector<BodyIndex>> needs,
                    const Table<BodyIndex, std::vector<BodyIndex>>& read, Imbalance& coupled) const {
     for (const BodyIndex body : bodies_.keys()) {
@@ -316,7 +320,7 @@ class StructuralGraph {
     return body.exists() ? rank_[body] : RankIndex();
   }
 
-  /// The links of a pin all join the one that is placed first.
+  /// Joins all links of a pin to the one that is placed first.
   void resolve_pins(Linkage& linkage) const {
     for (const SharedPin& pin : linkage_.pins) {
       std::size_t hub = 0;

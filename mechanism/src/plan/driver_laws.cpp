@@ -45,7 +45,7 @@ class LawOrder {
     }
   }
 
-  /// Of the drivers whose laws a law reads, one that has no place in the order yet.
+  /// The first of the drivers whose laws a law reads that has no place in the order yet.
   [[nodiscard]] DriverIndex first_unsettled(DriverIndex driver) const {
     for (const JointIndex joint : joints_in_law(mechanism_, driver)) {
       const DriverIndex read = mechanism_.driver_of(joint);

@@ -69,7 +69,8 @@ class OrderFinder {
     }
   }
 
-  /// Where a sweep begins and ends is not among them, nor what no joint and no output has.
+  /// Lists the numbers that solving reads. The ends of a sweep are not among them, nor features
+  /// without a joint or an output.
   void list_numbers(const std::vector<FeatureIndex>& more) {
     Table<FeatureIndex, bool> used(mechanism_.features().size(), false);
     for (const FeatureIndex feature : more) {
@@ -181,7 +182,7 @@ bool spread_depends(const Table<NumberIndex, bool>& changes, const PlanData& pla
   return false;
 }
 
-/// Whether one of the carried links that carry a joint's features in its group has a property.
+/// Whether one of the carried links that carry the features of a joint in its group has a property.
 template <typename Has>
 bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has& has) {
   const auto any_between = [&](LinkIndex carrier, LinkIndex holder) {
@@ -242,8 +243,8 @@ Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanD
       result.parameters.push_back(parameter);
     }
   }
-  // A parameter that moves may change what others' rates are: then all that moves is computed
-  // again.
+  // A parameter that moves in time may change the rates of others, so everything that moves is
+  // computed again.
   const bool rates_change =
       std::ranges::any_of(
           changed, [&](ParameterIndex parameter) { return plan.evaluation.moves[parameter]; }) ||
@@ -294,7 +295,7 @@ Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanD
       const ElementaryJoint& at = plan.structure.linkage.joints[joint];
       const auto is_moved_by = [&](const CarriedLink& link) {
         if (link.group.exists()) {
-          return false;  // where that group is settled, this one is evaluated
+          return false;  // settling that group evaluates this one
         }
         const ElementaryJoint& driven = plan.structure.linkage.joints[link.joint];
         return is_moved[link.driver] || is_touched(driven.on_first) || is_touched(driven.on_second);

@@ -7,8 +7,8 @@
 
 namespace assur::mechanism::plan {
 
-/// The group that `moving` links form with `joints`, all others being placed; nothing if none of
-/// the known groups has this graph. The kind is spelled from the first of the group's links in the
+/// The group that `moving` links form with `joints`, if all other links are placed; nothing if no
+/// known group has this graph. The kind is spelled from the first of the group's links in the
 /// mechanism's order, and then from its first joints.
 [[nodiscard]] std::optional<FoundGroup> find_group(const Linkage& linkage,
                                                    const std::vector<LinkIndex>& moving,

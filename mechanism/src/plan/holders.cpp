@@ -1,4 +1,4 @@
-// Turns a group into the groups that hold it, and into the links that these let stand.
+// Turns a group into the groups that hold it, and into the links that these place.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
 #include <set>
@@ -6,7 +6,7 @@
 namespace assur::mechanism::plan {
 namespace {
 
-/// For each link whether it stands where those of some groups do.
+/// For each link, whether it is placed once some groups are.
 Table<LinkIndex, bool> placed_with(const Structure& structure,
                                    const std::vector<GroupIndex>& groups) {
   Table<LinkIndex, bool> placed(structure.linkage.links.size(), false);

@@ -42,8 +42,8 @@ class PlacementPlanner {
     return structure_.linkage.joints[index];
   }
 
-  /// Links that drivers tie together move as one: each gets the same carrier, which is the ground
-  /// where that is one of them.
+  /// Gives links that drivers tie together, and which so move as one, the same carrier: the ground
+  /// if it is one of them.
   void tie_driven_links() {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
@@ -71,7 +71,8 @@ class PlacementPlanner {
     carry_from(structure_.linkage.ground);
   }
 
-  /// The links at the joints that a law reads. Of a driven joint it reads the law, and no link.
+  /// The links at the joints that a law reads. For a driven joint it reads that joint's law, and no
+  /// link.
   [[nodiscard]] std::vector<LinkIndex> links_read_by(DriverIndex driver) const {
     std::vector<LinkIndex> links;
     for (const JointIndex read : joints_read(mechanism_, driver)) {
@@ -82,7 +83,8 @@ class PlacementPlanner {
     return links;
   }
 
-  /// Lists what drivers move against a link, and against what they move.
+  /// Lists the links that drivers move against a link, and those that other drivers move against
+  /// these, and so on.
   void carry_from(LinkIndex from) {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const ElementaryJointIndex index = joint_of(driver);
@@ -123,8 +125,8 @@ class PlacementPlanner {
     expect_order(decomposition);
     structure_.linkage = std::move(decomposition.linkage);
     for (Component& component : decomposition.components) {
-      if (component.joints.empty()) {  // a driver places it, against a link that has listed it
-        continue;
+      if (component.joints.empty()) {
+        continue;  // A driver places this link, and the link that carries it has listed it.
       }
       component.links = carriers_of(component);
       Component left = component;
@@ -143,7 +145,8 @@ class PlacementPlanner {
     order_carried_links();
   }
 
-  /// Adds a group with what its links carry; the base of a relative one carries these links.
+  /// Adds a group and the links that its links carry. If the group is solved relative to a base,
+  /// the base carries the group's links.
   void add(FoundGroup group) {
     const GroupIndex index(structure_.groups.size());
     for (const LinkIndex link : group.links) {
@@ -168,7 +171,8 @@ class PlacementPlanner {
     return link.joint.exists() ? bodies_.read[link.joint] : std::vector<LinkIndex>();
   }
 
-  /// A carried link is placed when the link that carries it is, and those that its law reads.
+  /// Sorts carried links. A carried link can be placed when the link that carries it is placed, and
+  /// those that its law reads.
   void order_carried_links() {
     Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
     for (const GroupIndex group : structure_.groups.keys()) {
@@ -208,7 +212,7 @@ class PlacementPlanner {
     });
   }
 
-  /// Links on which others stand, or which the laws of others read, come first.
+  /// Puts carried links behind those that carry them, and behind those that their laws read.
   void put_carried_links_behind_what_they_read() {
     std::vector<CarriedLink> waiting = std::move(structure_.carried);
     structure_.carried.clear();
@@ -245,10 +249,10 @@ class PlacementPlanner {
     }
   }
 
-  /// Of links that drivers tie together in a group, the one with most of the group's joints, and
-  /// then the one whose name comes first, carries the others: what a driver does not move between
-  /// stays constant. The group's joints are handed to those that carry, which are the result,
-  /// ascending.
+  /// Chooses, among links that drivers tie together in a group, the one that carries the others:
+  /// the one with most of the group's joints, since dimensions between joints on one link stay
+  /// constant, and then the one whose name comes first. Moves the group's joints to these carriers
+  /// and returns them, ascending.
   std::vector<LinkIndex> carriers_of(const Component& component) {
     Table<LinkIndex, int> joints(bodies_.carrier.size(), 0);
     for (const ElementaryJointIndex index : component.joints) {

@@ -1,4 +1,4 @@
-// Turns a mechanism and a request into the orders of placing and evaluating that all solving
+// Turns a mechanism and a request into the orders of placement and evaluation that all solving
 // shares.
 #pragma once
 
@@ -20,10 +20,10 @@ struct PlanData {
   Structure structure;
   plan::EvaluationOrder evaluation;
   NamedParts named_parts;
-  /// What holds beside the structure, and what to say where it does not.
+  /// Joints that hold beside those of the structure, and the error to report where they do not.
   std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
-  /// With all constraints, where others may be left out in place of these; else null.
+  /// The mechanism with all constraints, where others may be left out in place of these; else null.
   std::shared_ptr<const plan::Described> described;
 };
 

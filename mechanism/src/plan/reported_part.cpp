@@ -26,7 +26,7 @@ class PartFinder {
       needed_[angle.link] = true;
     }
     for (const Joint& joint : mechanism.joints()) {
-      if (joint.lowest.exists()) {  // its limits leave out configurations of what is reported
+      if (joint.lowest.exists()) {  // its limits may rule out configurations of reported parts
         for (const FeatureIndex feature : joint.between) {
           needed_[mechanism.features()[feature].link] = true;
         }
@@ -40,7 +40,8 @@ class PartFinder {
     }
   }
 
-  /// Of the mechanism's links those that are needed. What holds a link is placed before it.
+  /// The links that are needed. Links that hold another one are placed before it, so one pass
+  /// backwards finds them all.
   [[nodiscard]] Table<LinkIndex, bool> run() {
     for (std::size_t place = structure_.groups.size(); place-- > 0;) {
       need_carriers();
@@ -55,7 +56,8 @@ class PartFinder {
   }
 
  private:
-  /// What moves the links that are needed: what carries them, and what the laws of drivers read.
+  /// Adds the links that move needed ones: those that carry them, and those that the laws of
+  /// drivers read.
   void need_carriers() {
     for (auto link = structure_.carried.rbegin(); link != structure_.carried.rend(); ++link) {
       if (!needed_[link->to]) {
@@ -91,7 +93,7 @@ class PartFinder {
   Table<LinkIndex, bool> needed_;
 };
 
-/// The keys of items that have the same names elsewhere.
+/// The keys of the items with the same names in another mechanism.
 template <typename Key, typename Item>
 std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>& keys,
                                            const Table<Key, Item>& from,

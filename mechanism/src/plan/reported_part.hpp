@@ -6,12 +6,14 @@
 
 namespace assur::mechanism::plan {
 
+/// A part of a mechanism, with the request for it.
 struct ReportedPart {
   Mechanism mechanism;
   Request request;  ///< with the part's links and joints in place of the mechanism's
 };
 
-/// The links that are reported or carry outputs, and all that hold them, up to the ground.
+/// The part of the mechanism that consists of the links that are reported or carry outputs, and of
+/// all links that hold them, up to the ground.
 [[nodiscard]] ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                                          const Request& request);
 

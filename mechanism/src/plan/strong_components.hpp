@@ -13,7 +13,7 @@ using ComponentIndex = text::Index<struct StrongComponent>;
 template <typename VertexIndex>
 class StrongComponents {
  public:
-  /// `needs` has for each vertex those that it needs, and must outlive the constructor only.
+  /// `needs` lists for each vertex those that it needs. It must outlive the constructor only.
   explicit StrongComponents(const text::Table<VertexIndex, std::vector<VertexIndex>>& needs)
       : needs_(needs),
         order_(needs.size(), -1),

@@ -99,7 +99,7 @@ Json groups_json(const Structure& structure) {
   return list;
 }
 
-/// What a configuration is asked for of its links, joints and outputs.
+/// The wanted results of a configuration's links, joints and outputs.
 Json parts_json(const Configuration& configuration, const Report& report, const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
   Json entry;

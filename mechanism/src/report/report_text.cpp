@@ -33,8 +33,8 @@ std::string table_row(const std::string& name, const std::vector<double>& number
   return row + "\n";
 }
 
-/// The largest length and angle of a table, of positions or of rates: what is within their rounding
-/// is a zero for people.
+/// The largest length and angle of a table, of positions or of rates: numbers within their rounding
+/// are printed as zero.
 struct Size {
   double length = 0;
   double angle = 0;
@@ -66,7 +66,7 @@ Eigen::Vector3d in_degrees(const Pose<double>& pose) {
   return {pose.x, pose.y, angle_of(pose.direction) * 180 / std::numbers::pi};
 }
 
-/// Of all that a configuration places, whether it is reported or not.
+/// The sizes of all that a configuration places, reported or not.
 struct Sizes {
   Sizes(const Configuration& configuration, const Spread& spread)
       : derivatives(static_cast<std::size_t>(spread.tolerances.size())) {
@@ -149,7 +149,7 @@ std::string point_text(const Point& point, const Sizes& sizes, const Report& rep
   return text;
 }
 
-/// Tables of what a configuration is asked for.
+/// The tables of a configuration's wanted results.
 std::string tables_text(const Configuration& configuration, const Report& report,
                         const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();

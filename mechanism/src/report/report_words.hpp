@@ -20,7 +20,7 @@ namespace assur::mechanism::report {
   return "unknown";
 }
 
-/// Why there are no configurations; nothing if there are.
+/// The reason why there are no configurations; empty if there are some.
 [[nodiscard]] inline std::string reason_text(const Report& report) {
   const Solution& solution = report.solution;
   return solution.status == SolutionStatus::no_assembly ? report.plan.obstacle(report.values)
@@ -31,7 +31,7 @@ namespace assur::mechanism::report {
   return regularity == Status::ok ? "regular" : "near-singular";
 }
 
-/// Of what is wanted, that in which the branches through one configuration differ.
+/// The wanted results in which the branches through one configuration differ: rates.
 [[nodiscard]] inline Want rates_alone(const Want& want) {
   return {false, want.velocity, want.acceleration, false};
 }

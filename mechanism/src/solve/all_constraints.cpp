@@ -17,22 +17,23 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// A vector turned by a quarter: how fast what is there moves where its origin's frame turns by
+/// The vector turned by a quarter turn: the velocity of the point `arm` in a frame that turns by
 /// one.
 Vector2d across(const Vector2d& arm) { return {-arm.y(), arm.x()}; }
 
 Vector2d place_of(const Pose<double>& pose) { return {pose.x, pose.y}; }
 Vector2d axis_of(const Pose<double>& pose) { return {pose.direction.cos, pose.direction.sin}; }
 
-/// The second derivative of c = R(-theta) d along i and j, from that of d and what is of first
-/// order: R(-theta) d_ij - theta_ij J c - theta_i J c_j - theta_j J c_i + theta_i theta_j c, J a
-/// quarter.
+/// The second derivative of c = R(-theta) d along i and j, from that of d and from first
+/// derivatives: R(-theta) d_ij - theta_ij J c - theta_i J c_j - theta_j J c_i + theta_i theta_j c,
+/// where J is a quarter turn.
 Vector2d seen_twice(const Vector2d& d, double turn, const Vector2d& c, double turn_i,
                     const Vector2d& c_i, double turn_j, const Vector2d& c_j) {
   return d - turn * across(c) - turn_i * across(c_j) - turn_j * across(c_i) + turn_i * turn_j * c;
 }
 
-/// A frame in the axes of another one, with all rates and derivatives; both stand in a third.
+/// The frame `one` in the axes of the frame `other`, with all rates and derivatives; both are given
+/// in a third frame.
 Frame seen_from(const Frame& one, const Frame& other) {
   const Direction<double> back = reversed(one.pose.direction);
   const auto turned_back = [&](const Vector2d& v) { return support::rotated<double>(back, v); };
@@ -76,7 +77,7 @@ Frame seen_from(const Frame& one, const Frame& other) {
   return result;
 }
 
-/// An angle in [-pi, pi].
+/// The angle reduced to [-pi, pi].
 double reduced(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
 
 }  // namespace
@@ -196,7 +197,8 @@ Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
   return result;
 }
 
-// What turns with the first feature's link sees the second one move against that, from its place.
+// The first feature carries the frame in which the second one is seen. So when the first link
+// moves, the second feature appears to move as a point of that link would, but the opposite way.
 Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows_, unknowns());
   for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {

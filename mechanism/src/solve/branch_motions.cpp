@@ -20,7 +20,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Where the first order determines velocities to two digits, but not what follows from it.
+/// Removes the accelerations of a configuration whose velocities are known to two digits, since
+/// second rates lose more digits.
 void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   for_each_followed(plan.mechanism, plan.structure, configuration, [](auto& part) {
     part.acceleration *= std::numeric_limits<double>::quiet_NaN();
@@ -39,8 +40,8 @@ Motions in_time(const Values& values) {
   return motions;
 }
 
-/// Along the parameter of a column, to first order: of the motions that go through a configuration
-/// as one parameter moves, no higher rate of that parameter changes the first rates.
+/// The motions of the drivers along the parameter of a column, to first order: higher rates of that
+/// parameter do not change the first rates of the motions through a configuration.
 Motions along_parameter(const Values& values, Eigen::Index column) {
   Motions motions{{}, false};
   for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
@@ -60,7 +61,7 @@ bool reads_unknown(const Values& values, const PlacedLinks& placed) {
   });
 }
 
-/// The derivatives to a parameter, from a motion along it.
+/// Takes the derivatives with respect to a parameter from a motion along it.
 void take_derivatives(const Configuration& motion, Eigen::Index column,
                       Configuration& configuration) {
   const auto take = [column](const auto& from, auto& to) {
@@ -77,8 +78,7 @@ void take_derivatives(const Configuration& motion, Eigen::Index column,
   }
 }
 
-/// Whether the constraints that were left out let the mechanism move as one motion of the rest
-/// does.
+/// Whether the constraints that the plan leaves out allow a motion of the rest of the mechanism.
 bool is_motion_of_all(const Values& values, const Configuration& motion) {
   if (!SettledRedundancy::can_close(values.plan())) {
     return moves_redundantly(values, motion.links);
@@ -113,7 +113,7 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     return;
   }
   std::vector<Configuration>& found = *known;
-  // What the constraints that were left out stop is no motion of the mechanism.
+  // A motion that the constraints left out would stop is not a motion of the mechanism.
   if (!values.plan().redundant.empty()) {
     std::erase_if(found,
                   [&](const Configuration& motion) { return !is_motion_of_all(values, motion); });

@@ -9,8 +9,9 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// What an order of branches that does not depend on the listing can rely on, by the names of links
-/// and slides: angular velocities, velocities of slides, and their accelerations.
+/// The rates by which branches are sorted, in the order of the names of links and slides, so that
+/// the listing does not matter: angular velocities, velocities of slides, and then their
+/// accelerations.
 using Rates = std::array<std::vector<double>, 4>;
 
 Rates rates_of(const Configuration& configuration, const NamedParts& parts) {
@@ -30,7 +31,7 @@ Rates rates_of(const Configuration& configuration, const NamedParts& parts) {
   return rates;
 }
 
-/// By the first rates that differ by more than rounding leaves of the largest.
+/// Compares the first rates that differ by more than the rounding of the largest.
 bool goes_before(const Rates& one, const Rates& other) {
   constexpr double rounding = 1e-4;
   for (std::size_t kind = 0; kind < one.size(); ++kind) {
@@ -58,7 +59,7 @@ void put_in_order(const NamedParts& parts, std::vector<Configuration>& branches)
   for (const Configuration& branch : branches) {
     rates.push_back(rates_of(branch, parts));
   }
-  // What is equal but for rounding is no order that a faster sort could rely on.
+  // Comparison up to rounding is not transitive, so a faster sort cannot rely on it.
   numeric::insertion_sort(
       branches.size(),
       [&](std::size_t one, std::size_t other) { return goes_before(rates[one], rates[other]); },

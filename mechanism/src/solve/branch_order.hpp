@@ -6,8 +6,8 @@
 
 namespace assur::mechanism::solve {
 
-/// By the first rates, in the order of names, that differ by more than rounding: angular
-/// velocities, velocities of slides, and their accelerations.
+/// Sorts branches by the first rates, in the order of names, that differ by more than rounding:
+/// angular velocities, velocities of slides, and then their accelerations.
 void put_in_order(const NamedParts& parts, std::vector<Configuration>& branches);
 
 }  // namespace assur::mechanism::solve

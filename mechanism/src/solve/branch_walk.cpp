@@ -12,7 +12,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// A frame that stands in another one, as it moves there.
+/// The pose of a frame, with its rates, as a series in time.
 Pose<models::Series> as_it_moves(const Frame& frame) {
   const auto coordinate = [&](double value, Eigen::Index row) {
     return models::moving(value, frame.velocity(row), frame.acceleration(row));
@@ -66,7 +66,8 @@ class BranchWalk {
     settle_what_reads(structure_.carried.size());
   }
 
-  /// Of a driver whose law reads where links are, which have their motions on this branch.
+  /// Evaluates the law of a driver that reads joints of links whose motions on this branch are
+  /// known.
   void settle(DriverIndex driver) {
     const Mechanism& mechanism = values_.plan().mechanism;
     const auto coordinate = [&](JointIndex joint) {
@@ -90,8 +91,8 @@ class BranchWalk {
   static bool is_finite(const models::Series& motion) {
     return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
   }
-  /// How a singular group shapes others is not known, nor how a driver changes a link whose
-  /// features hardly define its frame.
+  /// The change of a group's shape is not known where a singular group causes it, nor where a
+  /// driver moves features that hardly define the frame of their link.
   [[nodiscard]] static bool is_known(const Values::GroupNumbers& numbers) {
     return precision_of_shape(numbers.firmness).second_rates_known && numbers.d_rate.allFinite() &&
            numbers.d_second_rate.allFinite();
@@ -106,14 +107,14 @@ class BranchWalk {
     const ElementaryJoint& joint = structure_.linkage.joints[link.joint];
     const models::Series& motion = motions_.drivers[link.driver];
     const models::Series moved = joint.first == link.from ? motion : -motion;
-    // About the joint's place on the placed link, from where the moved link stands.
+    // The joint's frame moves with the placed link, and the moved link turns or slides in it.
     const Pose<models::Series> base =
         composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
     const Pose<models::Series> step = joint.prismatic
                                           ? Pose<models::Series>{moved, 0, {1, 0}}
                                           : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
-    // Where the moved link's own feature moves on it, or what carries it stands elsewhere while a
-    // group is solved relative to that, it is not enough to turn the link.
+    // Turning the link is not enough where its own feature moves on it, nor where the link that
+    // carries it has been put elsewhere because a group is solved relative to that.
     links_[link.to] =
         has_relative_groups_ || (motions_.in_time && is_moving(values_.carried_frame(place)))
             ? composed(composed(composed(base, standing(link, joint)), step),
@@ -121,7 +122,7 @@ class BranchWalk {
             : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
   }
 
-  /// As solving does: on the axes of the ground, with what it carries.
+  /// Puts the base of a group on the axes of the ground, with all that it carries, as solving does.
   void put_base(GroupIndex group) {
     if (structure_.groups[group].base.exists()) {
       links_[structure_.groups[group].base] = models::at_rest({0, 0, {1, 0}});
@@ -144,7 +145,7 @@ class BranchWalk {
   static bool is_moving(const Frame& frame) {
     return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
   }
-  /// The driven joint where the driver has it, at t = 0.
+  /// The frame of the driven joint at t = 0.
   [[nodiscard]] Pose<models::Series> standing(const CarriedLink& link,
                                               const ElementaryJoint& joint) const {
     const double position = values_.motion(link.driver).position.value();
@@ -153,7 +154,7 @@ class BranchWalk {
                                            : Pose<double>{0, 0, {std::cos(by), std::sin(by)}});
   }
 
-  /// A pose in a frame that moves, at t = 0.
+  /// A pose, at t = 0, as seen from a frame that moves.
   static Pose<models::Series> seen_from(const Pose<models::Series>& frame,
                                         const Pose<double>& pose) {
     const Direction<double> back{frame.direction.cos.value(), -frame.direction.sin.value()};
@@ -179,8 +180,8 @@ class BranchWalk {
     const models::FlatSeries u = inputs(numbers);
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
     const PlacedGroup& here = placed_.groups[group];
-    // A group behind a singular one stands as firmly as that does: it was settled to rounding.
-    // Behind others it is displaced by less, or they would have had no branches.
+    // A singular group was settled to rounding, so the group behind it is placed as accurately.
+    // Behind other groups the displacement is smaller, or they would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
          branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {

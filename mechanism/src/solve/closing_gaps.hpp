@@ -1,5 +1,5 @@
-// Turns the groups that fail to close, in one configuration of those before them after another,
-// into the reason why a mechanism cannot be assembled.
+// Turns the groups that fail to close, for each choice of the configurations before them, into the
+// reason why a mechanism cannot be assembled.
 #pragma once
 
 #include <limits>
@@ -11,34 +11,36 @@
 
 namespace assur::mechanism::solve {
 
-/// By how much groups fail to close, while the configurations of a mechanism are sought.
+/// Records by how much groups fail to close while the configurations of a mechanism are sought.
 class ClosingGaps {
  public:
   /// The placement must outlive it.
   explicit ClosingGaps(const Placement& placement);
 
-  /// Forgets what was met; where nothing is measured all calls do nothing, which saves time.
+  /// Forgets what was recorded. Without `measures` all other calls do nothing, which saves time.
   void begin(bool measures);
-  /// A group is met with a choice of configurations of those that hold it.
+  /// Records that the search has reached a group, with the present choices of the groups that hold
+  /// it.
   void meet(GroupIndex group);
-  /// The group that was met last has no configuration there.
+  /// Records that the group has no configuration there, and by how much it fails to close.
   void fail(GroupIndex group);
-  /// Of the groups that cannot be assembled the one that fails by least is told. Empty if nothing
-  /// was measured.
+  /// One sentence on the group that cannot be assembled and fails by the least gap; empty if
+  /// nothing was measured.
   [[nodiscard]] std::string reason() const;
 
  private:
-  /// With which configurations of the groups that hold it a group was met, with which it fails to
-  /// close, and by how much at least.
+  /// The choices of the holding groups' configurations with which a group was reached, those with
+  /// which it fails to close, and its least gap.
   struct Failures {
     std::set<std::vector<std::size_t>> met, failed;
     double least_gap = std::numeric_limits<double>::infinity();
-    std::vector<std::string> holders;  ///< then: what holds it, and how it stands
+    std::vector<std::string>
+        holders;  ///< at the least gap: the links that hold it, and their angles
   };
 
   [[nodiscard]] std::vector<std::size_t> choices_of(const std::vector<GroupIndex>& groups) const;
-  /// The links that hold a group and stand as closures say, each with its angle, or by how much a
-  /// law that reads a group has moved it.
+  /// The links that hold a group and are placed by closures, each with its angle, or with the
+  /// displacement that a law which reads a group gives it.
   [[nodiscard]] std::vector<std::string> stance_of_holders(GroupIndex group) const;
 
   const Placement& placement_;

@@ -1,4 +1,4 @@
-// Turns a configuration into how far its joints are from closed.
+// Turns a configuration into the largest distance by which its joints fail to close.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>

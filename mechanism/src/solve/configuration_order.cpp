@@ -8,7 +8,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// So many are put in order as they are.
+/// Up to this number of configurations the rough sort is left out.
 constexpr std::size_t few = 64;
 
 /// The directions of some links.
@@ -39,8 +39,8 @@ void set_order_key(const NamedParts& parts, const Table<LinkIndex, Frame>& links
   }
 }
 
-/// By their keys as they are, with their rounding: what comes after exchanges neighbours alone, and
-/// takes time as the square of how many it has to exchange.
+/// Sorts by the plain keys, whatever their rounding: the sort that follows exchanges neighbours
+/// only, and its time grows as the square of the exchanges that are left.
 void ConfigurationOrder::sort_roughly(std::vector<Configuration>& configurations) {
   keys_.resize(configurations.size());
   std::vector<std::size_t> order(configurations.size());

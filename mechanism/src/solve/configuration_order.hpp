@@ -6,15 +6,15 @@
 
 namespace assur::mechanism::solve {
 
-/// What places a configuration among others: the turning key of its links, then the displacements
-/// of its slides.
+/// Sets the key by which a configuration is sorted: the turning key of its links, then the
+/// displacements of its slides.
 void set_order_key(const NamedParts& parts, const Table<LinkIndex, Frame>& links,
                    const std::vector<SlideState>& slides, std::vector<double>& key);
 
-/// Orders configurations by what depends neither on where the mechanism stands, nor on its size,
-/// nor on the order in which its parts are listed: sums over all pairs of links that groups place
-/// of the cosines of the angles between them, which do not depend on reflection either. Equal sums
-/// fall back on sines, on the links' angles by name, and on displacements.
+/// Sorts configurations by a key that depends neither on the mechanism's place and size nor on the
+/// order in which its parts are listed: the sum of the cosines of the angles between all pairs of
+/// links that groups place, which does not depend on reflection either. Where these sums are equal,
+/// sines decide, then the links' angles by name, and then displacements.
 class ConfigurationOrder {
  public:
   /// The parts must outlive the order.
@@ -26,7 +26,7 @@ class ConfigurationOrder {
   void sort_roughly(std::vector<Configuration>& configurations);
 
   const NamedParts& parts_;
-  std::vector<std::vector<double>> keys_;  ///< room for them
+  std::vector<std::vector<double>> keys_;  ///< kept for their memory
 };
 
 }  // namespace assur::mechanism::solve

@@ -1,4 +1,5 @@
-// Turns a group that moves, or fails, where it is held into the families that are listed for it.
+// Turns a group that moves freely or is inconsistent where it is held into the families that are
+// listed for it.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -11,17 +12,18 @@
 namespace assur::mechanism::solve {
 
 /// Lists groups that move where they are held, each once for each choice of the groups that hold
-/// it. If a group that does not depend on it cannot be assembled, nothing is listed: the answer
-/// must not depend on which of the two comes first. Nor may it hide another that moves.
+/// it. If another group, which does not depend on the moving one, cannot be assembled, nothing is
+/// listed: the answer must not depend on which of the two comes first. Nor may one moving group
+/// hide another.
 class FamilySearch {
  public:
   /// Both must outlive the search.
   FamilySearch(Placement& placement, ClosingGaps& gaps);
 
-  /// Families are written to `families`; where `one` is enough, no more than one.
+  /// Families are written to `families`, at most one of them if `one` is set.
   void begin(std::vector<Family>& families, bool one);
-  /// A group that is held has `mobility`, for a reason. All groups behind it are asked; what is
-  /// placed is left as it is. Throws MechanismError for too many families.
+  /// Lists the family of a held group that has `mobility`, for a reason, if all groups behind it
+  /// allow it. The placed links stay as they are. Throws MechanismError for too many families.
   void add(GroupIndex group, int mobility, std::string reason);
 
  private:
@@ -29,14 +31,14 @@ class FamilySearch {
 
   void add(GroupIndex group, int mobility, std::string reason, Unplaced unplaced);
   void leave_out(GroupIndex group, Unplaced& unplaced) const;
-  /// Adds the groups from `depth` on that move, whatever becomes of the links left unplaced.
+  /// Adds those groups from `depth` on that move, wherever the unplaced links are.
   void find_behind(std::size_t depth, Unplaced unplaced);
   /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
   /// hold are left out, and so are groups that move.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Unplaced unplaced);
-  /// Whether the group's family is listed with the same links where they are now: the choices of
-  /// groups that do not hold it make no other family of it. As of configurations, what differs by
-  /// rounding is the same.
+  /// Whether this family is listed already with its holding links where they are now: the choices
+  /// of groups that do not hold it make no other family. Families that differ by rounding are the
+  /// same, as configurations are.
   [[nodiscard]] bool is_listed(const Family& family) const;
 
   Placement& placement_;

@@ -10,14 +10,14 @@ namespace {
 
 constexpr double undecided = std::numeric_limits<double>::quiet_NaN();
 constexpr auto highest_order = static_cast<Eigen::Index>(models::Series::order);
-/// A term this small a part of what it is the component of is zero but for rounding.
+/// A component that is a smaller part of its vector than this is zero up to rounding.
 constexpr double negligible_part = 1e-6;
-/// Configurations that meet are listed as one where rounding does not tell them apart; then s^2 is
-/// at most this part of the noise.
+/// Configurations that meet are listed as one where rounding does not separate them; then s^2 is at
+/// most this part of the noise.
 constexpr double met = 0.1;
 
-/// The real roots of a c^2 + b c + constant; a double one once. Roots that differ by less than
-/// `rounding` are one.
+/// The real roots of a c^2 + b c + constant. Two roots that differ by less than `rounding` are
+/// listed as one.
 std::vector<double> roots_of(double a, double b, double constant, double rounding) {
   const double discriminant = b * b - 4 * a * constant;
   const double least = std::abs(a) * rounding;
@@ -27,7 +27,8 @@ std::vector<double> roots_of(double a, double b, double constant, double roundin
   if (discriminant < 0) {
     return {};
   }
-  // The root that adds magnitudes, and the other from the product of both.
+  // The first root adds magnitudes and so loses no digits; the other one follows from the product
+  // of both.
   const double far = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   return {far / a, constant / far};
 }
@@ -64,7 +65,8 @@ class BranchExpansion {
   }
 
  private:
-  /// J by one coefficient of the closures for each unknown, its columns scaled to one size.
+  /// Computes J, one coefficient of the closures for each unknown, scales its columns to one size,
+  /// and factorises it.
   void factorise() {
     const Moving still = at_rest();
     Eigen::MatrixXd jacobian(count_, count_);
@@ -82,7 +84,7 @@ class BranchExpansion {
     free_ = scale_.cwiseProduct(factors_.matrixV().col(count_ - 1));
   }
 
-  /// What moves a group from outside: its dimensions and its inputs.
+  /// The motion of a group's dimensions and inputs.
   struct Moving {
     models::FlatSeries d, u;
   };
@@ -121,7 +123,7 @@ class BranchExpansion {
     return part;
   }
 
-  /// The closures' coefficient of an order.
+  /// The coefficient of the closures at an order.
   [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const Moving& from) const {
     models::MovingGroup moving;
     group_.model.kernel->expand(from.d, from.u, unknowns(), moving);
@@ -136,7 +138,7 @@ class BranchExpansion {
     return closures(order, {group_.d, group_.u});
   }
 
-  /// Sets the part of an order, shortest where J lacks a rank.
+  /// Sets the unknowns' coefficient of an order, the shortest one where J lacks a rank.
   void solve(Eigen::Index order) {
     parts_.col(order).setZero();
     const Eigen::VectorXd rhs = factors_.matrixU().leftCols(rank_).transpose() * closures(order);
@@ -145,13 +147,13 @@ class BranchExpansion {
                              rhs.cwiseQuotient(factors_.singularValues().head(rank_)));
   }
 
-  /// w f of an order, and whether that is zero but for rounding.
+  /// Whether w f of an order is zero up to rounding.
   [[nodiscard]] bool can_close(Eigen::Index order) const {
     const Eigen::VectorXd f = closures(order);
     return std::abs(blocked_.dot(f)) <= negligible_part * size_of(order, f);
   }
-  /// The size of the terms that a coefficient of the closures is made of: of each dimension and
-  /// each input that moves alone, and of the unknowns.
+  /// The size of the terms in a coefficient of the closures: those of each dimension and each input
+  /// when it moves alone, and those of the unknowns.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
     const Moving still = at_rest();
@@ -169,8 +171,8 @@ class BranchExpansion {
     include(group_.u, &Moving::u);
     return size;
   }
-  /// By how much the unknowns move at an order, and what turning at the first makes of that there,
-  /// in units of v.
+  /// The larger of two sizes, in units of v: that of the unknowns' coefficient at an order, and
+  /// that of what the first-order turn contributes there.
   [[nodiscard]] double size_of_order(Eigen::Index order) const {
     double turning = 0;
     for (Eigen::Index row = 0; row < count_; ++row) {
@@ -184,8 +186,8 @@ class BranchExpansion {
     return std::max(moved(order), moved(1) * std::pow(turning, static_cast<double>(order - 1)));
   }
 
-  /// The closures' coefficient at an order as a polynomial of second degree in the part of an
-  /// earlier order along v; the orders between the two follow that part.
+  /// The coefficient of the closures at an order as a quadratic polynomial in the component along v
+  /// of an earlier order; the orders between the two follow from that component.
   struct Quadratic {
     Eigen::VectorXd square, linear, constant;
   };
@@ -204,7 +206,7 @@ class BranchExpansion {
     return {((before + after) / 2 - here) / (reach * reach), (after - before) / (2 * reach), here};
   }
 
-  /// The parts of q_order along v with which the closures can be met at a later order.
+  /// The components of q_order along v with which the closures can hold at a later order.
   [[nodiscard]] std::vector<double> free_parts(Eigen::Index order, Eigen::Index decided_by) {
     solve(order);
     const double start = size_of_order(order);
@@ -220,7 +222,8 @@ class BranchExpansion {
     double a = 0;
     double b = 0;
     double constant = 0;
-    // Once to learn how large the parts are, and once with parts so large.
+    // The first round finds how large the components are; the second one evaluates the polynomial
+    // with components of that size.
     for (int time = 0; time < 2; ++time) {
       const Quadratic f = quadratic(order, decided_by, reach);
       a = component(f.square);
@@ -253,7 +256,7 @@ class BranchExpansion {
     }
   }
 
-  /// Each order is decided by the next, which is linear in its part along v.
+  /// Decides each order by the next one, which is linear in its component along v.
   void expand_crossing() {
     for (Eigen::Index order = 2; order < highest_order; ++order) {
       solve(order);
@@ -269,9 +272,9 @@ class BranchExpansion {
     list();
   }
 
-  /// Branches that touch, or a group that is singular throughout. At a cusp, where w f_3 is not
-  /// zero, the second rates grow beyond all bounds; they are not known either where the inputs' own
-  /// orders do not reach far enough.
+  /// Handles branches that touch, and groups that are singular throughout. At a cusp, where w f_3
+  /// is not zero, the second rates grow beyond all bounds; they are not known either where the
+  /// inputs' series are known to too few orders.
   void expand_double() {
     solve(2);
     const bool goes_on = can_close(3) && closures(4).allFinite();
@@ -297,8 +300,8 @@ class BranchExpansion {
   const GroupOnTheMove& group_;
   Eigen::Index count_;
   Eigen::Index rank_ = 0;
-  Eigen::MatrixXd parts_;  ///< of the unknowns: a row each, a column for each order
-  Eigen::VectorXd scale_;  ///< of an unknown, so that it moves the closures by about one
+  Eigen::MatrixXd parts_;  ///< a row per unknown, a column per order
+  Eigen::VectorXd scale_;  ///< per unknown, so that a scaled one moves the closures by about one
   Eigen::JacobiSVD<Eigen::MatrixXd, Eigen::NoQRPreconditioner> factors_;
   Eigen::VectorXd blocked_;  ///< w
   Eigen::VectorXd free_;     ///< v

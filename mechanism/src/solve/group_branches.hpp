@@ -9,12 +9,13 @@
 
 namespace assur::mechanism::solve {
 
-/// Rounding by `noise` moves a configuration by noise / s, s the least singular value of J to its
-/// largest. Rates are known to two digits where noise / s^2 is at most this, second rates where
-/// noise / s^3 is.
+/// Rounding by `noise` moves a configuration by noise / s, where s is the ratio of the least
+/// singular value of J to the largest. Rates are known to two digits where noise / s^2 is at most
+/// this, second rates where noise / s^3 is.
 inline constexpr double two_digits_lost = 1e-3;
 
-/// A configuration of a group whose inputs move, and whose links may change their shapes.
+/// A configuration of a group whose inputs move, and whose links may change their shapes; series of
+/// the dimensions d and the inputs u, and the unknowns q at t = 0.
 struct GroupOnTheMove {
   const GroupModel& model;
   const models::FlatSeries& d;
@@ -24,7 +25,8 @@ struct GroupOnTheMove {
   double displaced;
 };
 
-/// One motion through a configuration: the unknowns, angles as how far they turn, and the poses.
+/// One motion through a configuration: the unknowns, where an angle is the turn since t = 0, and
+/// the poses of the links.
 struct GroupBranch {
   std::array<models::Series, models::most_unknowns> unknowns;
   std::array<Pose<models::Series>, models::most_links> poses;
@@ -34,15 +36,15 @@ struct GroupBranch {
 ///
 ///     J q_k = -f_k,    f_k the closures' coefficient without q_k.
 ///
-/// Where J has an inverse there is one. Where it lacks one rank, with w J = 0 and J v = 0, there is
-/// none unless w f_1 = 0 (at a fold the rates grow beyond all bounds). Otherwise q_1 = p + c v with
-/// any c, and the next order decides:  w f_2(c) = A c^2 + B c + C = 0.  Two roots are the two
-/// branches of a crossing, and w f_(k + 1) = 0 is linear in the part of q_k along v. With a double
-/// root, branches touch or the group is singular throughout: then w f_4 is quadratic in that part
-/// of q_2. What the known orders do not decide is left NaN in the series.
+/// Where J has an inverse there is one motion. Where it lacks one rank, with w J = 0 and J v = 0,
+/// there is none unless w f_1 = 0 (at a fold the rates grow beyond all bounds). Otherwise q_1 = p +
+/// c v with any c, and the next order decides:  w f_2(c) = A c^2 + B c + C = 0.  Two roots are the
+/// two branches of a crossing, and w f_(k + 1) = 0 is linear in the part of q_k along v. With a
+/// double root, branches touch or the group is singular throughout: then w f_4 is quadratic in that
+/// part of q_2. Coefficients that the known orders do not decide are NaN.
 ///
-/// None as well where J lacks more than one rank, where A is rounding, and where that does not
-/// tell.
+/// Returns no motion either where J lacks more than one rank, where A is rounding, or where
+/// rounding hides the decision.
 [[nodiscard]] std::vector<GroupBranch> branches_through(const GroupOnTheMove& group);
 
 }  // namespace assur::mechanism::solve

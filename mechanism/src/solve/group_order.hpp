@@ -9,22 +9,24 @@
 
 namespace assur::mechanism::solve {
 
-/// The places of a group's configurations among those that were found last.
+/// The indices of a group's configurations among those that were found last, in the order of
+/// visiting.
 using Visits = std::array<std::size_t, models::most_configurations>;
 
-/// Orders the configurations of each group as those of a mechanism of that group alone are ordered.
+/// Sorts the configurations of each group as those of a mechanism with that group alone are sorted.
 class GroupOrder {
  public:
-  /// The placement must outlive the order; it places what is compared.
+  /// The placement must outlive the order, which uses it to place the configurations that it
+  /// compares.
   explicit GroupOrder(Placement& placement);
 
-  /// Puts the first `count` visits in order.
+  /// Sorts the first `count` visits.
   void sort(GroupIndex group, std::size_t count, Visits& visits);
 
  private:
   Placement& placement_;
   Table<GroupIndex, NamedParts> parts_;
-  std::vector<std::vector<double>> keys_;  ///< room for them
+  std::vector<std::vector<double>> keys_;  ///< kept for their memory
 };
 
 }  // namespace assur::mechanism::solve

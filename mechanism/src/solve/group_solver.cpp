@@ -11,7 +11,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// result += a b, for few rows and any number of columns. A zero of `a` is one by structure.
+/// Adds a b to the result, for few rows and any number of columns. Zeros of `a` come from structure
+/// and are skipped.
 void add_product(const models::SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
                  ParameterRows<Eigen::Dynamic>& result) {
   const Eigen::Index columns = b.cols();
@@ -36,7 +37,8 @@ void add_product(const models::SmallMatrix& a, const std::vector<values::Dimensi
   }
 }
 
-/// By elimination with the largest pivot of each column. Eigen's is made for large matrices.
+/// The determinant by elimination with the largest pivot of each column; Eigen's function is made
+/// for large matrices.
 double determinant_of(models::SmallMatrix& matrix) {
   double product = 1;
   for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
@@ -166,8 +168,8 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
 }
 
-/// With f(q, d, u) = 0 and p(q, d, u), along the motion in time (q', d', u'):
-/// q' = q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p.
+/// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'): q' =
+/// q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p.
 void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
   const auto& d_rate = numbers().d_rate;
   const auto& d_second_rate = numbers().d_second_rate;
@@ -187,7 +189,8 @@ void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
   }
 }
 
-/// q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for every parameter a.
+/// Sets the first derivatives q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for
+/// every parameter a.
 void GroupSolver::follow() {
   of_q_.first.setZero(motion_.rate.size(), of_u_.first.cols());
   of_p_.first.setZero(3 * static_cast<Eigen::Index>(model_.group->link_count()),
@@ -201,10 +204,10 @@ void GroupSolver::follow() {
   }
 }
 
-/// With J q_ab = -f''(a, b) - F_d d_ab - F_u u_ab, f'' bilinear in the first derivatives along a
-/// and b: of the quadratic form Q that the kernel computes it is (Q(a + b) - Q(a - b)) / 4. That
-/// loses what the longer of a and b has more digits than the shorter, so both are brought to one
-/// length.
+/// Sets the second derivatives from J q_ab = -f''(a, b) - F_d d_ab - F_u u_ab. There f'' is
+/// bilinear in the first derivatives along a and b, and equals (Q(a + b) - Q(a - b)) / 4 with the
+/// quadratic form Q that the kernel computes. If a were much longer than b, that difference would
+/// lose digits, so both are brought to one length.
 void GroupSolver::follow_twice(const models::FlatVariables& q) {
   const Eigen::Index count = of_q_.first.cols();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -280,7 +283,8 @@ void GroupSolver::place_slides(const models::FlatVariables& q, std::size_t first
   for (std::size_t index = 0; index < numbers().slides.size(); ++index) {
     const values::MeasuredSlide& measured = numbers().slides[index];
     const auto row = static_cast<Eigen::Index>(measured.unknown);
-    std::size_t flat = 0;  // of a displacement among flat variables, where angles take two places
+    std::size_t flat =
+        0;  // index of a displacement in the flat variables, where an angle takes two places
     for (int unknown = 0; unknown < measured.unknown; ++unknown) {
       flat += model_.unknowns[static_cast<std::size_t>(unknown)].is_angle ? 2 : 1;
     }

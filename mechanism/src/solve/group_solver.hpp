@@ -11,18 +11,18 @@
 
 namespace assur::mechanism::solve {
 
-/// A configuration of a group, how far rounding may have moved its neighbours, in parts of the
-/// group's size, and whether its rates and those of all groups before it are known.
+/// A configuration q of a group; how far rounding may have moved its neighbours, in parts of the
+/// group's size; and whether its rates and those of all groups before it are known.
 struct PlacedGroup {
   models::FlatVariables q;
   double displaced;
   bool rates_known;
 };
 
-/// What is placed so far of one configuration.
+/// The part of one configuration that has been placed so far.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;                      ///< blocks behind the mechanism's links
-  Table<LinkIndex, support::Displacement> displaced;  ///< of each, by rounding
+  Table<LinkIndex, Frame> links;                      ///< the mechanism's links, then blocks
+  Table<LinkIndex, support::Displacement> displaced;  ///< how far rounding may have moved each
   std::vector<SlideState> slides;
   std::vector<CountedAngle> counted;
   Table<GroupIndex, PlacedGroup> groups;
@@ -30,39 +30,40 @@ struct PlacedLinks {
   bool derivatives_known = true;
   bool path_known = true;
   bool rates_known = true;
-  /// Whether several motions may go through it, where its rates are not known.
+  /// Whether several motions may go through the configuration where its rates are not known.
   bool is_crossing = true;
   double residual = 0;
-  Table<GroupIndex, double> determinants;  ///< filled in for sweeps
+  Table<GroupIndex, double> determinants;  ///< of the loop Jacobians; set for sweeps only
 };
 
-/// The configurations of one group among placed neighbours, wherever its values are set. What it
-/// holds memory for is as large at each of them.
+/// Finds the configurations of one group among placed neighbours. It allocates its memory once and
+/// uses it for all values of the parameters.
 class GroupSolver {
  public:
-  /// The values must outlive the solver. It can be used where the group has a normal form.
+  /// The values must outlive the solver. It can only be used where the group has a normal form.
   GroupSolver(const Values& values, GroupIndex group);
 
-  /// Takes over where `placed` holds the group's external joints.
+  /// Reads from `placed` where the group's external joints are held.
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const models::GroupAssemblies& assemble();
-  /// One of those that were found last.
+  /// One of the configurations that were found last.
   [[nodiscard]] const models::FlatVariables& configuration(std::size_t index) const {
     return found_.configurations[index];
   }
-  /// How far rounding may have moved what holds the group where it was placed last, in parts of the
-  /// group's size.
+  /// How far rounding may have moved the links that hold the group, when it was placed last, in
+  /// parts of the group's size.
   [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }
-  /// By how much the closures fail at least where it is held, if there are no configurations. Set
-  /// where the status is ok; not_finite.
+  /// The least residual of the closures where the group is held, if it has no configuration.
+  /// `result` is set where the status is `ok`; the other status is `not_finite`.
   [[nodiscard]] Status gap(double& result) const;
-  /// Places the group's links and slides in one of its configurations; its slides stand in
+  /// Places the group's links and slides in one of its configurations; the slides are written to
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);
-  /// Of the loop Jacobian where the group was placed last; NaN where it has no inverse.
+  /// The determinant of the loop Jacobian where the group was placed last; NaN where it has no
+  /// inverse.
   [[nodiscard]] double determinant() const;
-  /// Of a degenerate model: whether its angles are compatible where it is held.
+  /// Whether the angles of a degenerate model are compatible where the group is held.
   [[nodiscard]] bool is_compatible() const;
 
   [[nodiscard]] bool has_normal_form() const { return values_.group(group_).roles != nullptr; }
@@ -80,12 +81,12 @@ class GroupSolver {
   GroupIndex group_;
   const GroupModel& model_;
   models::FlatVariables u_{};
-  values::ParameterDerivatives of_u_;  ///< how the inputs follow the parameters
+  values::ParameterDerivatives of_u_;  ///< derivatives of the inputs
   models::MotionQuery query_;
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
-  values::ParameterDerivatives of_q_, of_p_;  ///< how the unknowns and the link poses follow them
-  Point point_;                               ///< room for the points that hold the group
+  values::ParameterDerivatives of_q_, of_p_;  ///< of the unknowns, and of the link poses
+  Point point_;                               ///< kept for their memory, for what holds the group
   Frame line_, frame_;
 };
 

@@ -25,7 +25,7 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
     }
   }
   std::ranges::sort(names);  // roles follow the listing, names do not
-  // A pin of several links, or a pin in a slot, is named once.
+  // A pin of several links, or a pin in a slot, has several elementary joints and is named once.
   names.erase(std::unique(names.begin(), names.end()), names.end());
   return names;
 }

@@ -1,4 +1,4 @@
-// Turns a group that has no position, or infinitely many, into the words by which this is told.
+// Turns a group that has no position, or infinitely many, into the words that say so.
 #pragma once
 
 #include <assur/mechanism/values.hpp>
@@ -7,15 +7,16 @@
 
 namespace assur::mechanism::solve {
 
-/// With three digits.
+/// The number with three significant digits.
 [[nodiscard]] std::string short_number(double number);
 
 /// The names of a group's joints, or of its prismatic ones alone, in the order of their roles.
 [[nodiscard]] std::vector<std::string> joint_names(const Values& values, GroupIndex group,
                                                    bool slides_only);
-/// Why a group that closes has no position of its own.
+/// The reason why a group that closes has infinitely many positions.
 [[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
-/// Why no group of its model has one, whether or not its angles are compatible where it is held.
+/// The reason why no group of this degenerate model has a single position; it depends on whether
+/// the angles are compatible where the group is held.
 [[nodiscard]] std::string reason_of_model(const Values& values, GroupIndex group, bool compatible);
 
 }  // namespace assur::mechanism::solve

@@ -15,8 +15,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Above -pi, and not at it by what rounding leaves of half a turn: a law that reads the angle says
-/// the same however the links are listed.
+/// The angle in (-pi, pi]. An angle that is -pi up to rounding becomes pi, so that a law that reads
+/// it says the same however the links are listed.
 double whole_angle(const Direction<double>& direction) {
   constexpr double negligible = 1e-9;
   const double angle = angle_of(direction);

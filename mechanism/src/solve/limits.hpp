@@ -1,5 +1,5 @@
-// Turns links that are placed into the coordinates of joints, and these into whether limits are
-// kept.
+// Turns placed links into the coordinates of joints, and these into how far they are beyond their
+// limits.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -7,12 +7,12 @@
 
 namespace assur::mechanism::solve {
 
-/// The coordinate of a joint without a driver, between links of the mechanism that are placed.
+/// The coordinate of a joint without a driver between placed links of the mechanism.
 [[nodiscard]] JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
                                         const std::vector<SlideState>& slides, JointIndex joint);
 
-/// By how much a joint with limits is beyond them, where what it joins is placed: radians, or the
-/// unit of length; 0 where it keeps them, to the rounding of its coordinate.
+/// The excess of a joint's coordinate beyond its limits, in radians or the unit of length; 0 where
+/// it keeps them up to the rounding of the coordinate. The links that it joins must be placed.
 [[nodiscard]] double beyond_limits(const Values& values, const Table<LinkIndex, Frame>& links,
                                    const std::vector<SlideState>& slides, JointIndex joint);
 

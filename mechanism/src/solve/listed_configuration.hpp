@@ -1,11 +1,12 @@
-// Turns links that are placed, all of them, into the configuration that is reported.
+// Turns the placement of all links into the configuration that is reported.
 #pragma once
 
 #include "placement.hpp"
 
 namespace assur::mechanism::solve {
 
-/// Writes over whatever `result` holds, but for whether limits and redundant constraints are kept.
+/// Overwrites all of `result` except for `within_limits` and `is_consistent`, which the caller
+/// decides.
 void write_configuration(const Placement& placement, Configuration& result);
 
 }  // namespace assur::mechanism::solve

@@ -10,25 +10,27 @@
 
 namespace assur::mechanism::solve {
 
-/// The displacement of a slide that a group has placed, as far as it moves.
+/// How far a slide that a group has placed moves, as a series.
 struct MovingSlide {
   JointIndex joint;
   models::Series moved;
 };
 
-/// What a branch has placed so far, and the configuration through which it goes.
+/// The links and slides that a branch has placed so far, and the configuration through which it
+/// goes.
 struct MovingParts {
   const Table<LinkIndex, Pose<models::Series>>& links;
   const std::vector<MovingSlide>& slides;
   const Configuration& configuration;
 };
 
-/// The coordinate of a joint without a driver, between links that move; an angle counts whole turns
-/// as the configuration does.
+/// The coordinate of a joint without a driver between moving links; an angle includes the whole
+/// turns that the configuration counts.
 [[nodiscard]] models::Series moving_coordinate(const MovingParts& parts, JointIndex joint);
 
-/// What a law says that reads coordinates of joints, as it moves. Rates that the driver states are
-/// its own; what they leave open of third and fourth order is zero, as that of parameters is.
+/// The value of a law that reads coordinates of joints, as a series. Rates that the driver states
+/// replace those that follow from the law; then the third and fourth orders are zero, as those of
+/// parameters are.
 [[nodiscard]] models::Series moving_law(
     const Values& values, DriverIndex driver,
     const std::function<models::Series(JointIndex)>& coordinate_of);

@@ -1,4 +1,4 @@
-// Turns links that are placed into how far they are from where a configuration is sought.
+// Turns placed links into their distance from where a configuration is sought.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,15 +8,16 @@
 
 namespace assur::mechanism::solve {
 
-/// Where the links of a mechanism should be: (x / L, y / L, cos theta, sin theta) of every link of
-/// its own, with L a length.
+/// Where the links of a mechanism should be: (x / L, y / L, cos theta, sin theta) of every link
+/// that was described, with L = `length`.
 struct SoughtPoint {
   Eigen::VectorXd at;
   double length = 1;
 };
 
-/// What configurations are sought near to: the angles of a request's reference, or a point. The
-/// square of the distance is a sum over links, so that a part of it is known before all is placed.
+/// The distance of a configuration from the place near which one is sought: the angles of a
+/// request's reference, or a point. Its square is a sum over links, so that a part of it is known
+/// before all links are placed.
 class Nearness {
  public:
   /// The placement must outlive it.
@@ -27,7 +28,8 @@ class Nearness {
   void seek(const SoughtPoint& point);
 
   [[nodiscard]] bool is_sought() const { return is_sought_; }
-  /// Of the links that are placed by a group and not by those before it, where so many groups are.
+  /// The part of the squared distance that belongs to the links which are placed once `groups`
+  /// groups are, and not before.
   [[nodiscard]] double square_at(std::size_t groups) const;
 
  private:

@@ -137,14 +137,15 @@ JointMotion Placement::counted_coordinate(JointIndex joint) {
   return motion;
 }
 
-/// By the configuration nearby in which the links of the joint are turned as they are here, if they
-/// are turned alike: the mirror of a branch has its own count.
+/// The whole turns to add to an angle, from the configuration nearby in which the joint's links
+/// stand most nearly as here; zero if none stands so, since the mirror image of a branch has its
+/// own count.
 double Placement::turns_of(JointIndex joint, double angle) const {
   if (nearby_ == nullptr) {
     return 0;
   }
   double turns = 0;
-  constexpr double alike = 1;  // of two chords of unit circles together
+  constexpr double alike = 1;  // the sum of two chords of unit circles
   double nearest = alike;
   for (const Configuration& other : *nearby_) {
     const auto counted = std::ranges::find(other.counted, joint, &CountedAngle::joint);
@@ -218,7 +219,7 @@ void Placement::hold(GroupIndex group) {
   solvers_[group].hold(placed_);
 }
 
-/// The moved frame in that of the joint: turned about its origin, or slid along its x-axis.
+/// Sets the moved frame in the joint's frame: turned about its origin, or slid along its x-axis.
 void Placement::set_motion(const JointMotion& motion, bool prismatic, double sense) {
   const Dual& position = motion.position;
   const Eigen::Index moved = prismatic ? 0 : 2;
@@ -250,7 +251,8 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
   const auto is_any_unplaced = [&](const std::vector<LinkIndex>& links) {
     return std::ranges::any_of(links, [&](LinkIndex link) { return unplaced[link]; });
   };
-  // It has a place only where its law reads what has one, or the group does that places it.
+  // A carried link is loose where the group that places it is unplaced, or its law reads an
+  // unplaced link.
   const auto is_loose = [&](const CarriedLink& link) {
     return link.group.exists()
                ? is_any_unplaced(structure_.groups[link.group].links)

@@ -17,7 +17,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Throws MechanismError where something is reported that is not there, twice, or no slide.
+/// Throws MechanismError where a reported part does not exist, is listed twice, or is a joint that
+/// does not slide.
 void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   const auto expect = [](const auto& list, const auto& parts, const std::string& part) {
     if (!list) {
@@ -47,7 +48,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   }
 }
 
-/// How many parameters there may be, with derivatives to each, and with second derivatives.
+/// The largest number of parameters: at all, with derivatives, and with second derivatives.
 constexpr std::size_t most_parameters = 20000;
 constexpr std::size_t most_with_sensitivities = 2000;
 constexpr std::size_t most_with_covariance = 200;
@@ -149,7 +150,7 @@ std::shared_ptr<const PlanData> planned(const Mechanism& mechanism, const Reques
   return planned_whole(part.mechanism, part.request, structure_of(part.mechanism));
 }
 
-/// The item with a name, for messages of what a program asks for.
+/// Finds an item by its name; the message of the error says what a program asked for.
 template <typename Key, typename Part, typename Item>
 const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& items,
                        const std::string& name, const std::string& what) {
@@ -275,7 +276,7 @@ std::string Plan::obstacle(const Values& values) const {
   Solution result;
   try {
     solve::MechanismSolver(values).solve({.measures_gap = true}, result);
-  } catch (const MechanismError& error) {  // a law has no value wherever all else closes
+  } catch (const MechanismError& error) {  // a law has no value where everything else closes
     return error.what();
   }
   return result.reason;

@@ -28,7 +28,7 @@ class SecondLook {
     for (const bool angles : {false, true}) {
       const models::SmallVector moved = unclosed * loosest(angles);
       // The error of solving the linear equations: the right-hand sides are as long as the group
-      // reaches, and what is left of them may be a turn by one, or a length of the group's size.
+      // reaches, and the remaining error may be a turn by one, or a length of the group's size.
       result = std::max(result, epsilon * reach * largest(moved, angles) /
                                     (angles ? unclosed : unclosed * size_));
       models::SmallMatrix change(inverse_.rows(), inverse_.cols());
@@ -43,10 +43,11 @@ class SecondLook {
     return second_look_constant * result;
   }
 
-  /// Likewise that of second rates, where J q'' = -H(q', q') - ...: what rounding moves by dq, and
-  /// rates by dq' = J^-1 H(q', dq) and by the rounding of their solving, moves second rates by
-  /// J^-1 (2 H(q', dq') + H(q'', dq)), the inputs' rates with those of q. Of second rates that
-  /// cancel the squares of rates count.
+  /// The relative error of second rates in the same case, where J q'' = -H(q', q') - ...: rounding
+  /// moves the configuration by dq and the rates by dq' = J^-1 H(q', dq), plus the rounding of
+  /// their own solving, and so the second rates by J^-1 (2 H(q', dq') + H(q'', dq)). The inputs'
+  /// rates enter with those of q. Second rates may cancel, so the error is measured against the
+  /// squares of rates as well.
   [[nodiscard]] double second_rate_error(double held, const models::SmallVector& rate,
                                          const models::SmallVector& second_rate,
                                          const models::MotionQuery& query) const {
@@ -68,7 +69,7 @@ class SecondLook {
   }
 
  private:
-  /// By how much rounding may leave closures open.
+  /// The residual of the closures that rounding may cause.
   [[nodiscard]] double open(double held) const { return 2 * held + epsilon * reach(); }
   [[nodiscard]] double reach() const { return std::max(size_, longest_of_q()); }
   [[nodiscard]] bool is_angle(Eigen::Index row) const {
@@ -94,12 +95,11 @@ class SecondLook {
     }
     return result;
   }
-  /// With turns as lengths.
+  /// The norm, with turns multiplied by the size so that they are lengths.
   [[nodiscard]] double norm(const models::SmallVector& of) const {
     return std::max(largest(of, false), size_ * largest(of, true));
   }
-  /// J^-1 f for closures f that fail by one each, with the signs that move angles, or lengths,
-  /// most.
+  /// J^-1 f for closures f with entries of 1 or -1, signed so that angles, or lengths, move most.
   [[nodiscard]] models::SmallVector loosest(bool angles) const {
     Eigen::Index row_of_all = 0;
     double most = -1;

@@ -14,7 +14,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Two features in the ground's frame, and the largest coordinate of the mechanism.
+/// The two features of a redundant joint in the ground's frame, and the largest coordinate of the
+/// mechanism.
 struct Pair {
   Frame one, other;
   bool is_line, are_lines;  ///< the first one, and both
@@ -37,7 +38,8 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
   return pair;
 }
 
-/// What rounding of rates is compared with: two links may both be at rest where others move.
+/// The fastest rates of the mechanism, against which the rounding of rates is measured: two links
+/// may both be at rest while others move.
 struct Fastest {
   double speed = 0, turning = 0;
 };
@@ -52,7 +54,8 @@ Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
   return fastest;
 }
 
-/// How far rounding, or the tolerance that the request states, lets them be apart.
+/// The distance that rounding, or the tolerance that the request states, allows between the
+/// features.
 double tolerance_of(const Values& values, double size, Status regularity) {
   const NumberIndex given = values.plan().request.redundancy_tolerance;
   return std::max(support::redundancy_slack(size, regularity),
@@ -65,17 +68,18 @@ double gap_of(const Pair& pair) {
                         : support::points_apart(pair.one.pose, pair.other.pose);
 }
 
-/// Which part of the fastest rates, and of the fastest second rates, may be rounding.
+/// The part of the fastest first and second rates that may be rounding.
 struct RoundingOfRates {
   double first, second;
 };
 
-/// How fast the features of a pair part, and how fast that grows.
+/// The rate, and the second rate, at which the features of a pair move apart.
 struct Rates {
   double first, second;
 };
 
-/// Lines turn apart, seen over the mechanism's size; a pin leaves its slot across.
+/// The rates at which a pair parts. The angle between two lines counts as the length that it spans
+/// over the mechanism's size; a pin parts from a slot across the slot only.
 Rates parting(const Pair& pair) {
   const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
   const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
@@ -97,10 +101,10 @@ Rates parting(const Pair& pair) {
                    turning * turning * across.dot(apart))};
 }
 
-/// Whether features stay together, to first and second order; what is not known contradicts
-/// nothing.
-bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
-             const RedundantJoint& joint, const RoundingOfRates& rounding) {
+/// Whether the features of a redundant joint stay together, to first and second order. Rates that
+/// are not known do not part them.
+bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
+                    const RedundantJoint& joint, const RoundingOfRates& rounding) {
   if (values.plan().request.redundancy_tolerance.exists()) {
     return true;
   }
@@ -118,14 +122,14 @@ bool goes_on(const Values& values, const Table<LinkIndex, Frame>& links,
   return is_first && !(rates.second > rounding.second * speeding_up);
 }
 
-bool go_on(const Values& values, const Table<LinkIndex, Frame>& links,
-           const RoundingOfRates& rounding) {
+bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& links,
+                       const RoundingOfRates& rounding) {
   return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return goes_on(values, links, joint, rounding);
+    return stays_together(values, links, joint, rounding);
   });
 }
 
-/// What is said of a mechanism with too many constraints, and what it does without them.
+/// The error for a mechanism with too many constraints; `without` says what it does without them.
 OverConstrained refused(const PlanData& plan, const std::string& without) {
   std::vector<std::string> names;
   for (const RedundantJoint& joint : plan.redundant) {
@@ -160,11 +164,11 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
 bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                          Status regularity) {
   constexpr double anything = std::numeric_limits<double>::infinity();
-  return go_on(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
+  return all_stay_together(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
 }
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
-  return go_on(values, links, {1e-6, 1e-6});
+  return all_stay_together(values, links, {1e-6, 1e-6});
 }
 
 OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {

@@ -1,4 +1,5 @@
-// Turns places of links into whether joints beyond those that determine them hold.
+// Turns placed links into whether the redundant joints, beyond those that determine the links,
+// hold.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -11,29 +12,30 @@
 
 namespace assur::mechanism::solve {
 
-/// Whether the rates of the redundant joints of a plan hold to rounding, where all rates are known,
-/// and where the configuration is regular, which tells them well enough, their second rates.
+/// Whether the redundant joints of a plan hold to first order up to rounding, where all rates are
+/// known. In a regular configuration, whose second rates are accurate enough, they must hold to
+/// second order, too.
 [[nodiscard]] bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                                        Status regularity);
 
-/// Whether they hold along one of several motions through a configuration in which they do: to
-/// first and second order, for at a change point all motions agree to first order.
+/// Whether the redundant joints hold along one of several motions through a configuration, to first
+/// and second order: at a change point all motions agree to first order.
 [[nodiscard]] bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
 
-/// By how much the worst redundant joint fails to close, in the scene's unit; zero where all do, to
-/// rounding or to the tolerance that the request states.
+/// The distance by which the worst redundant joint fails to close, in the scene's unit; zero where
+/// all close up to rounding or the tolerance that the request states.
 [[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                                       Status regularity);
 
-/// What is said of a mechanism whose redundant joints fail to close by a gap at least; if that is
-/// zero, they close at its own numbers alone.
+/// The error for a mechanism whose redundant joints fail to close by `gap` at least; if that is
+/// zero, they close, but not where the drivers move on.
 [[nodiscard]] OverConstrained refusal_of_redundant(const PlanData& plan, double gap);
 
-/// What is said where they hold, but not where the drivers have gone on: if it can be assembled
-/// there without them, they lock it.
+/// The error where the redundant joints hold, but not once the drivers have moved on. If the
+/// mechanism `assembles` there without them, they lock it.
 [[nodiscard]] OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles);
 
-/// What is said where the mechanism has no configuration without them either, for a reason.
+/// The error where the mechanism has no configuration even without them, for a reason.
 [[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan,
                                                        const std::string& reason);
 

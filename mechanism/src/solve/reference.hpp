@@ -16,7 +16,7 @@ inline void expect_reference(const Request& request) {
   }
 }
 
-/// In radians, half a turn at most.
+/// The angle from a reference angle to the link's, in radians, from -pi to pi.
 [[nodiscard]] inline double difference_from(const Values& values, const Frame& link,
                                             const ReferenceAngle& angle) {
   const Direction<double> wanted = direction_of(values.number(angle.theta).value());

@@ -8,20 +8,20 @@
 
 namespace assur::mechanism::solve {
 
-/// What a search takes at most: groups that are solved, families that are told, and numbers that
-/// the list of configurations holds (800 MB).
+/// The bounds of a search: groups that it solves, families that it lists, and numbers that the list
+/// of configurations holds (800 MB).
 inline constexpr std::size_t most_steps = 300000;
 inline constexpr std::size_t most_families = 1000;
 inline constexpr double most_numbers = 1e8;
 
-/// How many configurations a mechanism has at most, by the models of its groups.
+/// The largest number of configurations that a mechanism can have, by the models of its groups.
 [[nodiscard]] double most_configurations(const Structure& structure);
 
-/// Throws MechanismError, which says what is too much and what to do.
+/// Throws MechanismError that says which bound `what` exceeds and how to ask for less.
 [[noreturn]] void refuse_search(const Structure& structure, const std::string& what);
 
-/// Throws likewise where so many configurations, with their derivatives to each parameter, leave no
-/// room for another one.
+/// Throws MechanismError where `listed` configurations, with their derivatives with respect to each
+/// parameter, leave no room for another one.
 void expect_room(const Values& values, std::size_t listed);
 
 }  // namespace assur::mechanism::solve

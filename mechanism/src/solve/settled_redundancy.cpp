@@ -15,15 +15,16 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Its solutions leave out what is below the threshold, which those of a QR decomposition do not.
+/// Its solutions leave out directions below the threshold, which those of a QR decomposition do
+/// not.
 using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
-/// The work grows with the third power of the links.
+/// More links are not settled, since the work grows with their third power.
 constexpr std::size_t most_links = 100;
-/// Below this part of the largest a singular value is one of rounding.
+/// A singular value below this part of the largest may be rounding.
 constexpr double least_firmness = 1e-9;
 
-/// The least singular value to the largest, from the triangle R by inverse iteration.
+/// The ratio of the least singular value to the largest, from the triangle R by inverse iteration.
 double firmness_of(const Factors& factors) {
   const Eigen::Index count = factors.cols();
   if (factors.rank() < count) {
@@ -114,7 +115,7 @@ double SettledRedundancy::settle_nearby(PlacedLinks& placed) {
   const double gap = settle(placed);
   const double moved =
       constraints_.step(poses_of(without.links), poses_of(placed.links)).cwiseAbs().maxCoeff();
-  // Rounding leaves one in which several meet off by no more.
+  // Rounding moves a configuration in which several meet by no more than this.
   constexpr double farthest = 1e-6;
   if (gap == 0 && moved <= farthest) {
     return 0;
@@ -132,7 +133,8 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const double error = constraints_.rounding() / (firmness * firmness);
   placed.is_crossing = !(error < 1);
   goes_on_ = true;
-  // Where all constraints tell none, what the rest tells is no more than one of its motions.
+  // Where all constraints together do not determine the rates, those of the remaining ones are only
+  // one of several motions.
   placed.rates_known = placed.derivatives_known = false;
   if (!(error < two_digits)) {
     return;

@@ -1,4 +1,5 @@
-// Turns a configuration of a mechanism without its redundant constraints into that of all of them.
+// Turns a configuration of a mechanism without its redundant constraints into the one that
+// satisfies all constraints best.
 #pragma once
 
 #include <optional>
@@ -8,36 +9,40 @@
 
 namespace assur::mechanism::solve {
 
-/// Where the mechanism without its redundant constraints is singular, rounding moves a
-/// configuration far, while all constraints together may tell it, and its rates, to all digits.
+/// Corrects configurations by all constraints. Where the mechanism without its redundant
+/// constraints is singular, rounding moves a configuration far, while all constraints together may
+/// determine it, and its rates, to all digits.
 class SettledRedundancy {
  public:
-  /// Of two configurations nearby: which of them the constraints rule out, if any.
+  /// Which of two configurations nearby the constraints rule out, if any.
   enum class Comparison : unsigned char { differ, first_is_none, second_is_none, alike };
 
-  /// Where there is something to settle: constraints that hold to rounding and not to a tolerance,
-  /// of few links, and no law that reads where links are. The values must outlive it.
+  /// Makes one where there is something to settle: redundant constraints that must hold to rounding
+  /// and not to a tolerance, not too many links, and no law that reads joints. The values must
+  /// outlive it.
   [[nodiscard]] static std::optional<SettledRedundancy> made_for(const Values& values);
-  /// Whether constraints hold to rounding, and no law reads where links are.
+  /// Whether redundant constraints must hold to rounding, and no law reads joints.
   [[nodiscard]] static bool can_close(const PlanData& plan);
 
-  /// Closes all constraints from nearby as far as they can be closed, by Gauss's and Newton's steps
-  /// J^+ f. Where J has full column rank to rounding, regularity, rates and derivatives are those
-  /// that all constraints tell; what they contradict is not known. Returns by how much they stay
-  /// open, in the unit of length, and zero where that may be rounding.
+  /// Closes all constraints from nearby as far as they can be closed, by the Gauss-Newton steps J^+
+  /// f. Where J has full column rank up to rounding, regularity, rates and derivatives are those
+  /// that all constraints determine; what they contradict becomes unknown. Returns the residual in
+  /// the unit of length, and zero where that may be rounding.
   [[nodiscard]] double settle(PlacedLinks& placed);
-  /// The same of a configuration that is followed by itself: one that belongs to another place
-  /// stays where it is, and open by how far that is.
+  /// Does the same for a configuration that is followed by itself. If closing would move it to
+  /// another place, or fails, the configuration stays where it is, and the result also counts the
+  /// distance to that place.
   [[nodiscard]] double settle_nearby(PlacedLinks& placed);
-  /// Whether the rates of the one that was settled last, where they are known, hold for all
-  /// constraints; in regular ones the second rates, too.
+  /// Whether the rates of the configuration that was settled last, where they are known, satisfy
+  /// all constraints; in a regular one the second rates must, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
-  /// Marks the configurations of a sweep that are inconsistent, since another one nearby closes
-  /// much better.
+  /// Marks those configurations of a sweep as inconsistent beside which another one closes much
+  /// better.
   void mark_inconsistent(std::vector<Configuration>& configurations);
-  /// Of two that were settled: one is none where the other is nearby and closes much better, or
-  /// where rounding does not tell what is between them from either.
+  /// Compares two settled configurations. One is ruled out where the other is nearby and closes
+  /// much better, or where the place halfway between them closes as well, so that rounding does not
+  /// separate them.
   [[nodiscard]] Comparison compared(const AllConstraints::Poses& first,
                                     const AllConstraints::Poses& second);
 

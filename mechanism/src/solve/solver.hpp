@@ -15,14 +15,15 @@ class ConfigurationWalk;
 
 /// What is asked of the configurations of a mechanism.
 struct Search {
-  /// Whether those beyond the limits of joints are left out: a sweep follows branches through them.
+  /// Whether configurations beyond the limits of joints are left out. A sweep keeps them, since
+  /// branches go through them.
   bool within_limits = true;
-  /// Whether a solution without configurations tells by how much the links fail to close, which
-  /// takes longer than to solve.
+  /// Whether a solution without configurations says by how much the links fail to close, which
+  /// takes longer than solving.
   bool measures_gap = false;
 };
 
-/// Solves a mechanism wherever its values are set, in memory that it keeps from one to the next.
+/// Solves a mechanism at the present values, in memory that it keeps from one call to the next.
 /// Throws MechanismError where there are more configurations than can be listed, or where they
 /// cannot be found in a bounded time.
 class MechanismSolver {
@@ -37,10 +38,11 @@ class MechanismSolver {
   void solve(const Search& search, Solution& result);
   /// See `Plan::solve_nearest`.
   [[nodiscard]] std::optional<Nearest> solve_nearest(Solution& result);
-  /// Of a mechanism whose configurations are numbered group by group: that of a number, from 1.
-  /// Returns how many were passed, which are all where there are fewer.
+  /// Finds the configuration with a number, from 1, of a mechanism whose configurations are
+  /// numbered group by group. Returns how many were passed; if there are fewer, that is all of
+  /// them.
   [[nodiscard]] std::size_t solve_one(std::size_t number, Solution& result);
-  /// The configuration nearest to a point, be it beyond limits, alone in the solution.
+  /// Finds the configuration nearest to a point, within limits or not, alone in the solution.
   [[nodiscard]] std::optional<Nearest> solve_near(const SoughtPoint& point, Solution& result);
   /// See `Placement::count_from`.
   void count_from(const std::vector<Configuration>* nearby);

@@ -1,4 +1,4 @@
-// Turns limits of joints into what is tested while groups are placed, as soon as a joint is.
+// Turns limits of joints into tests that run while groups are placed, each as soon as its joint is.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -9,17 +9,17 @@
 
 namespace assur::mechanism::solve {
 
-/// The joints with limits, by how many groups are placed before each has its coordinate.
+/// The joints with limits, sorted by how many groups must be placed before each has its coordinate.
 class WatchedLimits {
  public:
   /// The placement must outlive it.
   explicit WatchedLimits(const Placement& placement);
 
   [[nodiscard]] bool exist() const { return exist_; }
-  /// Of the joints that have their coordinates after so many groups; each that is beyond its limits
-  /// is told.
+  /// Whether the joints that get their coordinates once `groups` groups are placed keep their
+  /// limits; those that do not are added to `breaches`.
   [[nodiscard]] bool are_kept_at(std::size_t groups, std::vector<LimitBreach>& breaches) const;
-  /// Of all joints, where everything is placed.
+  /// Whether all joints keep their limits, once everything is placed.
   [[nodiscard]] bool are_kept(std::vector<LimitBreach>& breaches) const;
 
  private:
@@ -28,7 +28,7 @@ class WatchedLimits {
   bool exist_ = false;
 };
 
-/// What is said of so many configurations that are all beyond limits, by some breaches.
+/// One sentence for `count` configurations that are all beyond limits, with their breaches.
 [[nodiscard]] std::string reason_of_limits(std::size_t count, const std::string& breaches);
 
 }  // namespace assur::mechanism::solve

@@ -6,7 +6,7 @@
 
 namespace assur::mechanism::values {
 
-/// The covariance C of all parameters: what the matrix says of the parameters that it names, zero
+/// The covariance C of all parameters: the given matrix for the parameters that it names, zero
 /// elsewhere. Throws MechanismError unless the matrix is symmetric (|c_ij - c_ji| <= t sqrt(c_ii
 /// c_jj)), no covariance exceeds what its variances allow (|c_ij| <= (1 + t) sqrt(c_ii c_jj)) and
 /// the correlations c_ij / sqrt(c_ii c_jj) have no eigenvalue below -n t, with t = 1e-12 for the

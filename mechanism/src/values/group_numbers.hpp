@@ -26,8 +26,8 @@ struct MeasuredSlide {
   double shift_rate = 0, shift_second_rate = 0;  ///< in time
 };
 
-/// Where a placed link holds an external joint of the group; of a group that is solved relative to
-/// a link, that one or one that it carries.
+/// Where a placed link holds an external joint of the group. If the group is solved relative to a
+/// link, that link or one that it carries holds it.
 struct HeldJoint {
   LinkIndex base;
   FeatureIndex feature;
@@ -54,7 +54,7 @@ struct Values::GroupNumbers {
   std::vector<Frame> own;                     ///< their own frames, each in its normal frame
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;
-  support::Displacement rounding;  ///< of its links' features, beyond that of their coordinates
+  support::Displacement rounding;  ///< of features on its links, beyond that of their coordinates
   /// How well features that drivers carry define the frames of their links, from zero to one. Where
   /// they nearly meet, rounding turns the frame, and its rates even more.
   double firmness = 1;

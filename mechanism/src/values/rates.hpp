@@ -6,7 +6,7 @@
 namespace assur::mechanism::values {
 
 /// A number as a function of time: its derivative is its rate, its second derivative the second
-/// one.
+/// rate.
 [[nodiscard]] Dual in_time(double value, double rate, double second_rate);
 [[nodiscard]] double rate_of(const Dual& number);
 [[nodiscard]] double second_rate_of(const Dual& number);

@@ -7,9 +7,9 @@
 
 namespace assur::mechanism::values {
 
-/// A number and how far it may be from what its expression means, to first order. Numbers of the
-/// text are taken as they are: what counts is the rounding of longer ones that cancel, as in
-/// 1 + cos(180*deg).
+/// A number, and how far rounding may have moved it from the exact value of its expression, to
+/// first order. Numbers in the text count as exact: what matters is the rounding of terms that
+/// cancel, as in 1 + cos(180*deg).
 struct RoundedNumber {
   double value = 0;
   double error = 0;
@@ -18,7 +18,7 @@ struct RoundedNumber {
   RoundedNumber(double number, double within) : value(number), error(within) {}
 };
 
-/// The result of an operation, itself rounded, on numbers that leave an error of it.
+/// The rounded result of an operation on numbers that contribute an `error` to it.
 [[nodiscard]] inline RoundedNumber rounded_to(double value, double error) {
   return {value, error + std::numeric_limits<double>::epsilon() * std::abs(value)};
 }
@@ -47,7 +47,7 @@ struct RoundedNumber {
   const double value = std::tan(a.value);
   return rounded_to(value, (1 + value * value) * a.error);
 }
-/// Where a root begins, its argument may be off by as much as it is.
+/// The slope of a root. Near zero the argument may be wrong by as much as its own value.
 [[nodiscard]] inline double root_slope(double inside, double error) {
   return 1 / std::sqrt(std::max({inside, error, std::numeric_limits<double>::min()}));
 }

@@ -117,7 +117,7 @@ void Values::set(ParameterIndex parameter, double value) {
   const bool were_usable = usable_;
   usable_ = false;
   replace(parameter, value);
-  if (!were_usable) {  // what the failed evaluation has left is not known
+  if (!were_usable) {  // the failed evaluation may have changed some numbers
     evaluate();
   } else {
     std::shared_ptr<const Dependents>& dependents = dependents_[parameter];
@@ -353,7 +353,8 @@ void Values::evaluate_driver(DriverIndex index,
   const Driver& driver = plan_->mechanism.drivers()[index];
   JointMotion& motion = motions_[index];
   motion.position = evaluated(driver.position, of_joint);
-  if (!plan_->evaluation.reads_links[index]) {  // a link that it reads may stand singular
+  // A link that the law reads may be in a singular configuration, where derivatives do not exist.
+  if (!plan_->evaluation.reads_links[index]) {
     expect_derivatives(driver.position, motion.position);
   }
   const bool follows = !driver.velocity.exists() || !driver.acceleration.exists();
@@ -369,7 +370,7 @@ SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) cons
                                   model_joint, constant(0.0));
 }
 
-/// Half-widths, the covariance and how far constraints that are too many may miss.
+/// Evaluates half-widths, the covariance, and how far redundant constraints may fail to hold.
 void Values::evaluate_requests() {
   const auto& parameters = plan_->mechanism.parameters();
   spread_.tolerances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));

@@ -13,7 +13,7 @@ TEST_P(RunLanguage, IsJudgedByWhatItComputes) { expect_judged(GetParam()); }
 
 INSTANTIATE_TEST_SUITE_P(
     OtherLanguages, RunLanguage,
-    testing::ValuesIn(share_of<Program>(
+    testing::ValuesIn(installed(share_of<Program>(
         {Program{
              "C", "a.c",
              "#include <math.h>\nstatic double J[2][2];\nvoid f(double l, double t) { J[0][0] = "
@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"OctaveWrong", "f.m",
                  "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0]';\nend\n",
                  CALL, 1, "the matrix is transposed"}},
-        4)),
+        4))),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 #include "derivatives/mobility.hpp"
 #include "equations/closure.hpp"
-#include "generator/derived_latex.hpp"
+#include "generator/all_models.hpp"
 
 namespace assur::test::random_assembly_test {
 namespace {
@@ -35,10 +35,7 @@ TEST_P(RandomAssembly, IsOnTheCircleAndCloses) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(AllModels, RandomAssembly, testing::ValuesIn(all_models()),
-                         [](const auto& at) {
-                           return at.param->group->name() + "_" + std::to_string(at.param->number);
-                         });
+INSTANTIATE_TEST_SUITE_P(AllModels, RandomAssembly, testing::ValuesIn(all_models()), name_of_model);
 
 }  // namespace
 }  // namespace assur::test::random_assembly_test

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "command/command.hpp"
+#include "generator/all_models.hpp"
 #include "largest.hpp"
 #include "runtime/exact_assembly.hpp"
 #include "runtime/model_types.hpp"
@@ -29,10 +30,8 @@ using Values = std::map<std::string, double>;
 constexpr unsigned seed = 16180;
 constexpr double tolerance = 1e-9;
 
-template <typename Model>
-std::string arguments(const std::string& format) {
-  return "derive " + std::to_string(Model::number) + " --group " + Model::group + " --format " +
-         format;
+std::string arguments(int number, const std::string& group, const std::string& format) {
+  return "derive " + std::to_string(number) + " --group " + group + " --format " + format;
 }
 
 double value_of(const std::string& formula, const Values& values) {
@@ -116,7 +115,8 @@ class Derive : public testing::Test {
     const auto at = answers.find(format);
     return at != answers.end()
                ? at->second
-               : answers.emplace(format, run_assur(arguments<Model>(format))).first->second;
+               : answers.emplace(format, run_assur(arguments(Model::number, Model::group, format)))
+                     .first->second;
   }
   static Json derivation() { return Json::parse(said("json").output); }
 };
@@ -295,17 +295,6 @@ TYPED_TEST(Derive, TextIsAnAuditFileThatMentionsEverything) {
   }
 }
 
-TYPED_TEST(Derive, GivesTheSameBytesInTwoProcesses) {
-  if (TypeParam::number % 6 != 1 && !is_whole_campaign()) {
-    GTEST_SKIP() << "one in six models by default";
-  }
-  // All formats lay out the same derivation; each model tries one of them.
-  const char* const format = std::array{"text", "latex", "json"}[TypeParam::number / 6 % 3];
-  const std::string once = this->said(format).output;
-  EXPECT_FALSE(once.empty());
-  EXPECT_EQ(once, run_assur(arguments<TypeParam>(format)).output);
-}
-
 TYPED_TEST(Derive, TextAgreesWhenAudited) {
   const TemporaryDirectory directory;
   const auto file = directory.write("derived.audit", this->said("text").output);
@@ -314,23 +303,42 @@ TYPED_TEST(Derive, TextAgreesWhenAudited) {
   EXPECT_TRUE(std::regex_search(audit.output, std::regex("in all: all [0-9]+ agree\n$")));
 }
 
-TYPED_TEST(Derive, LatexCompilesAndFitsThePage) {
-  const std::string compiler = ASSUR_PDFLATEX;
-  if (compiler.empty()) {
-    GTEST_SKIP() << "pdflatex is not installed";
+class DeriveProcess : public testing::TestWithParam<const generator::structure::Model*> {
+ protected:
+  [[nodiscard]] static std::string said(const std::string& format) {
+    return run_assur(arguments(GetParam()->number, GetParam()->group->name(), format)).output;
   }
-  if (TypeParam::number % 6 != 1 && !is_whole_campaign()) {
-    GTEST_SKIP() << "one in six models by default";
-  }
+};
+
+TEST_P(DeriveProcess, GivesTheSameBytesTwice) {
+  // All formats lay out the same derivation; each model tries one of them.
+  const char* const format = std::array{"text", "latex", "json"}[GetParam()->number / 6 % 3];
+  const std::string once = said(format);
+  EXPECT_FALSE(once.empty());
+  EXPECT_EQ(once, said(format));
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, DeriveProcess, testing::ValuesIn(share_of(all_models(), 6)),
+                         name_of_model);
+
+#ifdef ASSUR_PDFLATEX
+class DeriveLatex : public DeriveProcess {};
+
+TEST_P(DeriveLatex, CompilesAndFitsThePage) {
   const TemporaryDirectory directory;
-  directory.write("model.tex", this->said("latex").output);
-  const std::string line = "cd " + directory.path().string() + " && " + compiler +
+  directory.write("model.tex", said("latex"));
+  const std::string line = "cd " + directory.path().string() +
+                           " && " ASSUR_PDFLATEX
                            " -interaction=nonstopmode -halt-on-error model.tex > out 2>&1";
   EXPECT_EQ(std::system(line.c_str()), 0) << read_file(directory.path() / "out");
   const std::string log = read_file(directory.path() / "model.log");
   EXPECT_EQ(log.find("Overfull \\hbox"), std::string::npos)
       << log.substr(std::min(log.size(), log.find("Overfull")), 200);
 }
+
+INSTANTIATE_TEST_SUITE_P(Models, DeriveLatex, testing::ValuesIn(share_of(all_models(), 6)),
+                         name_of_model);
+#endif
 
 TEST(DeriveCommand, ReadsAKindAsItsModelByARelabelling) {
   const Json asked = Json::parse(run_assur("derive RRR-RRP --format json").output);

@@ -12,6 +12,7 @@
 #include <set>
 
 #include "audit/latex/paper_audit.hpp"
+#include "generator/all_models.hpp"
 #include "generator/derived_latex.hpp"
 #include "whole_campaign.hpp"
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "audit/latex/paper_audit.hpp"
+#include "generator/all_models.hpp"
 #include "generator/derived_latex.hpp"
 #include "whole_campaign.hpp"
 
@@ -43,10 +44,7 @@ TEST_P(DerivedLatex, IsReadBackAndAgrees) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AllModels, DerivedLatex, testing::ValuesIn(share_of(all_models(), 3)),
-                         [](const testing::TestParamInfo<const Model*>& tested) {
-                           return tested.param->group->name() + "_" +
-                                  std::to_string(tested.param->number);
-                         });
+                         name_of_model);
 
 }  // namespace
 }  // namespace assur::test::read_back_test

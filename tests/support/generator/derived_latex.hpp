@@ -2,22 +2,11 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "document/derivation.hpp"
 #include "document/render.hpp"
 
 namespace assur::test {
-
-inline std::vector<const generator::structure::Model*> all_models() {
-  std::vector<const generator::structure::Model*> list;
-  for (const generator::structure::Group& group : generator::structure::known_groups()) {
-    for (const generator::structure::Model& model : generator::structure::models_of(group)) {
-      list.push_back(&model);
-    }
-  }
-  return list;
-}
 
 /// `d(f?, x)*rate(x) + ...` over the unknowns: the side that stands right of J q' = b.
 inline std::string product_with_jacobian(const generator::document::Derivation& derivation,

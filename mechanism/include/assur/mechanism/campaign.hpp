@@ -24,7 +24,7 @@ struct Campaign {
   std::function<Worker()> worker;  ///< makes one, with memory of its own, for one thread
 };
 
-/// Items from the first up to the last, which is not among them.
+/// The items from `first` up to but not including `last`.
 struct ItemRange {
   std::uint64_t first, last;
 };
@@ -58,7 +58,7 @@ struct NominalPoint {
   Eigen::Vector2d position;
   /// Absent where the derivatives are not known there.
   std::optional<Eigen::Vector2d> worst_case, rss;
-  /// Absent there too, and where a mechanism has too many parameters for second derivatives.
+  /// Absent there as well, and where a mechanism has too many parameters for second derivatives.
   std::optional<PointSpread> spread;
 };
 

@@ -17,6 +17,7 @@ enum class Outcome : unsigned char {
   degenerate,     ///< there are families only
   refused         ///< a formula has no value there, or the solver throws MechanismError
 };
+/// The words of the outcomes in a table, in the order of `Outcome`.
 inline constexpr std::array<std::string_view, 7> outcome_words = {
     "regular",     "near-singular", "ambiguous", "beyond-limits",
     "no-assembly", "degenerate",    "refused"};

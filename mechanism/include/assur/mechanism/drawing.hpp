@@ -26,7 +26,7 @@ enum class Symbol : unsigned char {
 /// A part of the drawing, the same in every stance.
 struct Shape {
   Symbol symbol;
-  std::string link;    ///< that it is, or is on; empty for a pin, which several links share
+  std::string link;    ///< the link that it is or belongs to; empty for a pin, which links share
   std::string name;    ///< of the joint, or of the output; empty for a link itself
   bool fixed = false;  ///< whether it is on the ground
   std::vector<std::size_t> points;  ///< places in the points of a stance

@@ -8,9 +8,9 @@
 
 namespace assur::mechanism {
 
-/// A value with its gradient to the mechanism's parameters and, where it is carried, its Hessian.
-/// An Eigen::AutoDiffScalar of AutoDiffScalars would carry the Hessian too, but as a vector of
-/// vectors with each allocated on its own, and the gradient twice.
+/// A value with its gradient with respect to the mechanism's parameters and, where it is carried,
+/// its Hessian. An Eigen::AutoDiffScalar of AutoDiffScalars would carry the Hessian too, but as a
+/// vector of vectors with each allocated on its own, and the gradient twice.
 ///
 /// A number made from a bare double is a constant: it has no gradient, and counts as having zero
 /// derivatives of every order. A result carries a Hessian if all operands that are not constants
@@ -78,7 +78,7 @@ class Dual {
   Eigen::MatrixXd hessian_;
 };
 
-/// Whether the number stands for other values too.
+/// Whether the number stands for other values, too, as one with variable parameters does.
 [[nodiscard]] inline bool may_change(const Dual&) { return false; }
 
 inline Dual operator-(const Dual& a) { return Dual::chained(-a.value(), a, -1, 0); }

@@ -36,8 +36,9 @@ class OverConstrained : public MechanismError {
       : MechanismError(part, what), surplus(by), joints(std::move(at)) {}
 
   int surplus;                      ///< constraints that are too many
-  std::vector<std::string> joints;  ///< among which they are
-  /// By how much those fail to close at least, where the mechanism without them can be assembled.
+  std::vector<std::string> joints;  ///< the joints among which they are
+  /// The least gap by which these constraints fail to hold, where the mechanism without them can be
+  /// assembled.
   double gap = std::numeric_limits<double>::infinity();
 };
 

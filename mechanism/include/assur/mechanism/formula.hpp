@@ -62,7 +62,7 @@ class Formula {
     }
     return std::move(stack.back());
   }
-  /// Of a formula in which no joint occurs.
+  /// The value of a formula in which no joint occurs.
   template <typename Scalar, typename ValueOf>
   [[nodiscard]] Scalar evaluate(const ValueOf& value_of) const {
     return evaluate<Scalar>(

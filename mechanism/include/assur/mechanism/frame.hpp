@@ -21,7 +21,7 @@ struct Derivatives {
   std::vector<Eigen::MatrixXd> second;  ///< of each coordinate; empty where not carried
 
   [[nodiscard]] bool has_second() const { return !second.empty(); }
-  /// Zero, for a number of parameters.
+  /// Sets all derivatives to zero, for a number of parameters.
   void set_zero(Eigen::Index parameters, bool with_second);
 };
 
@@ -33,18 +33,18 @@ struct Frame {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
   Derivatives<3> follows;
 
-  /// At rest in the outer frame, where `pose` is.
+  /// A frame at rest in the outer frame, with a pose.
   [[nodiscard]] static Frame at(const Pose<Dual>& pose);
   /// Takes over the rates of a pose that is a function of time (one derivative, one second one).
   void move(const Pose<Dual>& in_time);
   /// The pose with its derivatives to the parameters, and as a function of time.
   [[nodiscard]] Pose<Dual> to_parameters() const;
   [[nodiscard]] Pose<Dual> in_time() const;
-  /// On the axes of the outer frame.
+  /// The frame on the axes of the outer frame.
   [[nodiscard]] static Frame identity(Eigen::Index parameters, bool with_second);
 };
 
-/// A point in a frame, likewise.
+/// A point in a frame, with the same rates and derivatives.
 struct Point {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();
@@ -52,15 +52,16 @@ struct Point {
   Derivatives<2> follows;
 };
 
-/// The frame `inner`, which is given in `frame`, in the frame in which that one stands. `result`
+/// The frame `inner`, which is given in `frame`, in the frame in which `frame` is given. `result`
 /// may not be one of the two.
 void compose(const Frame& frame, const Frame& inner, Frame& result);
+/// Does the same and returns the result.
 [[nodiscard]] Frame composed(const Frame& frame, const Frame& inner);
 
-/// The origin of `inner`, likewise.
+/// The origin of `inner`, in the same frame.
 void carry(const Frame& frame, const Frame& inner, Point& result);
 
-/// A frame's own outer frame, seen from it.
+/// The pose of the outer frame, seen from a frame.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> inverse(const Pose<Scalar>& pose) {
   return {-(pose.direction.cos * pose.x) - pose.direction.sin * pose.y,

@@ -49,8 +49,8 @@ template <typename Scalar>
   return {x / length, y / length};
 }
 
-/// A feature of a driven link, in the frame of the link against which it is moved: turned or slid
-/// in the frame of the driven joint. `near` and `far` are the joint's features on the two links.
+/// A feature of a driven link in the frame of the link that carries it: turned or slid in the frame
+/// of the driven joint. `near` and `far` are the joint's features on the two links.
 template <typename Scalar>
 [[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
                                                 const LinkFeature<Scalar>& near,
@@ -90,7 +90,7 @@ template <typename Scalar, typename FeatureOf>
                        joint.first == link.from ? position : Scalar(-position));
 }
 
-/// A feature of a link that stands in a frame, in the outer frame of that one.
+/// A feature of a link, given in `frame`, in the outer frame of that frame.
 template <typename Scalar>
 [[nodiscard]] LinkFeature<Scalar> placed_feature(const LinkFeature<Scalar>& feature,
                                                  const Pose<Scalar>& frame) {
@@ -132,12 +132,12 @@ namespace values {
   return model.group->link_joints[link];
 }
 
-/// Which of a link's joints in order a joint is.
+/// The place of a joint in the order of a link's joints.
 [[nodiscard]] inline std::size_t slot_of(int joint, const std::vector<int>& joints) {
   return static_cast<std::size_t>(std::find(joints.begin(), joints.end(), joint) - joints.begin());
 }
 
-/// The joint and the link that play those of the model.
+/// The joint, and the link, that play those of the model.
 [[nodiscard]] inline const ElementaryJoint& played_joint(const Structure& structure,
                                                          const RoleAssignment& roles, int joint) {
   return structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
@@ -148,8 +148,9 @@ namespace values {
 
 /// Lines closer to parallel than this do not define a frame by where they cross.
 inline constexpr double parallel = 1e-3;
-inline constexpr double well = 0.05;  ///< are frames defined above this firmness
+inline constexpr double well = 0.05;  ///< above this firmness, frames are well defined
 
+/// The sine of the angle from one line to another.
 template <typename Scalar>
 [[nodiscard]] Scalar sine_between(const LinkFeature<Scalar>& one,
                                   const LinkFeature<Scalar>& other) {
@@ -167,8 +168,8 @@ template <typename Scalar>
 /// Brings the links of a group into normal form under one assignment of roles.
 ///
 /// A link whose features are lines alone has its origin where the first two cross. Where these may
-/// be parallel, the origin stands on one of them at will, and the other's offset from it is given
-/// to the link that slides there: its line is moved back by as much. The closures do not change.
+/// be parallel, the origin is anywhere on one of them, and the other's offset from it is given to
+/// the link that slides there: its line is moved back by as much. The closures do not change.
 template <typename Scalar>
 class NormalForms {
  public:
@@ -232,8 +233,8 @@ class NormalForms {
   }
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
 
-  /// How well features define the frames, from zero to one: the sine between the first two of lines
-  /// alone, the part of the first two points' distance in the link's size; not well if it may vary.
+  /// How well features define the frames, from zero to one: the sine between two lines, or the
+  /// distance of two points in parts of the link's size; not well if that may vary.
   [[nodiscard]] double firmness() const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -263,7 +264,7 @@ class NormalForms {
     return names;
   }
 
-  /// Of lines alone, the first two of which are parallel or may be.
+  /// Whether a link has lines alone, of which the first two are parallel or may be.
   [[nodiscard]] bool may_have_parallel_lines(std::size_t link) const {
     const auto& features = features_[link];
     const std::size_t count = joints_of(*group_.model, link).size();

@@ -26,9 +26,9 @@ struct GroupModel {
   int number;
   bool rigid;
   int mobility;                    ///< generic, where it can be assembled
-  int max_configurations;          ///< at most, of a rigid model; 0 of another
+  int max_configurations;          ///< the most that a rigid model has; 0 for others
   std::vector<bool> prismatic;     ///< of each joint
-  std::vector<std::string> kinds;  ///< that it serves, spelled
+  std::vector<std::string> kinds;  ///< the spellings of the kinds that it serves
   std::vector<ModelUnknown> unknowns;
   std::size_t dimension_count, input_count;
   const ModelKernel* kernel;  ///< its functions
@@ -50,12 +50,13 @@ struct GroupModels {
 /// Every group that was generated: dyad, triad, tetrad.
 [[nodiscard]] const std::vector<GroupModels>& known_groups();
 
-/// Assur's class of a group with these joints among the links 0 .. link_count - 1 and the rest
-/// (`base_link`): the number of joints on its largest closed contour, where a link of three joints
-/// or more, all inside the group, is a contour of its own; two if it has none.
+/// The two links that a joint joins.
 struct JointPair {
   int first, second;
 };
+/// Assur's class of a group with these joints among the links 0 .. link_count - 1 and the rest
+/// (`base_link`): the number of joints on its largest closed contour, where a link of three joints
+/// or more, all inside the group, is a contour of its own; two if it has none.
 [[nodiscard]] int assur_class_of(int link_count, const std::vector<JointPair>& joints);
 
 }  // namespace assur::mechanism

@@ -9,22 +9,21 @@
 namespace assur::mechanism {
 
 /// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-/// are told; the driver says what one of them is. Of a pin and a line the line is the first.
+/// are held; a driver may prescribe one of them. Of a pin and a line the line is the first.
 struct HeldPair {
   FeatureIndex first, second;
   std::array<bool, 3> holds;
   DriverIndex driver = {};
-  int driven = 0;  ///< the coordinate that the driver tells
+  int driven = 0;  ///< the coordinate that the driver prescribes
 };
 
-/// Whether a joint is not one that was described, but stands in for what is left of a redundant
-/// one.
+/// Whether a joint was not described, but stands in for what is left of a redundant joint.
 [[nodiscard]] bool is_stand_in(const Joint& joint, const std::vector<RedundantJoint>& redundant);
 
-/// What a redundant joint holds.
+/// The pair of features that a redundant joint holds.
 [[nodiscard]] HeldPair held_by(const Mechanism& mechanism, const RedundantJoint& joint);
 
-/// What all joints hold that were described, those that are solved for first.
+/// The pairs that all described joints hold; those that are solved for come first.
 [[nodiscard]] std::vector<HeldPair> held_pairs(const Mechanism& mechanism,
                                                const std::vector<RedundantJoint>& redundant);
 

@@ -1,4 +1,5 @@
-// Turns links, joints, drivers and outputs, named and added one by one, into one planar mechanism.
+// Turns links, joints, drivers and outputs, added one by one under their names, into one planar
+// mechanism.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -26,8 +27,9 @@ struct Number {
 struct Parameter {
   std::string name;
   NumberIndex value;
-  NumberIndex tolerance;  ///< a half-width; none if the parameter has no tolerance
-  /// Rates in time; where there are none, those of the parameters in its formula.
+  NumberIndex tolerance;  ///< a half-width; does not exist if the parameter has no tolerance
+  /// Rates in time. Where they do not exist, they follow from those of the parameters in its
+  /// formula.
   NumberIndex velocity, acceleration;
 };
 
@@ -37,7 +39,7 @@ struct Feature {
   LinkIndex link;
   bool is_line = false;
   NumberIndex x, y;              ///< of the point, or of the line's `through`
-  NumberIndex along_x, along_y;  ///< of a line; it need not have unit length, its sense matters
+  NumberIndex along_x, along_y;  ///< of a line; of any length, but its sense matters
 };
 
 /// A rigid body with named features.
@@ -46,6 +48,7 @@ struct Link {
   std::vector<FeatureIndex> features;
 };
 
+/// What a joint holds of the features between which it stands.
 enum class JointType : unsigned char {
   revolute,    ///< the points coincide; k links at one pin are k - 1 joints
   prismatic,   ///< the two lines coincide and point the same way
@@ -57,7 +60,7 @@ struct Joint {
   std::string name;
   JointType type = JointType::revolute;
   std::vector<FeatureIndex> between;
-  NumberIndex lowest, highest;  ///< of its coordinate; none where it has no limits
+  NumberIndex lowest, highest;  ///< of its coordinate; do not exist where it has no limits
 };
 
 /// The law of a joint of two links: the angle theta_second - theta_first, or the displacement. It
@@ -65,7 +68,7 @@ struct Joint {
 struct Driver {
   JointIndex joint;
   NumberIndex position;
-  NumberIndex velocity, acceleration;  ///< where there are none, they follow from the law
+  NumberIndex velocity, acceleration;  ///< where they do not exist, they follow from the law
 };
 
 /// A point to report.
@@ -108,29 +111,31 @@ class Mechanism {
 
   explicit Mechanism(std::string name = "") : name_(std::move(name)) {}
 
-  /// Makes a name known to expressions; it must get a value before the mechanism is used.
+  /// Makes a name known to expressions. The parameter must get a value before the mechanism is
+  /// used.
   ParameterIndex declare_parameter(const std::string& name);
   /// Gives a declared parameter a value, or another one; `part` is what messages call it.
   void set_parameter(const std::string& name, const Given& value, const std::string& part = "");
   void set_tolerance(const std::string& name, const Given& half_width);
-  /// Rates in time. What depends on the parameter gets its rates by the chain rule.
+  /// Sets a rate in time. Quantities that depend on the parameter get their rates by the chain
+  /// rule.
   void set_velocity(const std::string& name, const Given& velocity);
   void set_acceleration(const std::string& name, const Given& acceleration);
-  /// Declares and sets.
+  /// Declares a parameter and sets its value.
   ParameterIndex add_parameter(const std::string& name, const Given& value);
 
   LinkIndex add_link(const std::string& name);
-  /// `name` is `link.feature`.
+  /// Adds a feature; `name` is `link.feature`.
   FeatureIndex add_point(const std::string& name, const Given& x, const Given& y);
   FeatureIndex add_line(const std::string& name, const Given& x, const Given& y,
                         const Given& along_x, const Given& along_y);
   JointIndex add_joint(const std::string& name, JointType type,
                        const std::vector<std::string>& between);
-  /// What a configuration's coordinate of a joint of two links may be, both ends included; an angle
-  /// counts where it can be turned in by whole turns.
+  /// Sets the range, ends included, of a configuration's coordinate of a joint of two links. An
+  /// angle is within it if whole turns bring it there.
   void set_limits(const std::string& joint, const Given& lowest, const Given& highest);
-  /// The position may contain `joint(K)`, the coordinate of another joint of two links. Rates that
-  /// are not given follow from it.
+  /// Adds a driver. The position may contain `joint(K)`, the coordinate of another joint of two
+  /// links. Rates that are not given follow from the position.
   DriverIndex add_driver(const std::string& joint, const Given& position,
                          const std::optional<Given>& velocity = std::nullopt,
                          const std::optional<Given>& acceleration = std::nullopt);
@@ -138,7 +143,7 @@ class Mechanism {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   void set_name(const std::string& name) { name_ = name; }
-  /// What the unit of length is called; nothing where that was not said.
+  /// The name of the unit of length; empty if it was not given.
   [[nodiscard]] const std::string& unit() const { return unit_; }
   void set_unit(const std::string& unit) { unit_ = unit; }
   [[nodiscard]] const Table<ParameterIndex, Parameter>& parameters() const { return parameters_; }
@@ -148,9 +153,9 @@ class Mechanism {
   [[nodiscard]] const Table<JointIndex, Joint>& joints() const { return joints_; }
   [[nodiscard]] const Table<DriverIndex, Driver>& drivers() const { return drivers_; }
   [[nodiscard]] const Table<OutputIndex, Output>& outputs() const { return outputs_; }
-  /// The driver of a joint; none if it has none.
+  /// The driver of a joint; does not exist if the joint has none.
   [[nodiscard]] DriverIndex driver_of(JointIndex joint) const;
-  /// The fixed frame; none if no link is named `ground`.
+  /// The fixed frame; does not exist if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
   /// The mechanism without the links that are not kept: without their features and outputs, and
@@ -160,25 +165,25 @@ class Mechanism {
 
   /// The mechanism with all its drivers moved on.
   [[nodiscard]] Mechanism driven_on(double by) const;
-  /// The mechanism without what a joint says of one of its links, by a feature of that link.
+  /// The mechanism in which a joint no longer holds one of its links, the one with this feature.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
-  /// The mechanism with a pin for one of the lines of a prismatic joint, where that line begins: it
-  /// slides in the other one, and the joint, whose displacement stays, holds by one constraint
-  /// less.
+  /// The mechanism in which a pin replaces one of the lines of a prismatic joint, at the line's
+  /// `through`. The pin slides in the other line, so that the joint has one constraint less; its
+  /// displacement stays.
   [[nodiscard]] Mechanism with_pin(JointIndex slide, FeatureIndex line) const;
   /// The mechanism with a slot on one of the links of a revolute joint, along the line from another
-  /// of the link's points: the joint holds by one constraint less.
+  /// point of that link, so that the joint has one constraint less.
   [[nodiscard]] Mechanism with_slot(JointIndex pin, FeatureIndex feature,
                                     FeatureIndex along_from) const;
 
-  /// The parameter with a name; `part` is what a message says of the place that names it.
+  /// The parameter with a name; `part` is what a message calls the place that names it.
   [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
                                                const std::string& part = "") const;
   /// A number that a request adds; it counts as one of the mechanism's.
   NumberIndex add_number(const Given& given, const std::string& part);
 
  private:
-  /// Where joints have other indices, or are gone, and their drivers with them.
+  /// Updates drivers to other indices of joints, and removes the drivers of joints that are gone.
   void renumber_drivers(const Table<JointIndex, JointIndex>& joint_of);
   /// What an expression may name beside parameters.
   enum class Reads : unsigned char { parameters, joints };
@@ -187,11 +192,12 @@ class Mechanism {
   [[nodiscard]] Number number(const Given& given, const std::string& part,
                               Reads reads = Reads::parameters) const;
   [[nodiscard]] JointIndex joint_named(const std::string& name, const std::string& part) const;
-  /// Puts a number where one stands already, or adds it.
+  /// Replaces the number at `place` if there is one, else adds it.
   void put_number(const Given& given, const std::string& part, NumberIndex& place);
   void expect_new_parameter(const std::string& name) const;
   ParameterIndex add(Parameter parameter);
-  /// `link.feature` as a feature of a link that is there, which may have it or not.
+  /// The feature that `link.feature` names, on a link that exists; the link need not have the
+  /// feature yet.
   [[nodiscard]] Feature on_link(const std::string& name, const std::string& part) const;
   [[nodiscard]] Feature new_feature(const std::string& name, const std::string& part) const;
   FeatureIndex add_feature(Feature feature);

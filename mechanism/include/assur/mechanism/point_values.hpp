@@ -18,7 +18,7 @@ struct PointSpread {
   Eigen::Vector2d mean_shift;  ///< E[p] - p to second order: 1/2 sum_ij C_ij d2p/da_i da_j
 };
 
-/// The point must carry second derivatives.
+/// The spread of a point, which must carry second derivatives.
 [[nodiscard]] PointSpread spread_of(const Point& point, const Spread& spread);
 
 /// A point's acceleration in parts along its path and across it; both NaN where v = 0, for a point

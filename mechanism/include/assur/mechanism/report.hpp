@@ -14,8 +14,10 @@ struct Report {
   const Solution& solution;
   std::string title;  ///< for people, where the mechanism has no name
   int branch = 0;     ///< number of the one configuration to report, or 0 for all
-  std::optional<Nearest> nearest = std::nullopt;  ///< where it was asked for, to be told as such
-  /// The one configuration is alone in the solution; of the nearest one the number is not known.
+  std::optional<Nearest> nearest =
+      std::nullopt;  ///< set where it was asked for, and then reported as such
+  /// Whether the one configuration is alone in the solution; the number of the nearest one is then
+  /// not known.
   bool alone = false;
 };
 

@@ -1,4 +1,5 @@
-// Turns what is wanted of a mechanism into one object: results, of what, a sweep, a covariance.
+// Turns what is wanted of a mechanism into one object: results, reported parts, a sweep, a
+// covariance.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 
 namespace assur::mechanism {
 
-/// Nothing that is not wanted is computed.
+/// The results that are wanted; others are not computed.
 struct Want {
   bool position = true;
   bool velocity = true;
@@ -59,10 +60,11 @@ struct Request {
   Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
-  /// How far constraints that a mechanism has too many may miss, a length; none: by rounding alone.
+  /// The length by which redundant constraints may fail to hold; if it does not exist, they may by
+  /// rounding only.
   NumberIndex redundancy_tolerance;
-  std::vector<ReferenceAngle> reference;  ///< by which one configuration is told from the others
-  /// What stays an argument of an emitted solver; the other parameters become numbers there.
+  std::vector<ReferenceAngle> reference;  ///< by which one configuration is chosen
+  /// The parameters that stay arguments of an emitted solver; the others become numbers there.
   std::vector<ParameterIndex> variable;
 };
 

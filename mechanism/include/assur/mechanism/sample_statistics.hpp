@@ -9,15 +9,15 @@
 
 namespace assur::mechanism {
 
-/// How often a coordinate lies where, in the memory of a fixed number of bins. They are as wide as
-/// a power of two, which doubles while a number lies outside: what is counted in the end depends on
-/// which numbers there are, and not on their order.
+/// A histogram of a coordinate with a fixed number of bins. Their width is a power of two, which
+/// doubles while a number lies outside, so that the result depends on the numbers but not on their
+/// order.
 class Histogram {
  public:
   /// Bins on either side of the middle.
   static constexpr std::int64_t half = 2048;
 
-  /// About which middle; `scale` is a width that is certainly not wider than the numbers lie.
+  /// A histogram about a middle; `scale` is a width not larger than the range of the numbers.
   Histogram(double middle, double scale);
   void add(double number);
 
@@ -26,7 +26,7 @@ class Histogram {
     double from, to;
     std::uint64_t count;
   };
-  /// From the least number to the greatest, in so many bars at most.
+  /// The counts from the least number to the greatest, in `most` bars or fewer.
   [[nodiscard]] std::vector<Bar> bars(std::size_t most) const;
 
  private:
@@ -43,11 +43,11 @@ class PointStatistics {
   void add(const Eigen::Vector2d& position);
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
-  /// Of the deviations from the nominal position.
+  /// The mean of the deviations from the nominal position.
   [[nodiscard]] const Eigen::Vector2d& mean_shift() const { return mean_; }
-  /// Of the sample, divided by count - 1; zero for fewer than two.
+  /// The covariance of the sample, divided by count - 1; zero for fewer than two points.
   [[nodiscard]] Eigen::Matrix2d covariance() const;
-  /// Of the positions.
+  /// The least and the greatest coordinates of the positions.
   [[nodiscard]] const Eigen::Vector2d& least() const { return least_; }
   [[nodiscard]] const Eigen::Vector2d& greatest() const { return greatest_; }
   [[nodiscard]] const Histogram& histogram(std::size_t coordinate) const {

@@ -13,13 +13,15 @@ namespace assur::mechanism {
 
 struct PlanData;
 
+/// What solving has found at one set of values.
 enum class SolutionStatus : unsigned char {
   ok,           ///< there are configurations; there may be families beside them
   no_assembly,  ///< the links cannot reach, as `reason` says: there are no configurations
   degenerate    ///< there are families only: a group moves freely or is inconsistent
 };
 
-/// The displacement of a slide, from the first feature to the second, and how it moves.
+/// The displacement of a slide, from the first feature to the second, with its rates in time and
+/// its derivatives with respect to the parameters.
 struct SlideState {
   JointIndex joint;
   double displacement = 0;
@@ -42,27 +44,29 @@ struct Configuration {
   std::vector<CountedAngle> counted;
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
-  /// Whether derivatives to the parameters, and velocities and accelerations, are known to two
-  /// digits. Reports leave out what is not; accelerations may be NaN where velocities are known.
+  /// Whether derivatives with respect to the parameters, and velocities and accelerations, are
+  /// known to two digits. Reports leave out unknown ones; accelerations may be NaN where velocities
+  /// are known.
   bool derivatives_known = true;
   bool rates_known = true;
-  /// Whether derivatives, or those to the swept parameter where the request has a sweep, are known
-  /// to one digit, so that the branch can be followed.
+  /// Whether derivatives (with a sweep, those with respect to the swept parameter) are known to one
+  /// digit, so that the branch can be followed.
   bool path_known = true;
-  /// At a crossing, which several motions go through: this configuration in each of them, with
-  /// rates that are known.
+  /// At a crossing, through which several motions go: this configuration in each of them, with
+  /// known rates.
   std::vector<Configuration> branches;
-  double residual = 0;  ///< largest of the closures
-  /// Whether constraints that are too many hold, and go on to as the mechanism moves.
+  double residual = 0;  ///< the largest of the closures
+  /// Whether the redundant constraints hold, and continue to hold as the mechanism moves.
   bool is_consistent = true;
-  /// Whether every joint keeps its limits. Solving leaves out what does not; a sweep, which follows
-  /// branches beyond the limits and back, tells no rows there.
+  /// Whether every joint keeps its limits. Solving leaves out configurations beyond them. A sweep
+  /// follows branches beyond the limits and back, but has no rows there.
   bool within_limits = true;
-  /// Of the loop Jacobian of every group, without a unit, NaN where it has no inverse; only where
-  /// the request has a sweep. Along a branch it changes its sign in singular configurations alone.
+  /// The determinant of each group's loop Jacobian, without a unit; NaN where it has no inverse.
+  /// Set only where the request has a sweep. Along a branch it changes its sign in singular
+  /// configurations only.
   Table<GroupIndex, double> determinants;
 
-  /// By name; throws MechanismError for a name that the mechanism does not have.
+  /// Finds a part by its name. Throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;
   [[nodiscard]] const Point& output(const std::string& name) const;
 
@@ -76,13 +80,13 @@ struct Configuration {
 /// groups that hold it stand in one of their configurations.
 struct Family {
   GroupIndex group;
-  int mobility = 0;                  ///< where it was found assembled, or zero if it was not
+  int mobility = 0;                  ///< where it was found assembled; zero if it was not
   std::string reason;                ///< which joints leave it free
-  Table<LinkIndex, bool> is_placed;  ///< whether a link stands
-  Table<LinkIndex, Frame> links;     ///< the frames of those that do
+  Table<LinkIndex, bool> is_placed;  ///< whether a link is placed
+  Table<LinkIndex, Frame> links;     ///< the frames of placed links
 };
 
-/// How many configurations are beyond the limits of a joint, and by how much at least: radians, or
+/// How many configurations are beyond the limits of a joint, and the least excess, in radians or
 /// the unit of length.
 struct LimitBreach {
   JointIndex joint;
@@ -90,35 +94,36 @@ struct LimitBreach {
   double least;
 };
 
-/// Adds a breach to those of other joints, and of the same.
+/// Adds a breach to a list, and joins it with a breach of the same joint.
 void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches);
-/// `B by 3.5 deg at least, S by 0.2 at least`.
+/// The text of breaches: `B by 3.5 deg at least, S by 0.2 at least`.
 [[nodiscard]] std::string breaches_text(const Mechanism& mechanism,
                                         const std::vector<LimitBreach>& breaches);
 
 /// Every assembly configuration at one set of values.
 struct Solution {
   SolutionStatus status = SolutionStatus::ok;
-  int mobility = 0;    ///< if it is degenerate: of the freest family
+  int mobility = 0;    ///< of the freest family, if the solution is degenerate
   std::string reason;  ///< why there are no configurations
-  /// In an order that depends on the mechanism alone.
+  /// The configurations, in an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;
-  /// Configurations beyond the limits of joints; nothing where there are too many to be counted.
+  /// How many configurations are beyond the limits of joints; nothing where there are too many to
+  /// be counted.
   std::optional<std::size_t> left_out = 0;
-  /// Choices of configurations of earlier groups for which the law of a driver has no value, and
-  /// what that says: nothing is placed behind them.
+  /// How many choices of configurations of earlier groups leave the law of a driver without a
+  /// value, and why. Nothing is placed behind such a choice.
   std::size_t dropped = 0;
   std::string drop_reason;
-  std::vector<LimitBreach> breaches;  ///< of limits, by what was left out or is not within them
+  std::vector<LimitBreach> breaches;  ///< by configurations that were left out or are beyond limits
 };
 
-/// The configuration whose links stand closest to the angles of a request's reference: with the
-/// least root of the sum of the squares of their differences, in radians.
+/// The configuration whose links stand closest to the angles of a request's reference. The distance
+/// is the root of the sum of the squared differences, in radians.
 struct Nearest {
-  std::size_t configuration;  ///< its place in the solution
+  std::size_t configuration;  ///< its index in the solution
   double distance;
-  std::optional<double> runner_up;  ///< the distance of the next one; none if it is the only one
+  std::optional<double> runner_up;  ///< the distance of the next one; nothing if it is the only one
 };
 
 }  // namespace assur::mechanism

@@ -8,10 +8,9 @@
 
 namespace assur::mechanism {
 
-/// A joint between two links, revolute or prismatic, with its feature on each; the feature of a
-/// block, which has no size, is none. In a group, links that drivers or other groups tie together
-/// count as one of them: the joint joins that one, and the feature may be that of a link that it
-/// carries.
+/// A revolute or prismatic joint between two links, with its feature on each; a block, which has no
+/// size, has no feature. In a group, links that drivers or other groups tie together count as one
+/// of them: the joint joins that one, and the feature may belong to a link that it carries.
 struct ElementaryJoint {
   std::string name;
   JointIndex joint;  ///< of the mechanism
@@ -34,7 +33,7 @@ struct ElementaryJoint {
 };
 using ElementaryJointIndex = Index<ElementaryJoint>;
 
-/// A pin of three links or more. Which two of them each of its k - 1 joints joins is told by the
+/// A pin of three links or more. Which two of them each of its k - 1 joints joins depends on the
 /// order in which the links are placed.
 struct SharedPin {
   std::string name;
@@ -52,34 +51,35 @@ struct Linkage {
   std::vector<SharedPin> pins;
 };
 
+/// The links and elementary joints of a mechanism, with a block for each pin in a slot.
 [[nodiscard]] Linkage linkage_of(const Mechanism& mechanism);
 
 using GroupIndex = Index<struct FoundGroup>;
 
-/// A link whose place against another one is known before that one is placed: a driver moves it
-/// there, or it is of a group that is solved relative to that one.
+/// A link whose place relative to another one is known before that one is placed: a driver moves
+/// it, or it belongs to a group that is solved relative to that link.
 struct CarriedLink {
-  DriverIndex driver;          ///< none where a group places it
+  DriverIndex driver;          ///< does not exist where a group places it
   ElementaryJointIndex joint;  ///< with the driver
   LinkIndex from, to;
-  GroupIndex group;  ///< that is solved relative to `from`; none where a driver moves it
+  GroupIndex group;  ///< the one solved relative to `from`; does not exist with a driver
   std::size_t groups_before = 0;  ///< how many groups are placed before; none where it is the
                                   ///< ground that carries it
 };
 
-/// A joint that must hold where the other ones do: two features of one sort that coincide, or the
-/// line of a slot and the pin that is on it. Its constraints are left out of the mechanism that is
-/// solved.
+/// A redundant joint, which must hold where the other ones do: two features of one sort that
+/// coincide, or the line of a slot and the pin on it. The mechanism that is solved lacks its
+/// constraints.
 struct RedundantJoint {
   std::string name;
   FeatureIndex one, other;
   /// The line of a slot in which a pin slides instead, or the pin by which a slide is held instead;
-  /// none where nothing is left.
+  /// does not exist where no constraint is left.
   FeatureIndex stand_in = {};
   FeatureIndex from = {};  ///< the point of the other one's link from which such a slot leads
 };
 
-/// A driver whose law reads where links are.
+/// A driver whose law reads joints that groups place.
 struct ReadingDriver {
   DriverIndex driver;
   /// How many groups, and carried links, are placed before the law can be evaluated.
@@ -87,7 +87,7 @@ struct ReadingDriver {
   std::vector<LinkIndex> reads;  ///< the links at the joints that it reads
 };
 
-/// Which links and joints of a linkage play those of a group, by their indices in the group.
+/// The links and joints of a linkage that play those of a group, by their indices in the group.
 struct RoleAssignment {
   std::vector<LinkIndex> links;
   std::vector<ElementaryJointIndex> joints;
@@ -97,26 +97,26 @@ struct RoleAssignment {
 struct FoundGroup {
   const GroupModel* model;
   std::string kind;  ///< spelled by the mechanism's order of links and joints
-  /// In the order of the mechanism; with those that its links carry, moved by drivers or held by
-  /// groups that are solved before.
+  /// The links in the order of the mechanism, including those that its links carry, which drivers
+  /// move or earlier groups place.
   std::vector<LinkIndex> links;
   /// Assignments under which the kind is the model's representative, in a fixed order.
   std::vector<RoleAssignment> assignments;
-  /// The link that holds all of the group, and relative to which it is solved, as if that link were
-  /// the ground: it is placed by a later group, and the links here with it. None where what holds
-  /// the group is placed before.
+  /// The link that holds all of the group, and relative to which the group is solved as if that
+  /// link were the ground; a later group places it, and these links with it. Does not exist where
+  /// the links that hold the group are placed before.
   LinkIndex base = {};
 };
 
-/// A slide, and whether its displacement runs from the link whose name comes first to the other, 1,
-/// or back, -1.
+/// A slide, and the sense of its displacement: 1 if it runs from the link whose name comes first to
+/// the other one, -1 if back.
 struct NamedSlide {
   JointIndex joint;
   double sense;
 };
 
-/// What distinguishes configurations, in an order that does not depend on how the mechanism is
-/// listed: that of names.
+/// The parts that distinguish configurations, in the order of their names, which does not depend on
+/// how the mechanism is listed.
 struct NamedParts {
   std::vector<LinkIndex> links;  ///< that groups place
   std::vector<NamedSlide> slides;
@@ -133,27 +133,28 @@ struct Structure {
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
-  /// For each link whether it is the ground or carried by it, by whatever laws: no group places it.
+  /// For each link, whether it is the ground or carried by it, whatever the laws read: no group
+  /// places it.
   [[nodiscard]] Table<LinkIndex, bool> carried_by_ground() const;
-  /// For each link whether it is the ground or drivers place it by laws that read no link of a
-  /// group: where it is does not depend on any closure.
+  /// For each link, whether it is the ground or is placed by drivers whose laws read no link of a
+  /// group: its place depends on no closure.
   [[nodiscard]] Table<LinkIndex, bool> placed_by_drivers() const;
-  /// The groups that hold a group or shape its links, directly or by a link that waits for them:
-  /// each once.
+  /// The groups that hold a group or shape its links, directly or through a carried link, each of
+  /// them once.
   [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
   /// The groups that hold a group, and those that hold these, in order.
   [[nodiscard]] std::vector<GroupIndex> all_holders_of(GroupIndex group) const;
-  /// For each link whether it stands as soon as all groups do that hold a group: it is of these, or
-  /// drivers place it against what stands by laws that read no more.
+  /// For each link, whether it is placed as soon as all groups that hold a group are: it belongs to
+  /// these, or drivers place it against them by laws that read only placed links.
   [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
-  /// The carried links, by their places, that the base of a group carries when the group is solved;
-  /// none where it has no base.
+  /// The indices of the carried links that the base of a group carries when the group is solved;
+  /// empty if the group has no base.
   [[nodiscard]] std::vector<std::size_t> carried_by_base(GroupIndex group) const;
   /// Whether groups are solved relative to links that move.
   [[nodiscard]] bool has_relative_groups() const;
-  /// The carried link that is this one; null if nothing carries it.
+  /// The entry of a link among the carried links; null if nothing carries it.
   [[nodiscard]] const CarriedLink* carried_link(LinkIndex link) const;
 };
 

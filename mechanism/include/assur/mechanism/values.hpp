@@ -20,8 +20,9 @@ struct PlanData;
 
 /// How the parameters vary about their values.
 struct Spread {
-  Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero where one has none
-  /// Of all parameters, zero for those that the request does not name; empty without a covariance.
+  Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero where there is no tolerance
+  /// The covariance of all parameters, zero for those that the request does not name; empty without
+  /// a covariance.
   Eigen::MatrixXd covariance;
 };
 
@@ -39,23 +40,23 @@ struct JointMotion {
 };
 
 /// The numbers of a mechanism at one set of parameter values. A parameter may be a formula in
-/// others; its own derivative is one, and what it depends on enters by the chain rule. Made by
-/// `Plan::values`; `set` evaluates again only what depends on the parameter.
+/// others; its own derivative is one, and the parameters in its formula enter by the chain rule.
+/// `Plan::values` makes them; `set` evaluates again only what depends on the parameter.
 class Values {
  public:
   /// Puts a value in place of each of some parameters' formulas. Throws MechanismError for a value
   /// or a derivative that is not finite, a negative tolerance, a line without a direction, or a
-  /// covariance that is none.
+  /// covariance that no random variables can have.
   Values(std::shared_ptr<const PlanData> plan,
          const std::vector<std::pair<ParameterIndex, double>>& replaced);
 
-  /// Another value of one parameter. Throws as the constructor does; until a value is set that can
-  /// be used, these values then refuse to be solved.
+  /// Sets another value of one parameter. Throws as the constructor does; these values then cannot
+  /// be solved until a usable value is set.
   void set(ParameterIndex parameter, double value);
-  /// Other values of some parameters: what depends on any of them is evaluated once. What that is
-  /// is known from the call before, where it was of the same parameters.
+  /// Sets other values of some parameters, and evaluates once what depends on any of them. The list
+  /// of dependents is kept for further calls with the same parameters.
   void set(const std::vector<std::pair<ParameterIndex, double>>& changed);
-  /// The parameters that have a value in place of their formula, and that.
+  /// The parameters that have a value in place of their formula, with that value.
   [[nodiscard]] const std::vector<std::pair<ParameterIndex, double>>& replaced() const {
     return replaced_;
   }
@@ -69,23 +70,24 @@ class Values {
   /// derivatives.
   [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
   /// A parameter as a function of time: its derivative is its rate, its second derivative the
-  /// second one; a constant where it is at rest.
+  /// second rate. It is a constant where it is at rest.
   [[nodiscard]] const Dual& in_time(ParameterIndex parameter) const {
     return parameters_in_time_[parameter];
   }
-  /// What a driver's law says. A law that reads where links are has no value until they are placed.
+  /// The value of a driver's law. A law that reads joints has no value until their links are
+  /// placed.
   [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
-  /// Evaluates a law that reads where links are, and what depends on it, with the coordinates of
-  /// the joints without drivers. Throws as the constructor does, but for derivatives, which are not
-  /// finite where such a joint's are not.
+  /// Evaluates a law that reads joints without drivers, and what depends on it, from their
+  /// coordinates. Throws as the constructor does, except for derivatives, which may be as far from
+  /// finite as those of the joints.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
-  /// Takes over how the links of a group that is solved relative to a link stand in that link's
-  /// frame, and evaluates the groups that they shape.
+  /// Takes over the frames of a group's links in the frame of the link relative to which it is
+  /// solved, and evaluates the groups that they shape.
   void settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
               const Table<LinkIndex, support::Displacement>& displaced);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex number) const;
-  /// A feature in its link's frame; that of a block, which is none, has no extent.
+  /// A feature in its link's frame. A block has no feature; the result is then its origin.
   [[nodiscard]] LinkFeature<Dual> feature(FeatureIndex feature, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
   [[nodiscard]] LinkFeature<Dual> feature(const ElementaryJoint& at, LinkIndex link) const;
@@ -93,9 +95,9 @@ class Values {
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
   }
-  /// Of a carried link, by its place among them: its own frame, in that of the driven joint on it,
-  /// or in that of the base of its group. Where a group places it, in that of the link that carries
-  /// it, once the group is settled; and how far rounding may have displaced it there.
+  /// A carried link's own frame, by the link's index among them: in the frame of the driven joint
+  /// on it, or, where a group places it, in the frame of the link that carries it, once the group
+  /// is settled. The second function says how far rounding may have displaced it there.
   [[nodiscard]] const Frame& carried_frame(std::size_t place) const {
     return carried_frames_[place];
   }
@@ -107,13 +109,13 @@ class Values {
   [[nodiscard]] support::Displacement rounding(FeatureIndex feature) const {
     return feature.exists() ? roundings_[feature] : support::Displacement();
   }
-  /// Likewise of a joint's feature, on a link that has it or carries it.
+  /// The same for a joint's feature, on a link that has it or carries it.
   [[nodiscard]] support::Displacement rounding(const ElementaryJoint& at, LinkIndex link) const;
   [[nodiscard]] const GroupGeometry<Dual>& group(GroupIndex group) const { return groups_[group]; }
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
-  /// The parameters to which derivatives are taken, in the order of their columns: all where
-  /// sensitivities are wanted, otherwise the swept one, if any.
+  /// The parameters with respect to which derivatives are taken, in the order of their columns: all
+  /// of them where sensitivities are wanted, otherwise the swept one, if any.
   [[nodiscard]] const std::vector<ParameterIndex>& columns() const;
   /// Whether second derivatives are carried: a covariance and sensitivities are wanted.
   [[nodiscard]] bool second_order() const;
@@ -138,7 +140,7 @@ class Values {
   void evaluate_driver(DriverIndex driver,
                        const std::function<JointMotion(JointIndex)>& coordinate_of);
   void evaluate_carried_frames();
-  /// The place of a carried link among them.
+  /// The index of a carried link among them.
   [[nodiscard]] std::size_t place_of(const CarriedLink& link) const;
   void evaluate_group(GroupIndex group);
   void evaluate_requests();
@@ -148,7 +150,7 @@ class Values {
   /// Throws MechanismError where a derivative of a number is not finite.
   void expect_derivatives(NumberIndex number, const Dual& value) const;
   [[nodiscard]] double rounding(NumberIndex number) const;
-  // As functions of time. What does not move is a constant.
+  // The following are functions of time; what does not move is a constant.
   [[nodiscard]] bool moves(NumberIndex number) const;
   [[nodiscard]] bool moves(FeatureIndex feature) const;
   [[nodiscard]] bool moves(const FoundGroup& group) const;
@@ -162,16 +164,17 @@ class Values {
 
   std::shared_ptr<const PlanData> plan_;
   std::vector<std::pair<ParameterIndex, double>> replaced_;
-  /// Of each parameter that was set; null for the others.
+  /// What depends on each parameter that was set; null for the others.
   Table<ParameterIndex, std::shared_ptr<const Dependents>> dependents_;
-  /// Of the parameters that were last set together.
+  /// The parameters that were last set together, and what depends on them.
   std::vector<ParameterIndex> set_together_;
   std::shared_ptr<const Dependents> dependents_together_;
   Table<ParameterIndex, Dual> parameters_;
   Table<ParameterIndex, double> parameter_roundings_;
   Table<NumberIndex, Dual> numbers_;
   Table<DriverIndex, JointMotion> motions_;
-  /// As functions of time, where they have rates: one derivative, and one second derivative.
+  /// Parameters as functions of time, where they have rates: one derivative, and one second
+  /// derivative.
   Table<ParameterIndex, Dual> parameters_in_time_;
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;
@@ -184,9 +187,9 @@ class Values {
   bool usable_ = true;
 
  public:
-  /// What solving needs of a group, in plain numbers; made with the group's geometry.
+  /// The plain numbers of a group that solving needs; they are made with the group's geometry.
   struct GroupNumbers;
-  /// Of a group that has a normal form.
+  /// The numbers of a group, which must have a normal form.
   [[nodiscard]] const GroupNumbers& numbers_of(GroupIndex group) const {
     return *group_numbers_[group];
   }
