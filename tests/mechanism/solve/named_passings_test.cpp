@@ -136,6 +136,23 @@ SceneMaker on_cranks_scene() {
   return maker;
 }
 
+// A platform of half the size of its base, which is turned, on two legs that reach halfway. Its two
+// assemblies turn one way and the other, by theta with p = sqrt(8) - a theta^4 and so on, until the
+// swept leg is on the line of symmetry.
+SceneMaker half_as_large_scene() {
+  SceneMaker maker;
+  return maker.parameter("leg", 2)
+      .point("ground", "G1", 7, -5)
+      .point("ground", "G2", 7 + 4 * .6, -5 + 4 * .8)
+      .point("ground", "G3", 7 - 4 * .8, -5 + 4 * .6)
+      .point("platform", "P1", 0, 0)
+      .point("platform", "P2", 2, 0)
+      .point("platform", "P3", 0, 2)
+      .bar("leg1", {{"G1", 0}, {"P1", "leg"}})
+      .bar("leg2", {{"G2", 0}, {"P2", 2}})
+      .bar("leg3", {{"G3", 0}, {"P3", 2}});
+}
+
 class NamedPassing : public testing::TestWithParam<NamedPlace> {};
 
 TEST_P(NamedPassing, IsAnsweredAsKnown) { expect_as_known(GetParam()); }
@@ -190,6 +207,12 @@ std::vector<NamedSweep> sweeps() {
        {3},
        {{{"degenerate"}, 3}},
        4,
+       {}},
+      {"a platform half as large, whose fold is flat",
+       half_as_large_scene().sweep("leg", 1, 5, 0),
+       {5},
+       {{{"fold"}, std::sqrt(8)}},
+       0,
        {}},
       {"a platform whose cranks are parallel between two steps",
        on_cranks_scene().sweep("phi", -.25, .25, 0),
