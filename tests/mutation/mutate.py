@@ -50,9 +50,10 @@ SUBJECTS = {
         ["runtime/include/assur/*.hpp", "runtime/include/assur/detail/*.hpp",
          "runtime/include/assur/numeric/*.hpp"],
         [(name, "tests/runtime/" + name, [["--gtest_brief=1"]])
-         for name in ("matrix4_test", "trigonometric_roots_test", "special_points_test",
-                      "status_tests", "invariance_test", "verdicts_test", "configurations_test",
-                      "body_motion_tests", "float_groups_test")]),
+         for name in ("trigonometric_roots_test", "special_points_test", "status_tests",
+                      "body_motion_tests", "closed_search_test", "matrix4_test",
+                      "invariance_test", "configurations_test", "verdicts_test",
+                      "float_groups_test")]),
 }
 
 

@@ -74,7 +74,13 @@ void BranchTracker::advance(const SnapshotPointer& set) {
   } else if (auto followed = explained_one_by_one(solver_, current_, set)) {
     adopt(set, followed->to_right, std::move(followed->crossings));
   } else if (!is_explained(set, matching, Explaining::all_that_is)) {
-    give_up(set, matching);
+    if (solver_.looks_closely()) {
+      give_up(set, matching);
+    } else {
+      solver_.look_closely(true);
+      advance(set);
+      solver_.look_closely(false);
+    }
   }
 }
 

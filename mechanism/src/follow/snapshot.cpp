@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/precision.hpp"
+#include "solve/slope_error.hpp"
+
 namespace assur::mechanism::follow {
 
 namespace {
@@ -189,6 +192,9 @@ SnapshotPointer SnapshotSolver::solved_here(double parameter) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
                                       " configurations at one value cannot be followed");
   }
+  if (closely_) {
+    mark_known_paths(snapshot->solution);
+  }
   const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
   set->has_own_family = has_own_family(*set);
   set->separable = set->separable && !set->has_own_family;
@@ -215,6 +221,14 @@ bool SnapshotSolver::has_own_family(const Snapshot& set) {
   }
   families_ = std::min(count, beside->solution.families.size());
   return families_ < count && beside->separable && beside->count() > set.count();
+}
+
+void SnapshotSolver::mark_known_paths(Solution& solution) const {
+  for (Configuration& configuration : solution.configurations) {
+    configuration.path_known =
+        configuration.path_known ||
+        solve::slope_error(values_, configuration, column_) < solve::one_digit;
+  }
 }
 
 SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {

@@ -64,6 +64,10 @@ class SnapshotSolver {
   /// Angles that laws read are counted on from those of a set by whole turns; a step's set is taken
   /// for that as it is solved.
   void count_from(const SnapshotPointer& set);
+  /// Whether sets can be followed, too, whose derivatives all constraints together tell, and group
+  /// by group none: that takes longer, and crossings are located by sets that are nearer to them.
+  void look_closely(bool closely) { closely_ = closely; }
+  [[nodiscard]] bool looks_closely() const { return closely_; }
   /// Counts anew how much is asked for between two steps; `at_step` does.
   void begin_step() { between_steps_ = 0; }
   /// The mechanism's values there. They change with the next call.
@@ -96,6 +100,8 @@ class SnapshotSolver {
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
   /// With its configurations' points, and whether these can be told apart.
   [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
+  /// Of a set at the present values: marks configurations whose paths all constraints tell.
+  void mark_known_paths(Solution& solution) const;
   [[nodiscard]] bool are_told_apart(const Snapshot& snapshot) const;
   /// Whether some group is singular wherever the mechanism stands, as far as some values tell.
   [[nodiscard]] bool lacks_signs_throughout();
@@ -114,6 +120,7 @@ class SnapshotSolver {
   bool has_signs_ = false;     ///< where constraints are redundant: not singular throughout
   std::size_t families_ = 0;   ///< in the last set, of those that one beside it has, too
   int between_steps_ = 0;      ///< how many were asked for since the last step
+  bool closely_ = false;
 };
 
 }  // namespace assur::mechanism::follow

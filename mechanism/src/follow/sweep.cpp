@@ -86,8 +86,12 @@ class Sweeper {
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
-    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
-    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
+    SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
+    SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
+    if ((!before || !after) && !solver_.looks_closely()) {
+      look_closely_beside(step, set);
+      return;
+    }
     if (before && tracker_.running()) {
       advance(before);
     } else if (before) {
@@ -138,6 +142,20 @@ class Sweeper {
       add_unresolved(step, value, rows);
     }
     report(step, *set, rows);
+  }
+
+  /// Once more where a step has no set beside it, with sets that all constraints tell, if it is not
+  /// one itself.
+  void look_closely_beside(int step, const SnapshotPointer& set) {
+    solver_.look_closely(true);
+    const SnapshotPointer closely = solver_.at(set->parameter);
+    if (closely->separable) {
+      passage_.reset();
+      pass(step, closely);
+    } else {
+      pass_beside(step, set);
+    }
+    solver_.look_closely(false);
   }
 
   /// Where no set can be followed beyond the first or last step, what neither rows nor events tell

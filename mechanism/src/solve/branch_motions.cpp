@@ -10,6 +10,7 @@
 #include "all_constraints.hpp"
 #include "branch_order.hpp"
 #include "branch_walk.hpp"
+#include "moved_by_parameter.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
@@ -57,25 +58,6 @@ bool reads_unknown(const Values& values, const PlacedLinks& placed) {
     return reading.groups_before > 0 &&
            !placed.groups[GroupIndex(reading.groups_before - 1)].rates_known;
   });
-}
-
-/// Whether a parameter moves drivers alone, and neither links nor the dimensions of groups.
-bool moves_drivers_alone(const Values& values, Eigen::Index column) {
-  const PlanData& plan = values.plan();
-  for (const FeatureIndex feature : plan.mechanism.features().keys()) {
-    const auto& follows = values.frame(feature).follows.first;
-    if (follows.cols() > column && !follows.col(column).isZero(0)) {
-      return false;
-    }
-  }
-  for (const GroupIndex group : plan.structure.groups.keys()) {
-    for (const values::DimensionDerivative& entry : values.numbers_of(group).nonzero_of_d) {
-      if (entry.parameter == column && entry.value != 0) {
-        return false;
-      }
-    }
-  }
-  return true;
 }
 
 /// The derivatives to a parameter, from a motion along it.

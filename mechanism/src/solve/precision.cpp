@@ -12,8 +12,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 using support::six_digits;
 constexpr double second_look_constant = 4;
-/// A branch whose derivative has a larger relative error cannot be followed.
-constexpr double one_digit = 5e-2;
 
 class SecondLook {
  public:

@@ -8,6 +8,9 @@
 
 namespace assur::mechanism::solve {
 
+/// A branch whose derivative has a larger relative error cannot be followed.
+inline constexpr double one_digit = 5e-2;
+
 /// How far the derivatives of a configuration can be trusted.
 struct Precision {
   Status regularity = Status::near_singular;  ///< ok or near_singular

@@ -12,6 +12,7 @@
 #include <regex>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include "command/command.hpp"
 #include "largest.hpp"
@@ -188,6 +189,39 @@ void expect_back_substitution(const Json& back, const Values& values) {
   }
 }
 
+/// Each `name = value = 0` of the equations left, of their determinant's roots and of the final
+/// polynomial: its parts are equal, and both polynomials have the degree that is told.
+void expect_formulas(const Json& step, const Json& elimination, Values values) {
+  const std::string title = step["title"];
+  const double unknown = values.at(elimination["unknown"].get<std::string>());
+  values["t"] = std::tan(unknown / 2);
+  if (title.starts_with("the final polynomial")) {
+    values["T"] = 0;
+    const std::string degree = std::to_string(elimination["degree"].get<int>());
+    EXPECT_TRUE(step["rule"].get<std::string>().ends_with(", up to the degree " + degree)) << step;
+  } else if (!title.starts_with("the equations left") && !title.starts_with("the same in")) {
+    return;
+  }
+  double size = 1;
+  for (const Json& quantity : step["quantities"]) {
+    size += std::abs(values.at(quantity["name"].get<std::string>()));
+  }
+  size *= std::pow(1 + std::pow(values["t"], 2), elimination["degree"].get<int>());
+  for (const Json& formula : step["formulas"]) {
+    std::string rest = formula;
+    std::vector<double> parts;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(" = "), rest.size());
+      parts.push_back(value_of(rest.substr(0, end), values));
+      rest.erase(0, end + 3);
+    }
+    ASSERT_GE(parts.size(), 2U) << formula;
+    for (const double part : parts) {
+      EXPECT_NEAR(part, 0, tolerance * size) << formula;
+    }
+  }
+}
+
 /// Steps lead to quantities that vanish, and every unknown is eliminated but the polynomial's.
 TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
   if constexpr (TypeParam::rigid) {
@@ -211,6 +245,7 @@ TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
           half_angle_sum += at.values.at(name) * std::pow(t, std::stoi(name.substr(2)));
         }
       }
+      expect_formulas(step, elimination, at.values);
       for (const Json& name : step["eliminated"]) {
         EXPECT_TRUE(eliminated.insert(name.get<std::string>()).second) << name;
       }
