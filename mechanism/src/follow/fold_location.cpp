@@ -10,18 +10,6 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The pair that is nearest to two predicted places, each missed by less than `tolerance`.
-std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set, const Eigen::VectorXd& one,
-                                           const Eigen::VectorXd& other, double tolerance) {
-  const ConfigurationPair pair{set, nearest(*set, one), nearest(*set, other)};
-  if (!pair.one.exists() || pair.one == pair.other ||
-      !((pair.first().at - one).norm() < tolerance &&
-        (pair.second().at - other).norm() < tolerance)) {
-    return std::nullopt;
-  }
-  return pair;
-}
-
 /// The same pair at another distance from its fold. The midpoint of the two moves smoothly, and
 /// their separation grows as the square root of the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
@@ -135,6 +123,17 @@ const ConfigurationPoint& ConfigurationPair::second() const { return set->points
 double ConfigurationPair::distance_to_fold() const {
   const Eigen::VectorXd difference = apart();
   return -difference.squaredNorm() / (2 * difference.dot(second().slope - first().slope));
+}
+
+std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set, const Eigen::VectorXd& one,
+                                           const Eigen::VectorXd& other, double tolerance) {
+  const ConfigurationPair pair{set, nearest(*set, one), nearest(*set, other)};
+  if (!pair.one.exists() || pair.one == pair.other ||
+      !((pair.first().at - one).norm() < tolerance &&
+        (pair.second().at - other).norm() < tolerance)) {
+    return std::nullopt;
+  }
+  return pair;
 }
 
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,

@@ -21,6 +21,12 @@ struct ConfigurationPair {
   [[nodiscard]] double distance_to_fold() const;
 };
 
+/// The pair of a set that is nearest to two predicted places, each missed by less than `tolerance`.
+[[nodiscard]] std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set,
+                                                         const Eigen::VectorXd& one,
+                                                         const Eigen::VectorXd& other,
+                                                         double tolerance);
+
 /// Follows a pair to the fold where it meets. Along the branch through a fold both the parameter
 /// and the configuration are analytic in g = dp / d(v . X), where v is the direction between the
 /// two; each configuration near the fold gives one exact g, and the fold is at g = 0. `through`

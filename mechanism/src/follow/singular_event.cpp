@@ -9,6 +9,7 @@
 
 #include "crossing_location.hpp"
 #include "escape_location.hpp"
+#include "flat_fold.hpp"
 #include "meeting_pairs.hpp"
 
 namespace assur::mechanism::follow {
@@ -65,7 +66,8 @@ class Explanation {
   [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
                                   const std::vector<PointIndex>& alone) {
     constexpr double slack = 0.1;
-    const double distance = pair.distance_to_fold();
+    const auto flat = locate_flat_fold(solver_, pair);
+    const double distance = flat ? flat->parameter - side.near->parameter : pair.distance_to_fold();
     if (!side.reaches(distance, slack)) {
       return false;
     }
@@ -73,7 +75,7 @@ class Explanation {
     if (!is_apart_from_others(pair, distance, alone, through)) {
       return false;
     }
-    auto found = locate_fold(solver_, pair, through.exists());
+    auto found = flat && !through.exists() ? flat : locate_fold(solver_, pair, through.exists());
     if (!found && by_ == Explaining::all_that_is) {
       found = locate_fold_from(solver_, pair);
     }

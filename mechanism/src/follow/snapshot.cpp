@@ -83,19 +83,6 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
   from_ = values_.value_of(sweep().from);
   to_ = values_.value_of(sweep().to);
   sought_.length = length_of(plan.mechanism(), values_at(from_));
-  if (!plan.redundant().empty()) {
-    has_signs_ = !lacks_signs_throughout();
-  }
-}
-
-bool SnapshotSolver::lacks_signs_throughout() {
-  for (const double part : {0.38, 0.64, 0.13, 0.87}) {
-    const SnapshotPointer set = at(from_ + part * (to_ - from_));
-    if (set->count() > 0) {
-      return lacks_signs(*set);
-    }
-  }
-  return false;
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {
@@ -143,7 +130,7 @@ std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
   begin_step();
-  const SnapshotPointer set = solved(parameter);
+  SnapshotPointer set = solved(parameter);
   count_from(set);
   return set;
 }
@@ -171,7 +158,7 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
     for (double part = 1; part < parts; ++part) {
       count_from(solved_here(anchor->parameter + way * part / parts));
     }
-    const SnapshotPointer set = solved_here(parameter);
+    SnapshotPointer set = solved_here(parameter);
     count_from(anchor);
     return set;
   }
@@ -197,18 +184,20 @@ SnapshotPointer SnapshotSolver::solved_here(double parameter) {
   if (closely_) {
     mark_known_paths(snapshot->solution);
   }
-  const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
-  set->has_own_family = has_own_family(*set);
-  set->separable = set->separable && !set->has_own_family;
+  std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
+  const bool has_less = has_less_than_beside(*set);
+  set->has_own_family = has_less && set->solution.families.size() > families_;
+  set->separable = set->separable && !has_less;
   (void)values_at(parameter);
   return set;
 }
 
-bool SnapshotSolver::has_own_family(const Snapshot& set) {
+bool SnapshotSolver::has_less_than_beside(const Snapshot& set) {
   constexpr double little = 1e-5;  // of the way that moves the mechanism by its size
-  const std::size_t count = set.solution.families.size();
-  if (set.solution.status == SolutionStatus::degenerate || count <= families_) {
-    families_ = std::min(families_, count);
+  const std::size_t families = set.solution.families.size();
+  const bool is_merged = !plan_.redundant().empty() && lacks_signs(set);
+  if (set.solution.status == SolutionStatus::degenerate || !(families > families_ || is_merged)) {
+    families_ = std::min(families_, families);
     return false;
   }
   const bool is_behind_middle = 2 * set.parameter > from_ + to_;
@@ -221,8 +210,8 @@ bool SnapshotSolver::has_own_family(const Snapshot& set) {
   } catch (const MechanismError&) {
     return false;  // A formula may have no value there.
   }
-  families_ = std::min(count, beside->solution.families.size());
-  return families_ < count && beside->separable && beside->count() > set.count();
+  families_ = std::min(families, beside->solution.families.size());
+  return (families > families_ || is_merged) && beside->separable && beside->count() > set.count();
 }
 
 void SnapshotSolver::mark_known_paths(Solution& solution) const {
@@ -284,13 +273,8 @@ std::shared_ptr<Snapshot> SnapshotSolver::completed(std::unique_ptr<Snapshot> sn
   }
   snapshot->closest = least_distance(snapshot->points);
   snapshot->separable =
-      is_regular(*snapshot) && (plan_.redundant().empty() || are_told_apart(*snapshot));
+      is_regular(*snapshot) && (plan_.redundant().empty() || snapshot->closest > closest_settled);
   return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
-}
-
-/// Where configurations of the rest meet, all constraints may tell of one, and not whose it is.
-bool SnapshotSolver::are_told_apart(const Snapshot& snapshot) const {
-  return snapshot.closest > closest_settled && !(has_signs_ && lacks_signs(snapshot));
 }
 
 void SnapshotSolver::set_point(const Configuration& configuration,

@@ -92,9 +92,10 @@ class SnapshotSolver {
   [[nodiscard]] double speed_of_features(double parameter);
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
-  /// Whether a set that is not degenerate has families that one beside it lacks, and fewer
-  /// configurations for it.
-  [[nodiscard]] bool has_own_family(const Snapshot& set);
+  /// Whether a set has fewer configurations than one beside it, for families that the other lacks,
+  /// or since configurations of a mechanism without its redundant constraints meet in one that all
+  /// constraints determine.
+  [[nodiscard]] bool has_less_than_beside(const Snapshot& set);
   /// A snapshot to be solved at a value, to which `values_` are set.
   [[nodiscard]] std::unique_ptr<Snapshot> begun(double parameter);
   void count_between_steps();
@@ -104,9 +105,6 @@ class SnapshotSolver {
   [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
   /// Of a set at the present values: marks configurations whose paths all constraints tell.
   void mark_known_paths(Solution& solution) const;
-  [[nodiscard]] bool are_told_apart(const Snapshot& snapshot) const;
-  /// Whether some group is singular wherever the mechanism stands, as far as some values tell.
-  [[nodiscard]] bool lacks_signs_throughout();
   void set_point(const Configuration& configuration, ConfigurationPoint& point) const;
 
   const Plan& plan_;
@@ -120,7 +118,6 @@ class SnapshotSolver {
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism
   SnapshotPointer
       anchor_;  ///< the set from whose angles turns are counted; null where laws read none
-  bool has_signs_ = false;    ///< where constraints are redundant: not singular throughout
   std::size_t families_ = 0;  ///< in the last set, of those that one beside it has, too
   int between_steps_ = 0;     ///< how many were asked for since the last step
   bool closely_ = false;

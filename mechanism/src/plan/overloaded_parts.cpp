@@ -56,12 +56,12 @@ class Overloading {
       }
     }
     std::vector<Table<LinkIndex, bool>> result;
-    for (const auto& [link, part] : parts) {
+    for (const auto& one : parts) {
       const bool is_within_other = std::ranges::any_of(parts, [&](const auto& other) {
-        return other.first != link && is_within(part, other.second);
+        return other.first != one.first && is_within(one.second, other.second);
       });
       if (!is_within_other) {
-        result.push_back(part);
+        result.push_back(one.second);
       }
     }
     return result;

@@ -1,6 +1,7 @@
 #include "moved_by_parameter.hpp"
 
 #include "plan/plan_data.hpp"
+#include "values/group_numbers.hpp"
 
 namespace assur::mechanism::solve {
 

@@ -86,12 +86,14 @@ Rates parting(const Pair& pair) {
   if (pair.are_lines) {
     return {std::abs(rate(2)) * pair.size, std::abs(second_rate(2)) * pair.size};
   }
-  const Eigen::Vector2d first = rate.head<2>(), second = second_rate.head<2>();
+  const Eigen::Vector2d first = rate.head<2>();
+  const Eigen::Vector2d second = second_rate.head<2>();
   if (!pair.is_line) {
     return {first.norm(), second.norm()};
   }
   const auto& [c, s] = pair.one.pose.direction;
-  const Eigen::Vector2d along(c, s), across(-s, c);
+  const Eigen::Vector2d along(c, s);
+  const Eigen::Vector2d across(-s, c);
   const Eigen::Vector2d apart(pair.other.pose.x - pair.one.pose.x,
                               pair.other.pose.y - pair.one.pose.y);
   const double turning = pair.one.velocity(2);

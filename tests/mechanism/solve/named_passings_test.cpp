@@ -2,6 +2,8 @@
 // is left of them without redundant constraints, or at which they may move freely elsewhere.
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "named_linkages.hpp"
 
 namespace assur::test::named_passings_test {
@@ -136,6 +138,61 @@ SceneMaker on_cranks_scene() {
   return maker;
 }
 
+// A platform of half the size of its base, which is turned, on two legs that reach halfway. Its two
+// assemblies turn one way and the other, by theta with p = sqrt(8) - a theta^4 and so on, until the
+// swept leg is on the line of symmetry.
+SceneMaker half_as_large_scene() {
+  SceneMaker maker;
+  return maker.parameter("leg", 2)
+      .point("ground", "G1", 7, -5)
+      .point("ground", "G2", 7 + 4 * .6, -5 + 4 * .8)
+      .point("ground", "G3", 7 - 4 * .8, -5 + 4 * .6)
+      .point("platform", "P1", 0, 0)
+      .point("platform", "P2", 2, 0)
+      .point("platform", "P3", 0, 2)
+      .bar("leg1", {{"G1", 0}, {"P1", "leg"}})
+      .bar("leg2", {{"G2", 0}, {"P2", 2}})
+      .bar("leg3", {{"G3", 0}, {"P3", 2}});
+}
+
+// Dixon's mechanism: nine bars join three points P of a line to three points Q of a line square to
+// it. From x^2 = 9, 25, 49 and y^2 = 16, 36, 64 these go on to x^2 + t and y^2 - t. P1, Q1 is the
+// ground, and the bar to Q2 driven; the other three are on either side of the crossing.
+NamedPlace dixon(double t) {
+  const auto name = [](char of, std::size_t place) { return of + std::to_string(place + 1); };
+  const std::array<double, 3> x2{9, 25, 49};
+  const std::array<double, 3> y2{16, 36, 64};
+  const double x = std::sqrt(x2[0] + t);
+  const double y = std::sqrt(y2[0] - t);
+  const double tilt = std::atan2(y, -x);  // of the ground's bar in the axes
+  SceneMaker scene;
+  scene.parameter("phi", std::atan2(std::sqrt(y2[1] - t), -x) - tilt)
+      .drive("D", "phi", 0, 0)
+      .bar("ground", {{"P1", 0}, {"D", 0}, {"Q1", 5}});
+  for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t q = p == 0 ? 1 : 0; q < 3; ++q) {
+      const bool is_driven = p == 0 && q == 1;
+      scene.bar(name('P', p) + name('Q', q),
+                {{is_driven ? "D" : name('P', p), 0}, {name('Q', q), std::sqrt(x2[p] + y2[q])}});
+    }
+  }
+  Known known;
+  const auto from_ground = [&](double along, double aside) {
+    return at_angle(-tilt, along - x, aside);
+  };
+  for (int signs = 0; signs < 8; ++signs) {
+    const auto signed_root = [signs](int bit, double square) {
+      return (signs >> bit) % 2 == 0 ? std::sqrt(square) : -std::sqrt(square);
+    };
+    known.assemblies.push_back({{{"Q2", from_ground(0, std::sqrt(y2[1] - t))},
+                                 {"P2", from_ground(signed_root(0, x2[1] + t), 0)},
+                                 {"P3", from_ground(signed_root(1, x2[2] + t), 0)},
+                                 {"Q3", from_ground(0, signed_root(2, y2[2] - t))}},
+                                {}});
+  }
+  return {"Dixon's mechanism" + at(t), scene, known, {}, 1e-9};
+}
+
 class NamedPassing : public testing::TestWithParam<NamedPlace> {};
 
 TEST_P(NamedPassing, IsAnsweredAsKnown) { expect_as_known(GetParam()); }
@@ -150,6 +207,9 @@ std::vector<NamedPlace> places() {
   for (const double s : {-10.0, -6.0, 0.0, 1e-6, 8.0, 10.0}) {
     result.push_back(pushed_blocks(s, false));
     result.push_back(pushed_blocks(s, true));
+  }
+  for (const double t : {0.0, 7.0, -8.0}) {
+    result.push_back(dixon(t));
   }
   return result;
 }
@@ -190,6 +250,12 @@ std::vector<NamedSweep> sweeps() {
        {3},
        {{{"degenerate"}, 3}},
        4,
+       {}},
+      {"a platform half as large, whose fold is flat",
+       half_as_large_scene().sweep("leg", 1, 5, 0),
+       {5},
+       {{{"fold"}, std::sqrt(8)}},
+       0,
        {}},
       {"a platform whose cranks are parallel between two steps",
        on_cranks_scene().sweep("phi", -.25, .25, 0),

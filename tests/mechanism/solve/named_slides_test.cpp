@@ -189,6 +189,67 @@ NamedPlace lift(double s) {
   return {"a scissor lift" + at(s), lift_scene(s), known, {}, 1e-8, std::abs(s) < 0.2};
 }
 
+// Oldham's coupling between shafts about M and (2, 0): the middle disc is where its slots, which
+// are square to one another, go through both, and turns as the shafts do.
+NamedPlace coupling(double phi) {
+  SceneMaker scene = with_crank(phi, 0, 0, 3, 0);
+  scene.point("ground", "D", 2, 0)
+      .line("crank", "slot", {0, 0}, {1, 0})
+      .line("disc", "slot", {0, 0}, {1, 0})
+      .line("disc", "groove", {0, 0}, {0, 1})
+      .point("disc", "P", 0, 0)
+      .line("shaft", "groove", {0, 0}, {0, 1})
+      .point("shaft", "D", 0, 0)
+      .point("shaft", "Q", 3, 0)
+      .slide("S", "crank.slot", "disc.slot")
+      .slide("T", "disc.groove", "shaft.groove");
+  const Jet angle{phi, rate, second};
+  const Jet in_slot = Jet(2) * cos(angle);
+  return {"Oldham's coupling" + at(phi),
+          scene,
+          {{{{{"P", in_slot * at_angle(angle, 1)}, {"Q", JetPoint{2, 0} + at_angle(angle, 3)}},
+             {{"S", in_slot}, {"T", Jet(-2) * sin(angle)}}}},
+           {}},
+          {},
+          1e-12};
+}
+
+// A triangle in a circle of 2 that goes through the crossing of three slots at 60 degrees: its
+// corners stay in them while the circle rolls in one of 4. Of A at s the middle is at s / 2 along,
+// and above or below; one of the slots is one too many.
+NamedPlace three_slots(double s) {
+  const double half = 0.5;
+  const double high = std::sqrt(3.0) / 2;
+  SceneMaker scene;
+  scene.parameter("s", s)
+      .drive("A in its slot", "s", rate, second)
+      .line("ground", "along", {0, 0}, {1, 0})
+      .line("ground", "rising", {0, 0}, {half, high})
+      .line("ground", "falling", {0, 0}, {-half, high})
+      .point("triangle", "A", 2, 0)
+      .point("triangle", "B", -1, 2 * high)
+      .point("triangle", "C", -1, -2 * high)
+      .slot("A in its slot", "ground.along", "triangle.A")
+      .slot("B in its slot", "ground.rising", "triangle.B")
+      .slot("C in its slot", "ground.falling", "triangle.C");
+  const Jet x{s / 2, rate / 2, second / 2};
+  const Jet under = Jet(4) - x * x;
+  Known known;
+  for (const double sign : {1.0, -1.0}) {
+    const Jet y = under.value == 0 ? Jet(0) : Jet(sign) * sqrt(under);
+    const JetPoint middle{x, y};
+    const JetPoint arm = JetPoint{Jet(2) * x, 0} - middle;
+    known.assemblies.push_back({{{"B", middle + Jet(-half) * arm + Jet(high) * arm.turned()},
+                                 {"C", middle + Jet(-half) * arm + Jet(-high) * arm.turned()}},
+                                {},
+                                under.value != 0});
+    if (under.value == 0) {
+      break;
+    }
+  }
+  return {"a triangle in three slots" + at(s), scene, known, {}, 1e-9, is_close(s - 4)};
+}
+
 class NamedSlide : public testing::TestWithParam<NamedPlace> {};
 
 TEST_P(NamedSlide, IsAnsweredAsKnown) { expect_as_known(GetParam()); }
@@ -211,6 +272,12 @@ std::vector<NamedPlace> places() {
   }
   for (const double phi : {0.0, 1.5, 3.0, 4.5}) {  // Whitworth's: the rocker goes all around
     result.push_back(quick_return(phi, 7, 25, 0));
+  }
+  for (const double phi : {0.0, 1e-3, 0.75, pi / 2, 3.0}) {
+    result.push_back(coupling(phi));
+  }
+  for (const double s : {-4.0, -3.0, 0.0, 1e-6, 2.0, 3.999, 4.0}) {
+    result.push_back(three_slots(s));
   }
   // The pin of the crank of 25 goes through O.
   result.push_back(quick_return(0, 25, 0, -25));

@@ -204,6 +204,30 @@ NamedPlace scott_russell(double phi, double x, double y) {
           is_close(phi)};
 }
 
+// Hart's A-frame: cranks of 4 about M and (4, 0), each joined to the other by a bar of 2 at its 3,
+// hold two bars of 2, whose pin E goes up the middle wherever the frame stands upright. At angle 0
+// all lies on the ground.
+NamedPlace a_frame(double phi) {
+  SceneMaker scene = driven_by_crank(phi);
+  scene.bar("ground", {{"M", 0}, {"O", 4}})
+      .bar("crank", {{"M", 0}, {"F", 3}, {"C", 4}})
+      .bar("leg", {{"O", 0}, {"G", 3}, {"D", 4}})
+      .bar("FG", {{"F", 0}, {"G", 2}})
+      .bar("CE", {{"C", 0}, {"E", 2}})
+      .bar("DE", {{"D", 0}, {"E", 2}});
+  const Points driven{
+      {"O", {4, 0}}, {"F", at_angle(crank(phi), 3)}, {"C", at_angle(crank(phi), 4)}};
+  return {"Hart's A-frame" + at(phi),
+          scene,
+          assemblies_of(driven,
+                        {pin("G", "F", 2, "O", 3, {"FG", "leg"}), beside("D", "O", "G", 4.0 / 3),
+                         pin("E", "C", 2, "D", 2, {"CE", "DE"})}),
+          {{"E is in the middle", phi == 0 ? 0 : 2,
+            [](const Points& points) { return points.at("E").x - Jet(2); }}},
+          1e-9,
+          is_close(phi)};
+}
+
 class NamedStraightLine : public testing::TestWithParam<NamedPlace> {};
 
 TEST_P(NamedStraightLine, IsAnsweredAsKnown) { expect_as_known(GetParam()); }
@@ -253,6 +277,9 @@ std::vector<NamedPlace> places() {
   for (const double phi : {0.0, 1e-3, -1e-2, 1.0, 4.0}) {
     result.push_back(scott_russell(phi, 0, 5));
     result.push_back(scott_russell(phi, 3, 4));
+  }
+  for (const double phi : {0.0, 0.5, 1.0, -1.25, 1.5}) {
+    result.push_back(a_frame(phi));
   }
   return result;
 }
