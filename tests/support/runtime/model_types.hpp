@@ -5,6 +5,8 @@
 
 #include <string>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 #include "runtime/registry.hpp"
 
@@ -19,6 +21,18 @@ struct TypesOf<std::tuple<Models...>> {
 
 /// A law is one typed suite over these.
 using AllModels = TypesOf<AllModelsTuple>::Type;
+
+/// The models of which a law holds: those for which `Holds<Model>` is true.
+template <template <typename> typename Holds, typename... Models>
+auto models_where(std::tuple<Models...>) -> TypesOf<decltype(std::tuple_cat(
+    std::declval<
+        std::conditional_t<Holds<Models>::value, std::tuple<Models>, std::tuple<>>>()...))>;
+template <template <typename> typename Holds>
+using ModelsWhere = decltype(models_where<Holds>(std::declval<AllModelsTuple>()))::Type;
+
+template <typename Model>
+using IsRigid = std::bool_constant<Model::rigid>;
+using RigidModels = ModelsWhere<IsRigid>;
 
 template <typename Model>
 std::string model_name() {
