@@ -18,11 +18,12 @@ void Mechanism::renumber_drivers(const Table<JointIndex, JointIndex>& joint_of) 
   drivers_ = std::move(kept);
 }
 
-Mechanism Mechanism::driven_on(double by) const {
+Mechanism Mechanism::driven_on(double by, double length) const {
   Mechanism moved = *this;
   for (const Driver& driver : drivers_) {
+    const bool is_angle = joints_[driver.joint].type == JointType::revolute;
     Formula& law = moved.numbers_[driver.position].formula;
-    law = Formula::difference(law, Formula(-by));
+    law = Formula::difference(law, Formula(is_angle ? -by : -by * length));
   }
   return moved;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "solve/longest_on_links.hpp"
 #include "solve/precision.hpp"
 #include "solve/slope_error.hpp"
 
@@ -15,28 +16,6 @@ namespace {
 constexpr int most_between_steps = 200000;
 /// Whole turns of angles that laws read are counted at this many values of a sweep at least.
 constexpr double least_counts = 512;
-
-/// The longest distance between two features of one link, which no motion changes; where no link
-/// has two, the largest coordinate of a feature.
-double length_of(const Mechanism& mechanism, const Values& values) {
-  double longest = 0;
-  double largest = 0;
-  for (const Link& link : mechanism.links()) {
-    std::vector<Eigen::Vector2d> points;
-    for (const FeatureIndex feature : link.features) {
-      if (values.frame(feature).follows.first.cols() == 0) {
-        continue;  // no joint and no output has it
-      }
-      const Pose<double>& place = values.frame(feature).pose;
-      points.emplace_back(place.x, place.y);
-      largest = std::max(largest, points.back().cwiseAbs().maxCoeff());
-      for (const Eigen::Vector2d& other : points) {
-        longest = std::max(longest, (points.back() - other).norm());
-      }
-    }
-  }
-  return longest > 0 ? longest : largest > 0 ? largest : 1;
-}
 
 /// Whether all configurations have their derivatives. Where branches meet, and only there,
 /// derivatives lose their digits before places do, so configurations with derivatives are apart
@@ -82,7 +61,7 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
   column_ = std::find(columns.begin(), columns.end(), sweep().parameter) - columns.begin();
   from_ = values_.value_of(sweep().from);
   to_ = values_.value_of(sweep().to);
-  sought_.length = length_of(plan.mechanism(), values_at(from_));
+  sought_.length = solve::longest_on_links(values_at(from_));
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {

@@ -338,7 +338,7 @@ class PlacementPlanner {
                              " keep a freedom; drive one of their joints, or add a joint";
     if (over.surplus > 0) {
       throw OverConstrained("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""),
-                            over.surplus, over.joints);
+                            over.surplus, over.joints, under.surplus);
     }
     if (under.surplus > 0) {
       throw MechanismError("links", lack);

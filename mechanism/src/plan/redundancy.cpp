@@ -14,6 +14,9 @@ constexpr int most_surplus = 8;
 /// Of ways to leave out the last constraint: each is solved to see whether it holds.
 constexpr std::size_t most_ways = 32;
 
+/// Of sets of constraints after which a further one is sought: a mechanism has thousands of them.
+constexpr int most_rounds = 100;
+
 /// What a mechanism with a constraint or two less is: solved for, or with fewer too many.
 struct Step {
   RedundantJoint redundant;
@@ -176,30 +179,42 @@ class Balancer {
   std::vector<Step> steps_;
 };
 
-/// Of a mechanism of which constraints may be left out already.
-std::vector<BalancedMechanism> balanced_on(const Mechanism& mechanism, std::size_t described,
-                                           const OverConstrained& fault, LeftOut most,
-                                           const std::vector<std::string>& kept) {
-  std::vector<BalancedMechanism> result;
-  std::vector<Step> steps = Balancer(mechanism, described, most, kept).steps(fault);
-  if (steps.empty()) {
-    return result;
-  }
-  if (!steps.front().structure) {
-    const Step& step = steps.front();
-    result = balanced_on(step.mechanism, described, *step.fault, most, kept);
-    for (BalancedMechanism& rest : result) {
-      rest.redundant.insert(rest.redundant.begin(), step.redundant);
+/// Looks for what can be left out after what: the best way first, and the next one only where
+/// nothing can be left out after it.
+class BalanceSearch {
+ public:
+  BalanceSearch(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
+      : described_(mechanism.features().size()), most_(most), kept_(kept) {}
+
+  /// Of a mechanism of which constraints may be left out already.
+  [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
+                                                        const OverConstrained& fault) {
+    std::vector<BalancedMechanism> result;
+    if (rounds_ == most_rounds) {
+      return result;
+    }
+    ++rounds_;
+    std::vector<Step> steps = Balancer(mechanism, described_, most_, kept_).steps(fault);
+    for (Step& step : steps) {
+      if (step.structure && result.size() < most_ways) {
+        result.push_back({std::move(step.mechanism), std::move(*step.structure), {step.redundant}});
+      }
+    }
+    for (auto step = steps.begin(); step != steps.end() && result.empty(); ++step) {
+      result = balanced(step->mechanism, *step->fault);
+      for (BalancedMechanism& rest : result) {
+        rest.redundant.insert(rest.redundant.begin(), step->redundant);
+      }
     }
     return result;
   }
-  for (Step& step : steps) {
-    if (step.structure && result.size() < most_ways) {
-      result.push_back({std::move(step.mechanism), std::move(*step.structure), {step.redundant}});
-    }
-  }
-  return result;
-}
+
+ private:
+  std::size_t described_;
+  LeftOut most_;
+  const std::vector<std::string>& kept_;
+  int rounds_ = 0;
+};
 
 }  // namespace
 
@@ -228,7 +243,7 @@ std::vector<BalancedMechanism> balanced(const Mechanism& mechanism, const OverCo
   if (fault.surplus > most_surplus) {
     return {};
   }
-  return balanced_on(mechanism, mechanism.features().size(), fault, most, kept);
+  return BalanceSearch(mechanism, most, kept).balanced(mechanism, fault);
 }
 
 }  // namespace assur::mechanism::plan

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "group_words.hpp"
+#include "longest_on_links.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
@@ -38,6 +39,14 @@ void ClosingGaps::fail(GroupIndex group) {
     failures.least_gap = gap;
     failures.holders = stance_of_holders(group);
   }
+}
+
+bool ClosingGaps::is_in_doubt(GroupIndex group) const {
+  constexpr double of_size = 1e-6;
+  double gap = 0;
+  const GroupSolver& solver = placement_.solver(group);
+  return solver.is_held_loosely() && solver.gap(gap) == Status::ok &&
+         gap < of_size * longest_on_links(placement_.values());
 }
 
 std::vector<std::size_t> ClosingGaps::choices_of(const std::vector<GroupIndex>& groups) const {
@@ -101,4 +110,5 @@ std::string ClosingGaps::reason() const {
   }
   return reason;
 }
+
 }  // namespace assur::mechanism::solve

@@ -5,6 +5,7 @@
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 #include <assur/support/displaced_frame.hpp>
+#include <cmath>
 
 #include "models/model_kernel.hpp"
 #include "values/group_numbers.hpp"
@@ -54,6 +55,11 @@ class GroupSolver {
   /// How far rounding may have moved the links that hold the group, when it was placed last, in
   /// parts of the group's size.
   [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }
+  /// Whether nothing bounds how far rounding may have moved what holds the group, as where two
+  /// configurations of a group before it are one.
+  [[nodiscard]] bool is_held_loosely() const {
+    return !std::isfinite(query_.displaced.moved) || !std::isfinite(query_.displaced.turned);
+  }
   /// The least residual of the closures where the group is held, if it has no configuration.
   /// `result` is set where the status is `ok`; the other status is `not_finite`.
   [[nodiscard]] Status gap(double& result) const;

@@ -35,6 +35,11 @@ std::string reason_of_freedom(const Values& values, GroupIndex group) {
          " leaves an angle or a displacement free: infinitely many positions";
 }
 
+std::string reason_of_doubt(const Values& values, GroupIndex group) {
+  return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
+         " depends on the last digit: two configurations of what holds them are one up to rounding";
+}
+
 std::string reason_of_model(const Values& values, GroupIndex group, bool compatible) {
   return "prismatic joints close a loop and over-determine its angles (among the joints " +
          text::listed(joint_names(values, group, true)) + "); " +

@@ -15,6 +15,8 @@ namespace assur::mechanism::solve {
                                                    bool slides_only);
 /// The reason why a group that closes has infinitely many positions.
 [[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
+/// The reason why nobody knows whether a group closes.
+[[nodiscard]] std::string reason_of_doubt(const Values& values, GroupIndex group);
 /// The reason why no group of this degenerate model has a single position; it depends on whether
 /// the angles are compatible where the group is held.
 [[nodiscard]] std::string reason_of_model(const Values& values, GroupIndex group, bool compatible);

@@ -193,6 +193,16 @@ OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
   return refusal;
 }
 
+OverConstrained refusal_without_groups(const OverConstrained& excess) {
+  const std::string constraints =
+      excess.surplus == 1 ? "constraint was" : std::to_string(excess.surplus) + " constraints were";
+  return {"",
+          std::string(excess.what()) + "; no " + constraints +
+              " found without which the links form groups that are known, so that it was not "
+              "checked whether they hold",
+          excess.surplus, excess.joints};
+}
+
 OverConstrained refusal_without_assembly(const PlanData& plan, const std::string& reason) {
   return refused(plan, "cannot be assembled either" + (reason.empty() ? reason : ": " + reason));
 }

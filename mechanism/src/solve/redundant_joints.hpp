@@ -35,6 +35,10 @@ namespace assur::mechanism::solve {
 /// mechanism `assembles` there without them, they lock it.
 [[nodiscard]] OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles);
 
+/// The error where no constraints were found without which the mechanism's groups are known, so
+/// that nobody knows whether those that are too many hold.
+[[nodiscard]] OverConstrained refusal_without_groups(const OverConstrained& excess);
+
 /// The error where the mechanism has no configuration even without them, for a reason.
 [[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan,
                                                        const std::string& reason);

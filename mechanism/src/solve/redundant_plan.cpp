@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "longest_on_links.hpp"
 #include "plan/overloaded_parts.hpp"
 #include "redundant_joints.hpp"
 #include "solver.hpp"
@@ -116,11 +117,13 @@ class Planner {
 
   /// Throws OverConstrained where no way is found.
   [[nodiscard]] std::shared_ptr<const PlanData> plan() {
+    bool has_groups = false;
     bool is_tried = false;
     std::optional<MechanismError> flaw;
     for (const plan::LeftOut most : left_out_at_most) {
       for (const plan::BalancedMechanism& part :
            plan::balanced(described_->mechanism, excess_, most, kept_)) {
+        has_groups = true;
         try {
           if (auto plan = planned_without(part, false)) {
             return plan;
@@ -141,6 +144,9 @@ class Planner {
     }
     if (flaw && !is_tried) {
       throw MechanismError(*flaw);
+    }
+    if (!has_groups && excess_.lack == 0) {
+      throw refusal_without_groups(excess_);
     }
     throw OverConstrained(refusal_);
   }
@@ -186,19 +192,16 @@ class Planner {
   /// anything. `moves`: the others may leave it free to move, as far as all other ways do.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                                 bool moves) {
-    const auto planned_on = [&](double by) {
-      PlanData data = planned_part(*described_, part, excess_,
-                                   by == 0 ? part.mechanism : part.mechanism.driven_on(by));
+    constexpr double on = 0.01;
+    constexpr double rounding = 1e-9;  // of ways that are alike the first is told
+    const auto planned = [&](const Mechanism& own, std::shared_ptr<const plan::Described> whole) {
+      PlanData data = planned_part(*described_, part, excess_, own);
       if (moves) {
-        data.described = by == 0 ? described_
-                                 : std::make_shared<const plan::Described>(plan::Described{
-                                       described_->mechanism.driven_on(by), described_->request});
+        data.described = std::move(whole);
       }
       return std::make_shared<PlanData>(std::move(data));
     };
-    constexpr double on = 0.01;
-    constexpr double rounding = 1e-9;  // of ways that are alike the first is told
-    const std::shared_ptr<PlanData> plan = planned_on(0);
+    const std::shared_ptr<PlanData> plan = planned(part.mechanism, described_);
     Trial trial = tried(plan);
     if (trial.moves && !moving_) {
       moving_ = part;
@@ -209,8 +212,11 @@ class Planner {
         return plan;
       }
       bool assembles = false;
+      const double length = longest_on_links(Values(plan, {}));
       for (const double by : {on, -on}) {
-        const Trial further = tried(planned_on(by));
+        const auto driven = std::make_shared<const plan::Described>(
+            plan::Described{described_->mechanism.driven_on(by, length), described_->request});
+        const Trial further = tried(planned(part.mechanism.driven_on(by, length), driven));
         if (further.holds) {
           return plan;
         }

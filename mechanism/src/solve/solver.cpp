@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 #include "closing_gaps.hpp"
 #include "configuration_order.hpp"
@@ -169,21 +170,19 @@ class ConfigurationWalk {
     }
     if (found.mobility > 0) {
       families_.add(group, found.mobility, reason_of_freedom(values_, group));
+    } else if (found.count == 0 && gaps_.is_in_doubt(group)) {
+      families_.add(group, 0, reason_of_doubt(values_, group));
     } else if (found.count == 0 && listed_ == 0) {
       gaps_.fail(group);
     }
-    const Status regularity = placed_.regularity;
-    const double residual = placed_.residual;
-    const bool derivatives_known = placed_.derivatives_known;
-    const bool path_known = placed_.path_known;
-    const bool rates_known = placed_.rates_known;
+    const auto known = [&] {
+      return std::tie(placed_.regularity, placed_.residual, placed_.derivatives_known,
+                      placed_.path_known, placed_.rates_known);
+    };
+    const std::tuple<Status, double, bool, bool, bool> before = known();
     const Visits visits = order_of_visits(group, found.count);
     for (std::size_t visit = 0; visit < found.count && !is_found(); ++visit) {
-      placed_.regularity = regularity;
-      placed_.residual = residual;
-      placed_.derivatives_known = derivatives_known;
-      placed_.path_known = path_known;
-      placed_.rates_known = rates_known;
+      known() = before;
       placement_.place(group, visits[visit]);
       descend(depth + 1);
     }

@@ -205,5 +205,92 @@ TEST(RedundantParts, AreFoundUnderAnyName) {
   }
 }
 
+/// Chebyshev's linkage and both its cognates on flat couplers: what is left out first decides
+/// whether anything can be left out after it.
+TEST(RedundantParts, OfFlatCognatesAreFoundUnderAnyName) {
+  SceneMaker maker;
+  maker.bar("ground", {{"O", 0}, {"P", 6}, {"Q", 3}}).bar("crank", {{"O", 0}, {"A", 2}});
+  maker.bar("coupler", {{"A", 0}, {"B", 5}, {"C", 2.5}}).bar("rocker", {{"P", 0}, {"B", 5}});
+  maker.bar("a", {{"O2", 0}, {"D", 2.5}}).bar("b", {{"D", 0}, {"C", 2}, {"E", 1}});
+  maker.bar("c", {{"Q", 0}, {"E", 2.5}}).bar("d", {{"P2", 0}, {"F", 2.5}});
+  maker.bar("e", {{"F", 0}, {"C", 5}, {"G", 2.5}}).bar("f", {{"Q2", 0}, {"G", 1}});
+  maker.bar("ground", {{"O2", 0}, {"P2", 6}, {"Q2", 3}}).drive("O", 1, 1, 0.5);
+  std::mt19937 random(7);
+  for (int naming = 0; naming < 12; ++naming) {
+    SCOPED_TRACE(naming);
+    const Solved found = solved(renamed(maker.scene(), random));
+    EXPECT_EQ(found.plan.redundant().size(), 2U);
+    ASSERT_EQ(found.configurations().size(), 2U);
+    for (const Configuration& configuration : found.configurations()) {
+      EXPECT_EQ(configuration.regularity, Status::ok);
+      const auto distance = [&](const std::string& one, const std::string& other) {
+        return (configuration.output(one).position - configuration.output(other).position).norm();
+      };
+      EXPECT_NEAR(distance("A", "C"), 2.5, 1e-12);
+      EXPECT_NEAR(distance("C", "D"), 2, 1e-12);
+      EXPECT_NEAR(distance("C", "G"), 2.5, 1e-12);
+      EXPECT_NEAR(distance("Q", "E"), 2.5, 1e-12);
+      EXPECT_NEAR(distance("Q", "G"), 1, 1e-12);
+    }
+  }
+}
+
+/// Scott Russell's linkage on two blocks, driven at a block, in units from 1e-9 to 1e9 of its size:
+/// whether what is left out holds is asked where the block has gone on by a part of that size.
+TEST(RedundantParts, HoldInAnyUnit) {
+  for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
+    SCOPED_TRACE(unit);
+    SceneMaker maker;
+    maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
+    maker.bar("rod", {{"C", 0}, {"B", 3 * unit}, {"D", 6 * unit}});
+    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
+    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
+    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
+    maker.slide("y", "ground.y", "high.y").drive("x", 3 * unit, unit, 0);
+    const Solved found = solved(maker.scene());
+    EXPECT_EQ(found.plan.redundant().size(), 1U);
+    ASSERT_EQ(found.configurations().size(), 2U);
+    for (const Configuration& configuration : found.configurations()) {
+      EXPECT_EQ(configuration.regularity, Status::ok);
+      const mechanism::Point& high = configuration.output("D");
+      EXPECT_NEAR(std::abs(high.position.y()), std::sqrt(27) * unit, 1e-14 * unit);
+      EXPECT_NEAR(high.velocity.y() * high.position.y(), -3 * unit * unit, 1e-13 * unit * unit);
+    }
+  }
+}
+
+/// A lock in any unit: the low guide is off by a hundredth of the linkage's size.
+TEST(RedundantParts, ThatDoNotHoldAreRefusedInAnyUnit) {
+  for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
+    SCOPED_TRACE(unit);
+    SceneMaker maker;
+    maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
+    maker.bar("rod", {{"C", 0}, {"B", 3 * unit}, {"D", 6.06 * unit}});
+    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
+    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
+    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
+    maker.slide("y", "ground.y", "high.y").drive("x", 3 * unit, unit, 0);
+    EXPECT_NE(message_of(maker.scene()).find("over-constrained by 1"), std::string::npos);
+  }
+}
+
+/// Where the rod lies along the low guide, its dyad has two configurations that are one up to
+/// rounding, 1e-7 rad beside it. Nobody can say there whether a slot on the rod reaches the pin.
+TEST(RedundantParts, BehindTwoConfigurationsThatAreOneAreInDoubt) {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3}}).drive("A", 1e-7, 1, 0.5);
+  maker.bar("rod", {{"B", 3}, {"D", 6}}).line("rod", "s", {0, 0}, {1, 0});
+  maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
+  maker.line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
+  maker.point("low", "C", 0, 0).point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
+  maker.slide("y", "ground.y", "high.y").slot("C", "low.C", "rod.s");
+  const Solved found = solved(maker.scene());
+  EXPECT_EQ(found.solution.status, mechanism::SolutionStatus::degenerate);
+  EXPECT_EQ(found.solution.mobility, 0);
+  EXPECT_NE(found.solution.reason.find("depends on the last digit"), std::string::npos);
+  maker.drive("A", 1e-3, 1, 0.5);
+  EXPECT_EQ(solved(maker.scene()).configurations().size(), 2U);
+}
+
 }  // namespace
 }  // namespace assur::test::redundant_parts

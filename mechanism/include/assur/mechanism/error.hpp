@@ -32,10 +32,11 @@ class MechanismError : public InputError {
 class OverConstrained : public MechanismError {
  public:
   OverConstrained(const std::string& part, const std::string& what, int by,
-                  std::vector<std::string> at)
-      : MechanismError(part, what), surplus(by), joints(std::move(at)) {}
+                  std::vector<std::string> at, int free_elsewhere = 0)
+      : MechanismError(part, what), surplus(by), lack(free_elsewhere), joints(std::move(at)) {}
 
   int surplus;                      ///< constraints that are too many
+  int lack;                         ///< freedoms that other links keep
   std::vector<std::string> joints;  ///< the joints among which they are
   /// The least gap by which these constraints fail to hold, where the mechanism without them can be
   /// assembled.

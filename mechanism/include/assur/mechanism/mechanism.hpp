@@ -163,8 +163,8 @@ class Mechanism {
   /// they are.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
-  /// The mechanism with all its drivers moved on.
-  [[nodiscard]] Mechanism driven_on(double by) const;
+  /// The mechanism with all its drivers moved on: angles by `by`, displacements by as many lengths.
+  [[nodiscard]] Mechanism driven_on(double by, double length) const;
   /// The mechanism in which a joint no longer holds one of its links, the one with this feature.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
   /// The mechanism in which a pin replaces one of the lines of a prismatic joint, at the line's
