@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "solve/longest_on_links.hpp"
 #include "solve/precision.hpp"
@@ -55,8 +56,8 @@ double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
 
 }  // namespace
 
-SnapshotSolver::SnapshotSolver(const Plan& plan, const Values& values)
-    : plan_(plan), values_(values), solver_(values_) {
+SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
+    : plan_(plan), values_(std::move(values)), solver_(values_) {
   const std::vector<ParameterIndex>& columns = values_.columns();
   column_ = std::find(columns.begin(), columns.end(), sweep().parameter) - columns.begin();
   from_ = values_.value_of(sweep().from);

@@ -49,7 +49,7 @@ class SnapshotSolver {
  public:
   /// The plan's request must have a sweep, and the plan must outlive the solver. All parameters but
   /// the swept one are as in `values`.
-  SnapshotSolver(const Plan& plan, const Values& values);
+  SnapshotSolver(const Plan& plan, Values values);
 
   /// The set at a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
   [[nodiscard]] SnapshotPointer at_step(double parameter);

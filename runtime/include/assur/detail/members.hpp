@@ -55,7 +55,7 @@ template <typename Scalar>
 /// Neither NaN nor infinite, for scalars that have no isfinite of their own.
 template <typename Scalar>
 [[nodiscard]] bool is_number(const Scalar& value) {
-  return value - value == Scalar(0);
+  return value - value == Scalar(0);  // NOLINT(misc-redundant-expression): it tells NaN
 }
 
 /// The largest difference of two variables, of a direction's cosine or sine.

@@ -21,7 +21,7 @@ struct SideBySide {
   static constexpr std::size_t alignment = Lanes * sizeof(Scalar) < EIGEN_MAX_ALIGN_BYTES
                                                ? Lanes * sizeof(Scalar)
                                                : EIGEN_MAX_ALIGN_BYTES;
-  typedef Scalar Type __attribute__((vector_size(Lanes * sizeof(Scalar)), aligned(alignment)));
+  using Type [[gnu::vector_size(Lanes * sizeof(Scalar)), gnu::aligned(alignment)]] = Scalar;
   /// The same as they stand among others.
   struct [[gnu::packed, gnu::may_alias]] Anywhere {
     Type numbers;
@@ -44,7 +44,7 @@ class PackTruth {
     if constexpr (Lanes == 2) {
       return (holds_[0] & holds_[1]) != 0;
     }
-    return bits() == (1u << Lanes) - 1;
+    return bits() == (1U << Lanes) - 1;
   }
   /// Whether it holds of one of them at least.
   [[nodiscard]] bool any() const { return bits() != 0; }
@@ -63,7 +63,7 @@ class PackTruth {
     unsigned result = 0;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
       // In one expression GCC 12 reads the lane before it is set where shifts are sanitized.
-      const unsigned holds = holds_[lane] < 0 ? 1u : 0u;
+      const unsigned holds = holds_[lane] < 0 ? 1U : 0U;
       result |= holds << lane;
     }
     return result;

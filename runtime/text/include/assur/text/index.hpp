@@ -22,6 +22,7 @@ class Index {
   /// The place as the row or column of a matrix.
   [[nodiscard]] constexpr std::ptrdiff_t row() const { return value_; }
 
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the zero of orderings for a pointer
   friend constexpr auto operator<=>(const Index&, const Index&) = default;
 
  private:
