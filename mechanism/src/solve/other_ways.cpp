@@ -18,8 +18,19 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Whether all constraints leave the families of some values, whose mobilities are those that they
-/// leave then. Nothing is known where they cannot be closed together.
+/// What is said of a family of which the constraints leave no motion that is found.
+std::string reason_without(const std::string& reason, const PlanData& plan) {
+  std::vector<std::string> names;
+  for (const RedundantJoint& joint : plan.redundant) {
+    names.push_back(joint.name);
+  }
+  return reason + " without constraints of " + text::listed(names) +
+         "; in which of them these hold is not known";
+}
+
+/// Whether all constraints leave the families of some values; if so, their mobilities are those
+/// that they leave then. Nothing is known where they cannot be closed together. The first family
+/// that is not left answers, since it takes long to find nothing.
 bool are_left(std::vector<Family>& families, const Values& values) {
   if (families.empty()) {
     return true;
@@ -28,14 +39,27 @@ bool are_left(std::vector<Family>& families, const Values& values) {
     return false;
   }
   AllConstraints constraints(values);
-  bool all = true;
+  return std::ranges::all_of(families, [&](Family& family) {
+    if (family.mobility > 0) {
+      family.mobility = left_mobility(family, constraints);
+      return family.mobility > 0;
+    }
+    return true;
+  });
+}
+
+/// Sets the mobilities of families to what all constraints leave of them, and says where they leave
+/// nothing that is found.
+void tell_what_is_left(std::vector<Family>& families, const Values& values) {
+  AllConstraints constraints(values);
   for (Family& family : families) {
     if (family.mobility > 0) {
       family.mobility = left_mobility(family, constraints);
-      all = all && family.mobility > 0;
+      if (family.mobility == 0) {
+        family.reason = reason_without(family.reason, values.plan());
+      }
     }
   }
-  return all;
 }
 
 /// Turns what another plan of a mechanism found into what the mechanism's own plan would have.
@@ -103,16 +127,6 @@ class Adoption {
   const PlanData& other_;
 };
 
-/// What is said of a family of which the constraints leave no motion that is found.
-std::string reason_without(const std::string& reason, const PlanData& plan) {
-  std::vector<std::string> names;
-  for (const RedundantJoint& joint : plan.redundant) {
-    names.push_back(joint.name);
-  }
-  return reason + " without constraints of " + text::listed(names) +
-         "; in which of them these hold is not known";
-}
-
 }  // namespace
 
 bool OtherWays::settle(const Question& ask, Solution& result) {
@@ -145,12 +159,8 @@ bool OtherWays::settle(const Question& ask, Solution& result) {
       continue;  // as where a slot has no direction
     }
   }
-  for (std::size_t place = 0; SettledRedundancy::can_close(plan) && place < left.size(); ++place) {
-    Family& family = result.families[place];
-    if (left[place].mobility == 0 && family.mobility > 0) {
-      family.reason = reason_without(family.reason, plan);
-    }
-    family.mobility = left[place].mobility;
+  if (SettledRedundancy::can_close(plan)) {
+    tell_what_is_left(result.families, values_);
   }
   return false;
 }
