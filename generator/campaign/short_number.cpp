@@ -74,7 +74,7 @@ Decimal shortest(std::uint64_t m, int e) {
     if (whole >= ten_to_the<17>) {
       continue;  // it was one less
     }
-    // Of 101 bits at most 48 stand behind the point: sums of parts and steps have 64.
+    // At most 48 of the 101 bits stand behind the point: sums of parts and steps have 64.
     const std::uint64_t mask = (std::uint64_t{1} << shift) - 1;
     const std::uint64_t part = static_cast<std::uint64_t>(value) & mask;
     const std::uint64_t above = part + half;

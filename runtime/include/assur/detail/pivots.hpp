@@ -102,7 +102,7 @@ template <typename Model, typename Scalar, typename Rounding>
   return regular;
 }
 
-/// The same of all numbers of a pack at once.
+/// Finds the same for all numbers of a pack at once.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
                               typename numeric::PartOf<Scalar>::Type rounding) {
