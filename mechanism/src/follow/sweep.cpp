@@ -86,8 +86,8 @@ class Sweeper {
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
-    SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
-    SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
+    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
+    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
     if ((!before || !after) && !solver_.looks_closely()) {
       look_closely_beside(step, set);
       return;
@@ -146,14 +146,13 @@ class Sweeper {
 
   /// Handles a step that has no set beside it, with a closer look at both.
   void look_closely_beside(int step, const SnapshotPointer& set) {
-    solver_.look_closely(true);
+    const SnapshotSolver::CloseLook look(solver_);
     if (const SnapshotPointer closely = solver_.at(set->parameter); closely->separable) {
       passage_.reset();
       pass(step, closely);
     } else {
       pass_beside(step, set);
     }
-    solver_.look_closely(false);
   }
 
   /// Adds an unresolved event where no set can be followed beyond the first or last step, for the
