@@ -156,7 +156,7 @@ struct ClosedForm {
   /// of all lengths.
   template <typename Number>
   [[nodiscard]] static auto is_in_range(const Number& square) {
-    constexpr Scalar longest = numeric::power_of_two<Scalar>(most_power);
+    constexpr auto longest = numeric::power_of_two<Scalar>(most_power);
     constexpr Scalar most = longest * longest;
     constexpr Scalar most_of_numbers = most_length<Model, Scalar> * most_length<Model, Scalar>;
     if constexpr (is_scaled) {

@@ -25,7 +25,7 @@ template <typename Scalar, typename Number, std::size_t Count>
 void scale_numbers(const void* from, const std::array<bool, Count>& is_length, Number scale,
                    void* to) {
   for (std::size_t place = 0; place < Count; ++place) {
-    const Number number = detail::number_at<Number>(from, place);
+    const auto number = detail::number_at<Number>(from, place);
     detail::put_number(to, place, Scalar(is_length[place] ? number * scale : number));
   }
 }
@@ -59,7 +59,7 @@ template <typename Scalar>
   using Limits = std::numeric_limits<Scalar>;
   using Bits = std::conditional_t<Limits::digits == 24, std::uint32_t, std::uint64_t>;
   static_assert(sizeof(Bits) == sizeof(Scalar), "a power is made of bits of double or float");
-  constexpr Scalar largest = numeric::power_of_two<Scalar>(Limits::max_exponent - 1);
+  constexpr auto largest = numeric::power_of_two<Scalar>(Limits::max_exponent - 1);
   if (!(length >= (Limits::min)() && length < largest)) {
     return std::ldexp(Scalar(1), (std::min)(-std::ilogb(length), Limits::max_exponent - 1));
   }
