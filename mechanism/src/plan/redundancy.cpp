@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "own_places.hpp"
+
 namespace assur::mechanism::plan {
 
 namespace {
@@ -58,9 +60,9 @@ Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
 class Balancer {
  public:
   /// `described`: how many features were described; further ones stand in for some.
-  Balancer(const Mechanism& mechanism, std::size_t described, LeftOut most,
+  Balancer(const Mechanism& mechanism, std::size_t described, const OwnPlaces& places, LeftOut most,
            const std::vector<std::string>& kept)
-      : mechanism_(mechanism), described_(described), most_(most), kept_(kept) {}
+      : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
 
   /// The first is the best.
   [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
@@ -136,7 +138,8 @@ class Balancer {
     }
   }
 
-  /// The other points of a feature's link at which joints are, and the names of these.
+  /// The other points of a feature's link at which joints are, and the names of these. No slot
+  /// leads to a point in the same place.
   [[nodiscard]] std::vector<std::pair<FeatureIndex, std::string>> points_of(
       FeatureIndex feature) const {
     std::vector<std::pair<FeatureIndex, std::string>> points;
@@ -145,7 +148,7 @@ class Balancer {
         const Feature& at = mechanism_.features()[other];
         const bool is_described = other.place() < described_;
         if (other != feature && is_described && !at.is_line &&
-            at.link == mechanism_.features()[feature].link) {
+            at.link == mechanism_.features()[feature].link && !places_.coincide(feature, other)) {
           points.emplace_back(other, joint.name);
         }
       }
@@ -173,6 +176,7 @@ class Balancer {
 
   const Mechanism& mechanism_;
   std::size_t described_;
+  const OwnPlaces& places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int surplus_ = 0;
@@ -184,7 +188,7 @@ class Balancer {
 class BalanceSearch {
  public:
   BalanceSearch(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
-      : described_(mechanism.features().size()), most_(most), kept_(kept) {}
+      : described_(mechanism.features().size()), places_(mechanism), most_(most), kept_(kept) {}
 
   /// Of a mechanism of which constraints may be left out already.
   [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
@@ -194,7 +198,7 @@ class BalanceSearch {
       return result;
     }
     ++rounds_;
-    std::vector<Step> steps = Balancer(mechanism, described_, most_, kept_).steps(fault);
+    std::vector<Step> steps = Balancer(mechanism, described_, places_, most_, kept_).steps(fault);
     for (Step& step : steps) {
       if (step.structure && result.size() < most_ways) {
         result.push_back({std::move(step.mechanism), std::move(*step.structure), {step.redundant}});
@@ -211,6 +215,7 @@ class BalanceSearch {
 
  private:
   std::size_t described_;
+  OwnPlaces places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int rounds_ = 0;

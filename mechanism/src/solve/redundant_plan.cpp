@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <set>
 #include <string>
@@ -193,6 +194,7 @@ class Planner {
   [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                                 bool moves) {
     constexpr double on = 0.01;
+    constexpr double finer = 1e-4;     // where drivers have less room than that
     constexpr double rounding = 1e-9;  // of ways that are alike the first is told
     const auto planned = [&](const Mechanism& own, std::shared_ptr<const plan::Described> whole) {
       PlanData data = planned_part(*described_, part, excess_, own);
@@ -213,7 +215,10 @@ class Planner {
       }
       bool assembles = false;
       const double length = longest_on_links(Values(plan, {}));
-      for (const double by : {on, -on}) {
+      for (const double by : {on, -on, finer, -finer}) {
+        if (assembles && std::abs(by) < on) {
+          break;
+        }
         const auto driven = std::make_shared<const plan::Described>(
             plan::Described{described_->mechanism.driven_on(by, length), described_->request});
         const Trial further = tried(planned(part.mechanism.driven_on(by, length), driven));

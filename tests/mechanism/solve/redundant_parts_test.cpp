@@ -259,6 +259,50 @@ TEST(RedundantParts, HoldInAnyUnit) {
   }
 }
 
+/// Scott Russell's linkage driven at a block, and a bar pinned to the ground farther away than a
+/// hundred times what the block can go on.
+TEST(RedundantParts, HoldBesideALongLink) {
+  for (const double far : {300.0, 3000.0, 30000.0}) {
+    SCOPED_TRACE(far);
+    SceneMaker maker;
+    maker.bar("ground", {{"A", 0}, {"Z", far}}).bar("crank", {{"A", 0}, {"B", 3}});
+    maker.bar("rod", {{"C", 0}, {"B", 3}, {"D", 6}}).bar("bar", {{"Z", 0}}).drive("Z", 1, 0, 0);
+    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
+    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
+    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
+    maker.slide("y", "ground.y", "high.y").drive("x", 3, 1, 0);
+    const Solved found = solved(maker.scene());
+    EXPECT_EQ(found.plan.redundant().size(), 1U);
+    ASSERT_EQ(found.configurations().size(), 2U);
+    for (const Configuration& configuration : found.configurations()) {
+      EXPECT_NEAR(std::abs(configuration.output("D").position.y()), std::sqrt(27), 1e-13);
+    }
+  }
+}
+
+/// Two parallelograms in a row, each with a third crank, whose pins on the lever between them are
+/// in one place: a slot of the one has no direction towards the other, so that none is put there,
+/// though the pins' names come first.
+TEST(RedundantParts, LieTowardsOtherPlacesAlone) {
+  SceneMaker maker;
+  maker.bar("ground", {{"O", 0}, {"M", 2}, {"P", 4}, {"N", 6}, {"Q", 8}});
+  maker.bar("crank", {{"O", 0}, {"C", 3}}).bar("x", {{"M", 0}, {"m", 3}});
+  maker.bar("one", {{"C", 0}, {"m", 2}, {"B", 4}}).bar("other", {{"A", 0}, {"n", 2}, {"D", 4}});
+  maker.parameter("rest", "3 - whole + 1").parameter("whole", 1);
+  maker.bar("lever", {{"P", 0}, {"A", 3}, {"B", "rest"}}).bar("y", {{"N", 0}, {"n", 3}});
+  maker.bar("rocker", {{"Q", 0}, {"D", 3}}).drive("O", 1, 1, 0.5);
+  const Solved found = solved(maker.scene());
+  EXPECT_EQ(names_of(found.plan), (std::vector<std::string>{"A", "B"}));
+  ASSERT_EQ(found.configurations().size(), 1U);
+  EXPECT_EQ(found.configurations()[0].regularity, Status::ok);
+  for (const auto& [pin, place] : std::map<std::string, double>{{"m", 2}, {"n", 6}, {"D", 8}}) {
+    const mechanism::Point& at = found.configurations()[0].output(pin);
+    EXPECT_NEAR((at.position - Eigen::Vector2d(place + 3 * std::cos(1), 3 * std::sin(1))).norm(), 0,
+                1e-13);
+    EXPECT_NEAR((at.velocity - 3 * Eigen::Vector2d(-std::sin(1), std::cos(1))).norm(), 0, 1e-13);
+  }
+}
+
 /// A lock in any unit: the low guide is off by a hundredth of the linkage's size.
 TEST(RedundantParts, ThatDoNotHoldAreRefusedInAnyUnit) {
   for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {

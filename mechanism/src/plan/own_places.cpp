@@ -1,0 +1,48 @@
+#include "own_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace assur::mechanism::plan {
+
+namespace {
+
+/// The parameters' values. One that reads itself, be it through others, is not a number.
+Table<ParameterIndex, double> values_of_parameters(const Mechanism& mechanism) {
+  Table<ParameterIndex, double> values(mechanism.parameters().size(),
+                                       std::numeric_limits<double>::quiet_NaN());
+  for (bool finds_any = true; finds_any;) {
+    finds_any = false;
+    for (const ParameterIndex parameter : mechanism.parameters().keys()) {
+      if (std::isnan(values[parameter])) {
+        values[parameter] =
+            mechanism.numbers()[mechanism.parameters()[parameter].value].formula.evaluate<double>(
+                [&](ParameterIndex read) { return values[read]; });
+        finds_any = finds_any || !std::isnan(values[parameter]);
+      }
+    }
+  }
+  return values;
+}
+
+}  // namespace
+
+OwnPlaces::OwnPlaces(const Mechanism& mechanism) {
+  const Table<ParameterIndex, double> values = values_of_parameters(mechanism);
+  const auto value = [&](NumberIndex number) {
+    return mechanism.numbers()[number].formula.evaluate<double>(
+        [&](ParameterIndex read) { return values[read]; });
+  };
+  for (const Feature& feature : mechanism.features()) {
+    places_.add({value(feature.x), value(feature.y)});
+  }
+}
+
+bool OwnPlaces::coincide(FeatureIndex one, FeatureIndex other) const {
+  constexpr double rounding = 1e-9;
+  const double largest = std::max(places_[one].stableNorm(), places_[other].stableNorm());
+  return (places_[one] - places_[other]).stableNorm() <= rounding * largest;
+}
+
+}  // namespace assur::mechanism::plan
