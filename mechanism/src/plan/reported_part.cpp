@@ -1,7 +1,6 @@
 #include "plan/reported_part.hpp"
 
 #include <algorithm>
-#include <ranges>
 
 #include "driver_laws.hpp"
 
@@ -60,15 +59,16 @@ class PartFinder {
   /// Adds the links that move needed ones: those that carry them, and those that the laws of
   /// drivers read.
   void need_carriers() {
-    for (const CarriedLink& link : std::views::reverse(structure_.carried)) {
-      if (!needed_[link.to]) {
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 cannot read the reversed views of libstdc++
+    for (auto link = structure_.carried.rbegin(); link != structure_.carried.rend(); ++link) {
+      if (!needed_[link->to]) {
         continue;
       }
-      needed_[link.from] = true;
-      if (!link.driver.exists()) {
+      needed_[link->from] = true;
+      if (!link->driver.exists()) {
         continue;
       }
-      for (const JointIndex joint : joints_in_laws(mechanism_, link.driver)) {
+      for (const JointIndex joint : joints_in_laws(mechanism_, link->driver)) {
         for (const FeatureIndex feature : mechanism_.joints()[joint].between) {
           needed_[mechanism_.features()[feature].link] = true;
         }
