@@ -31,7 +31,7 @@ struct RunPermission {
 [[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
                                      const RunPermission& run = {},
                                      const text::Progress& progress = {});
-/// The same from text; `file` is its name in messages. Without `scenes` it may name none.
+/// Audits text in the same way; `file` is its name in messages. Without `scenes` it may name none.
 [[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file,
                                      const SceneReader& scenes = {}, const RunPermission& run = {},
                                      const text::Progress& progress = {});

@@ -52,7 +52,7 @@ std::string quoted_line(const Finding& finding) {
   }
   constexpr std::size_t most = 160;
   const std::size_t column = finding.place.column - 1;
-  // Of a long line, what is around the place.
+  // A long line is quoted around the place alone.
   std::size_t from = column > most / 2 && finding.line.size() > most ? column - most / 2 : 0;
   const auto is_inside_a_letter = [&](std::size_t at) {
     return at > 0 && at < finding.line.size() && (finding.line[at] & 0xC0) == 0x80;

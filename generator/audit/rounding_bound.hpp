@@ -20,7 +20,7 @@ using SymbolValues = std::map<GiNaC::ex, RoundedValue, GiNaC::ex_is_less>;
 [[nodiscard]] SymbolValues symbol_values(closures::ClosurePoints& points,
                                          const closures::ClosurePoints::Point& point);
 
-/// Of an expression without abbreviations. Throws NotAlgebraic for what has no value.
+/// The value of an expression without abbreviations. Throws NotAlgebraic for what has no value.
 [[nodiscard]] RoundedValue rounded_value(const GiNaC::ex& expression, const SymbolValues& values);
 
 }  // namespace assur::generator::audit

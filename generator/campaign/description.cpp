@@ -109,7 +109,7 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
     } else if (name == "columns") {
       std::istringstream words(text);
       for (std::string word; words >> word;) {
-        const auto kind = std::ranges::find(kinds, word);
+        const auto* const kind = std::ranges::find(kinds, word);
         if (kind == kinds.end()) {
           refuse("a column holds '" + word + "'");
         }

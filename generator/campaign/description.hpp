@@ -18,7 +18,7 @@ struct Shard {
   [[nodiscard]] std::string text() const;
 };
 
-/// Of `i/n`, with 1 <= i <= n <= 1e6; throws InputError with the option's name.
+/// Reads `i/n`, with 1 <= i <= n <= 1e6; throws InputError with the option's name.
 [[nodiscard]] Shard shard_of(const std::string& text, const std::string& option);
 
 /// What a campaign's table is of: the scene, by a hash of its text, the options that its rows

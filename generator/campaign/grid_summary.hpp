@@ -42,7 +42,7 @@ class GridSummary {
 
   [[nodiscard]] const Description& description() const { return description_; }
   [[nodiscard]] const std::vector<NamedAxis>& axes() const { return axes_; }
-  /// Of this shard; the last axis runs fastest.
+  /// The cells of this shard; the last axis runs fastest.
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<CoordinateRange>& ranges() const { return ranges_; }
   /// How many cells have so many configurations; refused ones are none of them.

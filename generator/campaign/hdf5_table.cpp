@@ -52,7 +52,7 @@ void be_quiet() {
 Handle access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
 #if H5_VERSION_GE(1, 10, 7)
-  (void)H5Pset_file_locking(access, 0, 1);
+  (void)H5Pset_file_locking(access, false, true);
 #endif
   return access;
 }
@@ -62,8 +62,9 @@ Handle type_of(Column::Kind kind) {
     return {H5Tcopy(kind == Column::Kind::whole ? H5T_STD_I64LE : H5T_IEEE_F64LE), H5Tclose};
   }
   Handle type(H5Tenum_create(H5T_STD_U8LE), H5Tclose);
-  for (std::uint8_t word = 0; word < mechanism::outcome_words.size(); ++word) {
-    (void)H5Tenum_insert(type, std::string(mechanism::outcome_words[word]).c_str(), &word);
+  for (std::size_t outcome = 0; outcome < mechanism::outcome_words.size(); ++outcome) {
+    const auto word = static_cast<std::uint8_t>(outcome);
+    (void)H5Tenum_insert(type, std::string(mechanism::outcome_words[outcome]).c_str(), &word);
   }
   return type;
 }
@@ -255,7 +256,7 @@ class Hdf5Reader : public TableReader {
     return result;
   }
 
-  Handle open() const {
+  [[nodiscard]] Handle open() const {
     be_quiet();
     return {expected(H5Fopen(name_.c_str(), H5F_ACC_RDONLY, access())), H5Fclose};
   }

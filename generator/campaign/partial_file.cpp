@@ -58,6 +58,7 @@ void PartialFile::fail(int reason) const {
   throw text::InputError(target_.string() + ": cannot be written: " + std::strerror(reason));
 }
 
+// NOLINTNEXTLINE(readability-make-member-function-const): the file that it writes is its state
 void PartialFile::write(const std::string& text) {
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t count = ::write(descriptor_, text.data() + written, text.size() - written);

@@ -194,7 +194,11 @@ void describe_nominal(const std::vector<mechanism::NominalPoint>& points,
                       Description& description) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Eigen::Vector2d unknown(none, none);
-  std::vector<double> nominal, worst_case, rss, covariance, mean_shift;
+  std::vector<double> nominal;
+  std::vector<double> worst_case;
+  std::vector<double> rss;
+  std::vector<double> covariance;
+  std::vector<double> mean_shift;
   const auto add = [](std::vector<double>& numbers, const Eigen::Vector2d& point) {
     numbers.insert(numbers.end(), {point.x(), point.y()});
   };

@@ -51,7 +51,7 @@ class SampleSummary {
 /// What a sample's description has beside the columns; see docs/guide/campaigns.md.
 void describe_nominal(const std::vector<mechanism::NominalPoint>& points, Description& description);
 
-/// For people, and as JSON.
+/// The summary for people, and as JSON.
 [[nodiscard]] std::string sample_text(const SampleSummary& summary);
 [[nodiscard]] std::string sample_json(const SampleSummary& summary);
 /// A histogram of each coordinate as SVG, with what derivatives say of it.

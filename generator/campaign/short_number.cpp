@@ -69,12 +69,12 @@ Decimal shortest(std::uint64_t m, int e) {
     const int k = 16 - exponent;
     const int shift = 1 - (e + k);  // in halves of the last place of m
     const std::uint64_t half = powers_of_five[static_cast<std::size_t>(k)];
-    const Wide value = Wide{m} * (2 * half);
+    const Wide value = Wide{m} * Wide{2 * half};
     const auto whole = static_cast<std::uint64_t>(value >> shift);
     if (whole >= ten_to_the<17>) {
       continue;  // it was one less
     }
-    // Of 101 bits at most 48 stand behind the point: sums of parts and steps have 64.
+    // At most 48 of the 101 bits stand behind the point: sums of parts and steps have 64.
     const std::uint64_t mask = (std::uint64_t{1} << shift) - 1;
     const std::uint64_t part = static_cast<std::uint64_t>(value) & mask;
     const std::uint64_t above = part + half;
@@ -132,7 +132,7 @@ char* put_shortest(double number, char* at) {
     --end;
   }
   const char* const begin = digits.data();
-  const auto before_point = begin + decimal.exponent + 1;
+  const auto* const before_point = begin + decimal.exponent + 1;
   if (end <= before_point || end - begin < 2) {
     return std::to_chars(at, at + room, number).ptr;  // a whole number, or a single digit
   }

@@ -39,10 +39,10 @@ class CanonicalSum {
  public:
   explicit CanonicalSum(const GiNaC::ex& expression);
 
-  /// By their texts without signs.
+  /// The terms are in the order of their texts without signs.
   [[nodiscard]] const std::vector<CanonicalTerm>& terms() const { return terms_; }
   [[nodiscard]] std::string text() const;
-  /// Of two opposite sums one is reversed.
+  /// Whether this one of two opposite sums is the reversed one.
   [[nodiscard]] bool is_reversed() const;
   [[nodiscard]] CanonicalSum scaled(const GiNaC::numeric& factor) const;
 

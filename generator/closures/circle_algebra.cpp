@@ -66,7 +66,7 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
   try {
     return known_[expression] = converted(expression);
   } catch (const NotAlgebraic&) {
-    // Of several errors the first is told, in an order of our own.
+    // The first of several errors is told, in an order of our own.
     roots_.resize(known_roots);
     in_order_ = true;
     return converted(expression);

@@ -52,7 +52,7 @@ class CircleAlgebra {
 
   /// (c, s) of an angle that was added.
   [[nodiscard]] const equations::Vector2& direction(const GiNaC::symbol& angle) const;
-  /// The same angles and roots, to go on with for one expression alone.
+  /// An algebra with the same angles and roots, to go on with for one expression alone.
   [[nodiscard]] CircleAlgebra extended() const;
   [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
   /// Whether a symbol occurs under a root.

@@ -49,7 +49,7 @@ class ClosurePoints {
   /// Points for such an expression, which go through all quadrants of its angles. Lengths are
   /// positive, but unknown ones and coordinates take either sign.
   [[nodiscard]] std::deque<Point> points_on_all_branches(const Rooted& rooted, bool assembled);
-  /// Of the form, with some of its roots negative; throws NotAlgebraic.
+  /// The value of the form, with some of its roots negative; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const Rooted& rooted, Point& point, unsigned reversed = 0);
   /// The quantities whose signs may tell branches apart, those of the expressions first: cosines
   /// and sines of angles and of their sums, lengths and their differences.
@@ -58,7 +58,7 @@ class ClosurePoints {
   /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
   [[nodiscard]] std::string point_text(const Point& point,
                                        const std::vector<GiNaC::ex>& shown) const;
-  /// Of the expression's algebraic form; throws NotAlgebraic.
+  /// The value of the expression's algebraic form; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
   /// Why the expression has no algebraic form; nothing if it has one.
   [[nodiscard]] std::optional<std::string> obstacle(const GiNaC::ex& expression);

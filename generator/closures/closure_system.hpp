@@ -52,7 +52,7 @@ class ClosureSystem {
   AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
   void abbreviate(const std::string& name, const GiNaC::ex& definition);
   void close(const std::string& name, const GiNaC::ex& expression);
-  /// The same equation read the other way round.
+  /// Reads the same equation the other way round.
   void negate_closure(const std::string& name);
 
   [[nodiscard]] AuditSymbol* symbol_named(const std::string& name);

@@ -8,7 +8,7 @@
 
 namespace assur::generator::closures {
 
-/// The same text for the same mathematics, whatever order and signs GiNaC gives sums and products.
+/// One text for the same mathematics, whatever order and signs GiNaC gives sums and products.
 [[nodiscard]] std::string formula_text(const GiNaC::ex& expression);
 
 /// The terms or factors in the order of their texts, for whatever depends on the order in which

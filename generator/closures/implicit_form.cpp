@@ -160,7 +160,7 @@ class Translation {
     return known->second;
   }
 
-  /// Of two opposite sums the one that begins with a plus comes first.
+  /// The one of two opposite sums that begins with a plus comes first.
   static std::pair<bool, std::string> rank(const GiNaC::ex& sum) {
     const std::string shown = text(sum);
     return {shown.starts_with('-'), shown};
@@ -233,7 +233,7 @@ class Translation {
     return direction;
   }
 
-  /// Of the terms times the sense, so that the first one counts positive.
+  /// The direction of the terms times the sense, so that the first one counts positive.
   equations::Vector2 direction_of_terms(const AngleTerms& sum, int sense, std::string name) {
     equations::Vector2 direction{1, 0};
     std::string spelled;
@@ -277,7 +277,7 @@ class Translation {
     return inverses_[angle] = direction_of_inverse(function, text::c_identifier(name));
   }
 
-  /// Of an angle that is an inverse function of numbers.
+  /// The direction of an angle that is an inverse function of numbers.
   equations::Vector2 direction_of_inverse(const GiNaC::ex& function, const std::string& name) {
     const std::string called = function_name(function);
     if (called != "acos" && called != "asin" && called != "atan" && called != "atan2") {

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Use = std::function<void(const std::vector<double>&)>;
 
-/// Of a rank's shard: beside the file of the whole.
+/// The file of a rank's shard stands beside the file of the whole.
 fs::path shard_file(const CampaignOptions& options, const campaign::Shard& shard) {
   const fs::path output = options.output;
   fs::path file = output;

@@ -137,7 +137,7 @@ class BezoutElimination {
     return u * u.circle_conjugate() - v * v;
   }
 
-  /// Of a z^2 + b z + c and d z^2 + e z + f, by their degrees in z.
+  /// The resultant of a z^2 + b z + c and d z^2 + e z + f, by their degrees in z.
   Univariate of_displacement(std::array<Univariate, 3> one, std::array<Univariate, 3> two) {
     const bool swapped = one[0].is_zero() && !two[0].is_zero();
     if (swapped) {

@@ -7,6 +7,7 @@
 
 namespace assur::generator::structure {
 
+// NOLINTNEXTLINE(bugprone-forward-declaration-namespace): it only tells indices apart
 using LinkIndex = text::Index<struct Link>;
 using JointIndex = text::Index<struct Joint>;
 /// An item for each link of a group.

@@ -4,6 +4,7 @@
 
 #include <assur/text/suggestion.hpp>
 #include <exception>
+#include <utility>
 
 namespace assur::python {
 
@@ -35,7 +36,7 @@ UnknownName::UnknownName(const std::string& what, const std::string& name,
 void translate_errors() {
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {
-      std::rethrow_exception(thrown);
+      std::rethrow_exception(std::move(thrown));
     } catch (const mechanism::OverConstrained& error) {
       const py::object exception = exception_of("OverConstrained", error);
       exception.attr("surplus") = error.surplus;

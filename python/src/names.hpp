@@ -9,7 +9,7 @@
 namespace assur::python {
 
 [[nodiscard]] inline pybind11::tuple tuple_of(const std::vector<std::string>& names) {
-  return pybind11::tuple(pybind11::cast(names));
+  return {pybind11::cast(names)};
 }
 
 }  // namespace assur::python

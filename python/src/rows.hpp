@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "layout.hpp"
@@ -12,8 +13,8 @@ namespace assur::python {
 /// Rows of one layout, in one piece of memory; nothing is added once an array looks into it.
 class Rows {
  public:
-  Rows(const mechanism::Plan& plan, std::shared_ptr<const Layout> layout)
-      : plan_(plan), layout_(std::move(layout)) {}
+  Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout)
+      : plan_(std::move(plan)), layout_(std::move(layout)) {}
 
   /// Makes room for so many rows.
   void reserve(std::size_t rows);

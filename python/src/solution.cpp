@@ -57,7 +57,7 @@ py::tuple families_of(const SharedSolution& solved) {
   for (const Family& family : solved->solution.families) {
     families.append(SolvedFamily{solved, &family});
   }
-  return py::tuple(families);
+  return {families};
 }
 
 py::dict placed_links(const SolvedFamily& of) {

@@ -63,7 +63,7 @@ const std::string map = "map " + four_bar + " --over 'phi=0:2*pi:13,ground=20:28
 TEST_F(Campaigns, GiveTheSameBytesInAnyParts) {
   std::vector<std::string> endings = {".csv"};
   if (has_hdf5()) {
-    endings.push_back(".h5");
+    endings.emplace_back(".h5");
   }
   for (const std::string& call : {sample, map}) {
     for (const std::string& ending : endings) {
@@ -179,7 +179,7 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
 TEST_F(Campaigns, LeaveNothingOnAFullDisk) {
   std::vector<std::string> names = {"a.csv"};
   if (has_hdf5()) {
-    names.push_back("a.h5");
+    names.emplace_back("a.h5");
   }
   for (const std::string& name : names) {
     const ProcessResult result =
@@ -203,7 +203,7 @@ TEST_F(Campaigns, SummariseAsJson) {
   EXPECT_EQ(drawn["samples"], 3000);
   EXPECT_EQ(drawn["outcomes"]["regular"], 3000);
   const Json& point = drawn["outputs"]["P"];
-  for (const int axis : {0, 1}) {
+  for (const std::size_t axis : {0U, 1U}) {
     const double worst = point["worst_case"][axis];
     EXPECT_LT(point["greatest"][axis], 1.01 * worst);  // it is of first order
     EXPECT_GT(point["least"][axis], -1.01 * worst);
@@ -230,7 +230,7 @@ TEST_F(Campaigns, SurviveOddNames) {
   const std::string file = directory_.write("odd.json", scene.dump()).string();
   std::vector<std::string> endings = {".csv"};
   if (has_hdf5()) {
-    endings.push_back(".h5");
+    endings.emplace_back(".h5");
   }
   for (const std::string& ending : endings) {
     const std::string call = "sample " + file + " --seed 1 --count 300";

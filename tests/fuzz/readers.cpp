@@ -78,7 +78,7 @@ void read_code_text(const std::string& text) {
   closures::ClosureReader reader =
       closures_of("length l s\nangle q\nunknown q s\nclosure f = l*cos(q) - s\n");
   const audit::code::AuditedMatrix matrix{"J", 2, 2};
-  expect_answer_or_line<audit::code::CodeError>([&] {
+  expect_answer_or_line<audit::code::CodeError>([&, &language = language, &code = code] {
     (void)(language == "m" ? audit::code::read_matlab_matrix(code, matrix, reader.system())
                            : audit::code::read_cpp_matrix(code, matrix, reader.system()));
   });
@@ -86,8 +86,9 @@ void read_code_text(const std::string& text) {
 
 void read_paper_text(const std::string& text) {
   const auto [paper, map] = divided(text, "\n---\n");
-  expect_answer_or_line<text::InputError>(
-      [&] { (void)audit::latex::audit_paper_text(paper, "fuzz.tex", map, "fuzz.map"); });
+  expect_answer_or_line<text::InputError>([&paper = paper, &map = map] {
+    (void)audit::latex::audit_paper_text(paper, "fuzz.tex", map, "fuzz.map");
+  });
 }
 
 }  // namespace assur::test::fuzz

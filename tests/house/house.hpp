@@ -24,7 +24,7 @@ struct Folder {
   bool nested = false;
   /// The folder through which this one is called, if any: what its headers declare, in its
   /// namespace, is defined here.
-  std::string door = "";
+  std::string door{};
 };
 
 /// The house as a table.
@@ -154,7 +154,7 @@ class HouseCheck {
       directories.insert(directories.begin(), path.substr(0, path.rfind('/')));
     }
     for (const std::string& directory : directories) {
-      const std::string file = directory + "/" + include.text;
+      std::string file = directory + "/" + include.text;
       if (files_.contains(file)) {
         return file;
       }

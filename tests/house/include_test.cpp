@@ -27,7 +27,7 @@ Folder stage(const std::string& path, const std::vector<std::string>& below,
   for (std::size_t at = name_space.find('/'); at != std::string::npos; at = name_space.find('/')) {
     name_space.replace(at, 1, "::");
   }
-  more.push_back("generator");
+  more.emplace_back("generator");
   more.push_back(words);
   for (const std::string& folder : below) {
     more.push_back("generator/" + folder);

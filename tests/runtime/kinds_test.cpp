@@ -39,8 +39,8 @@ RealVector second_derivative(const Stencil& at, Real h) {
 template <typename Sample>
 Stencil sampled(const Sample& at) {
   Stencil stencil;
-  for (int step = -3; step <= 3; ++step) {
-    stencil[static_cast<std::size_t>(step + 3)] = at(step);
+  for (std::size_t place = 0; place < stencil.size(); ++place) {
+    stencil[place] = at(static_cast<int>(place) - 3);
   }
   return stencil;
 }

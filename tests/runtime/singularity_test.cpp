@@ -1,6 +1,7 @@
 // Law: at a singular Jacobian a motion that leaves the closures' range is a fold, one that stays in
 // it a crossing; and no singular configuration is called regular.
 #include <Eigen/LU>
+#include <array>
 #include <assur/kinematics.hpp>
 #include <assur/singularity.hpp>
 #include <iostream>
@@ -33,7 +34,8 @@ Eigen::VectorXd product(const Eigen::MatrixXd& A, const Eigen::VectorXd& x) {
 
 /// Copies the columns of a matrix into a larger one, from a column on.
 template <int Rows, int Columns>
-void put(const Matrix<double, Rows, Columns>& from, Eigen::MatrixXd& to, int first_column) {
+void put(const Matrix<double, Rows, Columns>& from, Eigen::MatrixXd& to,
+         Eigen::Index first_column) {
   std::copy_n(from.data(), Rows * Columns, to.data() + first_column * Rows);
 }
 
@@ -79,7 +81,7 @@ class Singular : public testing::Test {
   /// Of the groups between two random ones, one whose core's determinant vanishes; false if its
   /// sign is the same at both.
   bool draw(Group& group) {
-    Group ends[2] = {random_group(), random_group()};
+    std::array<Group, 2> ends = {random_group(), random_group()};
     if (core(ends[0]) * core(ends[1]) >= 0) {
       return false;
     }

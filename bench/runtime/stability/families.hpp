@@ -248,7 +248,7 @@ template <typename Family>
       continue;
     }
     const Geometry<Model, double> given = converted<double>(exact);
-    const Member<Model> member{given, derivatives(exact), derivatives(converted<Real>(given))};
+    Member<Model> member{given, derivatives(exact), derivatives(converted<Real>(given))};
     if (member.truth.condition < Family::largest_condition) {
       return member;
     }

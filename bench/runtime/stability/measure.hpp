@@ -30,7 +30,7 @@ template <typename Computed, typename True, typename Weights>
     Real difference(0);
     Real size(0);
     for (Eigen::Index row = 0; row < truth.rows(); ++row) {
-      const Real exact = truth(row, column);
+      const Real& exact = truth(row, column);
       difference =
           std::max(difference, Real(weights(row) * abs(Real(computed(row, column)) - exact)));
       size = std::max(size, Real(weights(row) * abs(exact)));

@@ -17,7 +17,7 @@ class RandomNumbers {
   explicit RandomNumbers(unsigned seed) : engine_(seed) {}
 
   Real between(double low, double high) {
-    return Real(std::uniform_real_distribution<double>(low, high)(engine_));
+    return std::uniform_real_distribution<double>(low, high)(engine_);
   }
   Real length() { return between(0.5, 2); }
   Real coordinate() { return between(-1, 1); }

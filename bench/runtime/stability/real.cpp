@@ -13,12 +13,12 @@ using Number = boost::multiprecision::number<boost::multiprecision::cpp_bin_floa
 
 struct Real::Access {
   static const Number& in(const Real& real) {
-    return *std::launder(reinterpret_cast<const Number*>(real.storage_));
+    return *std::launder(reinterpret_cast<const Number*>(real.storage_.data()));
   }
   static void put(Real& real, const Number& number) {
     static_assert(sizeof(Number) <= sizeof real.storage_ && alignof(Number) <= alignof(Real));
     static_assert(std::is_trivially_destructible_v<Number>);
-    new (real.storage_) Number(number);
+    new (real.storage_.data()) Number(number);
   }
   static Real made_of(const Number& number) {
     Real real;

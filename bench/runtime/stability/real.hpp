@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <assur/numeric/precision.hpp>
 #include <cstddef>
 #include <limits>
@@ -56,7 +57,7 @@ class Real {
 
  private:
   struct Access;  // to the number that lives in the storage, whose type is the .cpp's own
-  alignas(16) std::byte storage_[64];
+  alignas(16) std::array<std::byte, 64> storage_;
 };
 
 }  // namespace assur::stability

@@ -81,7 +81,7 @@ struct Model04 {
   /// its roots are regular configurations that close and differ by more than rounding; zero where
   /// that does not follow.
   static constexpr double discriminant_error = 0.000117, regular_discriminant = 0;
-  /// The same for the divisor of the formula.
+  /// What the numbers above are for the discriminant, these are for the divisor of the formula.
   static constexpr int leading_degree = 2;
   static constexpr double leading_error = 3.52e-11;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that

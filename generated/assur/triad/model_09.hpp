@@ -81,7 +81,7 @@ struct Model09 {
   /// its roots are regular configurations that close and differ by more than rounding; zero where
   /// that does not follow.
   static constexpr double discriminant_error = 1.16e-07, regular_discriminant = 0;
-  /// The same for the divisor of the formula.
+  /// What the numbers above are for the discriminant, these are for the divisor of the formula.
   static constexpr int leading_degree = 0;
   static constexpr double leading_error = 6.58e-13;
   static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that

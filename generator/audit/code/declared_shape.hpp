@@ -12,9 +12,9 @@ struct DeclaredShape {
   std::optional<std::size_t> columns;
 };
 
-/// Of `Eigen::Matrix3d`, `Matrix<S, 2, 3>`, `std::array<std::array<double, 3>, 2>`.
+/// Reads the shape of `Eigen::Matrix3d`, `Matrix<S, 2, 3>`, `std::array<std::array<double, 3>, 2>`.
 [[nodiscard]] DeclaredShape shape_of_type(Tokens type);
-/// Of `[2][3]` or `(2, 3)`, with which the tokens begin.
+/// Reads the shape from `[2][3]` or `(2, 3)`, with which the tokens begin.
 [[nodiscard]] DeclaredShape leading_shape(Tokens tokens);
 
 }  // namespace assur::generator::audit::code

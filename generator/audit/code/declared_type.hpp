@@ -14,7 +14,7 @@ namespace assur::generator::audit::code {
 /// wrapped round where they are stored, or something that may be anything.
 enum class ValueSort : unsigned char { real, whole, rounded, unknown };
 
-/// Of some code the types that have names of its own, and what their values are.
+/// The types to which some code gives names of its own, and what their values are.
 class TypeNames {
  public:
   [[nodiscard]] ValueSort sort_of(Tokens type) const;

@@ -34,7 +34,7 @@ using Tokens = std::span<const Token>;
 [[nodiscard]] std::size_t behind_closing(Tokens tokens, std::size_t open);
 /// The parts between the commas that stand outside brackets.
 [[nodiscard]] std::vector<Tokens> comma_parts(Tokens tokens);
-/// Of a list of declarations: commas between `<` and `>` are part of a type.
+/// The parts of a list of declarations: commas between `<` and `>` are part of a type.
 [[nodiscard]] std::vector<Tokens> declared_parts(Tokens tokens);
 /// Whether the tokens are these, one after the other; `#` stands for any whole number.
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);

@@ -9,7 +9,7 @@ namespace assur::generator::audit::latex {
 /// Audits the displayed equations of a paper. Throws InputError for a file that cannot be used; an
 /// equation that cannot be read is a finding.
 [[nodiscard]] AuditReport audit_paper(const std::string& paper, const std::string& map);
-/// The same from text, with the files' names for messages.
+/// Audits text in the same way, with the files' names for messages.
 [[nodiscard]] AuditReport audit_paper_text(const std::string& paper, const std::string& paper_file,
                                            const std::string& map, const std::string& map_file);
 

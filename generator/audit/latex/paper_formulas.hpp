@@ -25,7 +25,7 @@ class PaperFormulas {
   /// The expression of tokens; `place` is where a formula without tokens should stand. Throws
   /// FormulaError, also for what the paper should define and does not.
   [[nodiscard]] GiNaC::ex expression(const Tokens& tokens, Place place);
-  /// As it stands in the file, on one line.
+  /// The tokens as they stand in the file, on one line.
   [[nodiscard]] std::string source(const Tokens& tokens) const;
 
  private:

@@ -47,7 +47,7 @@ struct ProgramError : std::runtime_error {
   std::size_t point;
 };
 
-/// Of each point the entries row by row, all finite. Throws ProgramError.
+/// The entries for each point, row by row, all finite. Throws ProgramError.
 [[nodiscard]] std::vector<std::vector<double>> program_values(const UserProgram& program,
                                                               const MatrixSize& size,
                                                               const PointTable& table,

@@ -21,7 +21,8 @@ namespace {
 using numeric::Magnitude;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Of the variables of all groups whose lengths are at most so long, unless they are numbers.
+/// The sizes of the variables of all groups whose lengths are at most so long, unless they are
+/// numbers.
 Sizes sizes_up_to(double longest, const equations::ClosureEquations& equations,
                   const Sizes& numbers) {
   Sizes sizes = numbers;
@@ -179,8 +180,8 @@ class Circle {
     }
   }
 
-  /// From which discriminant on a group is regular. Zero where det J is no multiple of the root of
-  /// the discriminant, so that nothing is said by it.
+  /// The discriminant from which on a group is regular. It is zero where det J is no multiple of
+  /// the root of the discriminant, so that nothing is said by it.
   [[nodiscard]] double regular_discriminant(Sizes sizes) const {
     GiNaC::ex determinant = 1;
     for (const pivoting::Pivot& pivot : structured_.pivots()) {
@@ -271,7 +272,7 @@ class Circle {
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const {
     return equations_.vocabulary.expand(expression);
   }
-  /// With the other unknowns as they are completed, over a polynomial.
+  /// The ratio with the other unknowns as they are completed, over a polynomial.
   [[nodiscard]] GiNaC::ex ratio(const GiNaC::ex& value, const GiNaC::ex& polynomial) const {
     const GiNaC::ex fraction = value.subs(completed_).normal().numer_denom();
     return (elimination::on_circle(fraction.op(0), equations_) /
@@ -344,7 +345,7 @@ int show_closed_form(const equations::ClosureEquations& equations,
   if (has_leading) {
     show("leading", found.leading, twice.leading);
   }
-  // Of larger groups det J has more factors.
+  // In larger groups det J has more factors.
   double regular = 0;
   int first_key = 0;
   if (elimination.first->is_angle() && equations.unknowns.size() == 2) {

@@ -9,7 +9,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Of links that groups place: J takes 8 * 3 n * (3 n + 2) bytes, and its factors as much again.
+/// This counts links that groups place: J takes 8 * 3 n * (3 n + 2) bytes, and its factors as much
+/// again.
 constexpr std::size_t most_links = 16;
 
 class Constraints {

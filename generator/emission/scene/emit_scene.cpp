@@ -150,7 +150,7 @@ class SceneEmitter {
                                                 "Parameters<Scalar>& values");
   }
 
-  /// As the command takes them.
+  /// The names are written as the command takes them.
   [[nodiscard]] std::string variable_names() const {
     return cpp::comment_text(
         text::joined(solver_.variable, ",", [this](const VariableParameter& one) {
@@ -179,7 +179,7 @@ class SceneEmitter {
                      std::to_string(special.max_configurations) + " configurations");
   }
 
-  /// As it follows on the links of a group.
+  /// The words follow on the links of a group.
   [[nodiscard]] std::string relative_to(mechanism::GroupIndex group) const {
     const mechanism::LinkIndex base = solver_.group(group).base;
     return base.exists() ? ", relative to " + solver_.link_name(base) : "";
@@ -241,7 +241,8 @@ class SceneEmitter {
                               : "false");
   }
 
-  /// Of each group those that hold it, directly or through others, as a number of a bit each.
+  /// For each group those that hold it, directly or through others, as a number with a bit for
+  /// each.
   [[nodiscard]] std::vector<std::string> holders() const {
     const auto& groups = solver_.plan.structure().groups;
     std::vector<std::uint64_t> sets;

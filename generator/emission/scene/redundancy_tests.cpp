@@ -18,7 +18,8 @@ std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, Sc
   return link.empty() ? own : "support::pose_in(" + link + ".pose, " + own + ")";
 }
 
-/// By how much each redundant joint misses; the lines get the poses of its features, and the size.
+/// The amounts by which redundant joints miss; the lines get the poses of their features, and the
+/// size.
 std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
   std::vector<std::string> gaps;
   std::vector<std::string> poses;

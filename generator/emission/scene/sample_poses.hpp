@@ -5,8 +5,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// Of all links, blocks of pins in slots among them, in the scene's first configuration at its own
-/// numbers. Throws MechanismError if there is none.
+/// The poses of all links, blocks of pins in slots among them, in the scene's first configuration
+/// at its own numbers. Throws MechanismError if there is none.
 [[nodiscard]] mechanism::Table<mechanism::LinkIndex, Pose<double>> poses_of_links(
     const mechanism::Plan& plan, const mechanism::Values& values);
 

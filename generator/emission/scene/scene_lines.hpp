@@ -15,7 +15,7 @@ namespace assur::generator::emission::scene {
 /// The parameters of a scene to which derivatives are modelled.
 class ModelledParameters {
  public:
-  /// By their columns among the derivatives of the scene's values.
+  /// The parameters are told by their columns among the derivatives of the scene's values.
   ModelledParameters(std::vector<Eigen::Index> columns, std::vector<std::string> names)
       : columns_(std::move(columns)), names_(std::move(names)) {}
 
@@ -40,8 +40,8 @@ class SceneLines {
   void add(const std::string& line) { lines_.push_back(line); }
   /// Whether a statement begins like this.
   [[nodiscard]] bool declares(const std::string& beginning) const;
-  /// With the variable parameters as `p` and the drivers, where formulas read them; unless the
-  /// function has the drivers already.
+  /// The lines have the variable parameters as `p`, and the drivers where formulas read them,
+  /// unless the function has the drivers already.
   [[nodiscard]] std::vector<std::string> lines(bool has_drivers = false) const;
 
   /// A number, or its formula in variable parameters.

@@ -17,7 +17,7 @@ bool SceneMovers::names_rates(const Root& root) const {
   });
 }
 
-/// Of other roots than those that names_rates tells the derivatives are those of their radicands.
+/// Roots that names_rates does not tell have the derivatives of their radicands.
 template <typename Visit>
 void SceneMovers::visit(const GiNaC::ex& formula, const Visit& visit) const {
   GiNaC::exmap standing;  // named roots to symbols that nothing moves

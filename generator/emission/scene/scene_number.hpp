@@ -21,7 +21,7 @@ class SceneSymbols {
   void add(const GiNaC::symbol& symbol, const GiNaC::ex& value) { values_[symbol] = value; }
   /// The symbol of a root; the same for the same radicand.
   [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
-  /// In the order in which they depend on one another.
+  /// The roots are in the order in which they depend on one another.
   [[nodiscard]] const std::deque<Root>& roots() const { return roots_; }
   [[nodiscard]] GiNaC::ex value_of(const GiNaC::ex& formula) const;
   /// The formula without roots.

@@ -125,7 +125,7 @@ SceneNumbers::LongDirection SceneNumbers::lengthened(
   return result;
 }
 
-/// Of (x, y) / r the angle has the slope (x dy - y dx) / r^2, whatever r is.
+/// The angle of (x, y) / r has the slope (x dy - y dx) / r^2, whatever r is.
 std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
   const auto [x, y, square] = lengthened(direction);
   std::vector<std::string> texts;

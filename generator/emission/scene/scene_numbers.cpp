@@ -160,7 +160,7 @@ SceneNumber SceneNumbers::number(mechanism::NumberIndex number) const {
       });
 }
 
-/// Of a parameter that is a formula in others that move, its own rates stand in place of theirs.
+/// A parameter may be a formula in others that move: its own rates stand in place of theirs.
 void SceneNumbers::set_rates(const Mover& mover) {
   const mechanism::Parameter& parameter = plan_.mechanism().parameters()[mover.parameter];
   const GiNaC::ex formula =

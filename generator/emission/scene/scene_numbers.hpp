@@ -33,8 +33,8 @@ class SceneNumbers {
   SceneNumbers& operator=(const SceneNumbers&) = delete;
 
   [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
-  /// Where a driver has its joint: an argument of the solver, or the formula of a law that reads
-  /// other joints.
+  /// The place to which a driver moves its joint: an argument of the solver, or the formula of a
+  /// law that reads other joints.
   [[nodiscard]] const SceneNumber& position(mechanism::DriverIndex driver) const {
     return positions_[driver];
   }
@@ -69,7 +69,7 @@ class SceneNumbers {
   struct NamedStep {
     std::string name, formula;
   };
-  /// In the order in which they depend on one another, with as many rates as `order`.
+  /// The steps in the order in which they depend on one another, with as many rates as `order`.
   [[nodiscard]] const std::vector<NamedStep>& steps(int order) const;
   /// The formula of a number that varies.
   [[nodiscard]] std::string text(const SceneNumber& number) const;
@@ -90,7 +90,7 @@ class SceneNumbers {
   SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
   /// The formula in what varies: deviations are zero, and so roots of nothing else are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
-  /// As C++ reads it, where everything is as it is at run time.
+  /// The formula as C++ reads it, where everything is as it is at run time.
   [[nodiscard]] std::string spelled(const GiNaC::ex& formula) const;
   /// A direction (x, y) / r of any length r, and r^2: without the roots that both parts are divided
   /// by, its angle has shorter derivatives.
@@ -107,7 +107,7 @@ class SceneNumbers {
   mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
   mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
-  /// Of the first of the roots, as many as have been asked for.
+  /// These belong to the first of the roots, as many as have been asked for.
   mutable std::vector<NamedStep> steps_;
   mutable std::size_t roots_in_steps_ = 0;
   std::vector<GiNaC::symbol> variables_;
@@ -117,7 +117,7 @@ class SceneNumbers {
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   SceneMovers movers_;
   mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
-  /// Of links of groups that are solved relative to others, in the frames of these.
+  /// The links of groups that are solved relative to others, in the frames of these.
   mechanism::Table<mechanism::LinkIndex, Pose<SceneNumber>> relative_;
   GiNaC::exmap spellings_;  ///< of the cosines and sines of these frames' angles
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;

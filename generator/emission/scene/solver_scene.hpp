@@ -97,7 +97,7 @@ struct SolverScene {
   [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {
     return is_ground(link) ? "" : "placed." + members.links[link];
   }
-  /// Where a group places one of its links: `placed.crank`, or `placed.rod_on_crank`.
+  /// The place where a group puts one of its links: `placed.crank`, or `placed.rod_on_crank`.
   [[nodiscard]] std::string placed_by_group(mechanism::LinkIndex link) const {
     return "placed." + (members.relative[link].empty() ? members.links : members.relative)[link];
   }

@@ -92,7 +92,7 @@ class GroupSpecialiser {
   }
 
  private:
-  /// Of the parameters to which frames have derivatives.
+  /// The number of parameters to which frames have derivatives.
   [[nodiscard]] Eigen::Index parameter_count() const {
     return count_of(FrameNeed::everything) > 0 ? numbers_.dimension_gradient.cols() : 0;
   }
@@ -186,7 +186,7 @@ class GroupSpecialiser {
     }
   }
 
-  /// Of the derivatives of frames, leaves those of which everything is needed.
+  /// Leaves those derivatives of frames of which everything is needed.
   void leave_out_frames() {
     const auto keep = [this](derivatives::ExpressionMatrix& matrix, std::size_t rows_of_link) {
       derivatives::ExpressionMatrix kept;

@@ -26,8 +26,8 @@ struct SpecialisedNumbers {
   double unit;
   double size;  ///< the longest of the group's own lengths, without the arms of what holds it
   int order;    ///< of the time derivatives that are wanted: 0, 1 or 2
-  /// Of each dimension of the model whether drivers move it: then it is one of the inputs, behind
-  /// the model's own, and none of the dimensions below.
+  /// Whether drivers move each dimension of the model: then it is one of the inputs, behind the
+  /// model's own, and none of the dimensions below.
   std::vector<bool> dimension_moves;
   /// A dimension that variable parameters change is no number: it is an input behind all others.
   std::vector<std::optional<DimensionValue<double>>> dimensions;
@@ -44,7 +44,7 @@ struct SpecialisedNumbers {
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;
-  /// Of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
+  /// The numbers of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
   std::size_t branch_numbers;
   int first_key;  ///< of those that put a group's configurations in order, the first that may
                   ///< differ

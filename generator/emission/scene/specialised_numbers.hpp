@@ -39,7 +39,7 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<FrameNeed> frame_needs(const SolverScene& solver,
                                                  mechanism::GroupIndex group);
 
-/// Of each dimension of a group's model whether drivers move it.
+/// Whether drivers move each dimension of a group's model.
 [[nodiscard]] std::vector<bool> moving_dimensions(const SolverScene& solver,
                                                   mechanism::GroupIndex group);
 

@@ -95,7 +95,7 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
   if (text::is_reserved_name(name)) {
     throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
   }
-  description::expect_new(parameter_of_name_.count(name) > 0, name, "parameters");
+  description::expect_new(parameter_of_name_.contains(name), name, "parameters");
 }
 
 ParameterIndex Mechanism::declare_parameter(const std::string& name) {
@@ -165,7 +165,7 @@ Feature Mechanism::on_link(const std::string& name, const std::string& part) con
 }
 
 Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
-  const Feature feature = on_link(name, part);
+  Feature feature = on_link(name, part);
   for (const FeatureIndex other : links_[feature.link].features) {
     if (features_[other].name == feature.name) {
       throw MechanismError(part, "the name " + in_quotes(feature.name) + " is taken");

@@ -43,7 +43,7 @@ std::vector<std::size_t> convex_hull(const std::vector<Eigen::Vector2d>& points,
     const std::size_t fixed = hull.size();
     for (; first != last; ++first) {
       while (hull.size() >= fixed + 2) {
-        const Eigen::Vector2d before = points[hull[hull.size() - 2]];
+        const Eigen::Vector2d& before = points[hull[hull.size() - 2]];
         const Eigen::Vector2d whole = points[*first] - before;
         const Eigen::Vector2d part = points[hull.back()] - before;
         if (cross(part, whole) > least * whole.norm()) {

@@ -37,6 +37,7 @@ std::string written_moving(const std::vector<SvgElements>& moments, double secon
   for (std::size_t place = 0; place < moments.front().size(); ++place) {
     const SvgElement& first = moments.front()[place];
     std::string motion;
+    // NOLINTNEXTLINE(modernize-loop-convert): the other moments are read at the same index
     for (std::size_t attribute = 0; attribute < first.places.size(); ++attribute) {
       const auto& [name, value] = first.places[attribute];
       const auto value_at = [&, which = attribute](const SvgElements& moment) {

@@ -35,7 +35,7 @@ class Rows {
       at_ = legend_side;
       ++row_;
     }
-    const Vector2d place(at_, top_ + row_height * (row_ + 0.5));
+    Vector2d place(at_, top_ + row_height * (row_ + 0.5));
     at_ += width;
     return place;
   }

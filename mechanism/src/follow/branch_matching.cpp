@@ -151,6 +151,7 @@ class Matcher {
   [[nodiscard]] bool is_turned(PointIndex point) const {
     const auto& before = left_.configuration(point).determinants;
     const auto& after = right_.configuration(result_.to_right[point]).determinants;
+    // NOLINTNEXTLINE(readability-use-anyofallof): the keys of a table are no standard range
     for (const GroupIndex group : before.keys()) {
       if (left_.roles[group] == right_.roles[group] && std::min(before[group], after[group]) < 0 &&
           std::max(before[group], after[group]) > 0) {

@@ -78,9 +78,8 @@ void BranchTracker::advance(const SnapshotPointer& set) {
     if (solver_.looks_closely()) {
       give_up(set, matching);
     } else {
-      solver_.look_closely(true);
+      const SnapshotSolver::CloseLook look(solver_);
       advance(set);
-      solver_.look_closely(false);
     }
   }
 }

@@ -8,21 +8,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The pair at another distance from a flat fold.
+/// The same pair at another distance from a flat fold, the fourth root of which its separation
+/// follows.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double fold, double parameter) {
   const double from = fold - pair.set->parameter;
-  const double shrink = std::pow((fold - parameter) / from, 0.25);
-  if (!(shrink > 0)) {
-    return std::nullopt;
-  }
-  const Eigen::VectorXd middle =
-      (pair.first().at + pair.second().at) / 2 +
-      (pair.first().slope + pair.second().slope) / 2 * (parameter - pair.set->parameter);
-  const Eigen::VectorXd half = pair.apart() / 2 * shrink;
-  constexpr double tolerance = 0.3;
-  return pair_near(solver.at(parameter), middle - half, middle + half,
-                   tolerance * pair.separation() * shrink);
+  return pair_followed(solver, pair, parameter, std::pow((fold - parameter) / from, 0.25));
 }
 
 /// Where the fold is, if the pair approaches it as the fourth root of the distance: then

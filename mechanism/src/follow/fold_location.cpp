@@ -10,22 +10,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The same pair at another distance from its fold. The midpoint of the two moves smoothly, and
-/// their separation grows as the square root of the distance.
+/// The same pair at another distance from its fold, the root of which its separation follows.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double parameter) {
   const double distance = pair.distance_to_fold();
   const double move = parameter - pair.set->parameter;
-  const double shrink = std::sqrt((distance - move) / distance);
-  if (!(shrink > 0)) {
-    return std::nullopt;
-  }
-  const Eigen::VectorXd middle = (pair.first().at + pair.second().at) / 2 +
-                                 (pair.first().slope + pair.second().slope) / 2 * move;
-  const Eigen::VectorXd half = pair.apart() / 2 * shrink;
-  constexpr double tolerance = 0.3;
-  return pair_near(solver.at(parameter), middle - half, middle + half,
-                   tolerance * pair.separation() * shrink);
+  return pair_followed(solver, pair, parameter, std::sqrt((distance - move) / distance));
 }
 
 /// Follows a pair towards its fold until its separation is about `target`.
@@ -134,6 +124,21 @@ std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set, const Eig
     return std::nullopt;
   }
   return pair;
+}
+
+std::optional<ConfigurationPair> pair_followed(SnapshotSolver& solver,
+                                               const ConfigurationPair& pair, double parameter,
+                                               double shrink) {
+  if (!(shrink > 0)) {
+    return std::nullopt;
+  }
+  const Eigen::VectorXd middle =
+      (pair.first().at + pair.second().at) / 2 +
+      (pair.first().slope + pair.second().slope) / 2 * (parameter - pair.set->parameter);
+  const Eigen::VectorXd half = pair.apart() / 2 * shrink;
+  constexpr double tolerance = 0.3;
+  return pair_near(solver.at(parameter), middle - half, middle + half,
+                   tolerance * pair.separation() * shrink);
 }
 
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,

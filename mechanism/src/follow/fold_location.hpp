@@ -27,6 +27,12 @@ struct ConfigurationPair {
                                                          const Eigen::VectorXd& other,
                                                          double tolerance);
 
+/// The same pair at another value of the parameter: its middle moves smoothly, and its separation
+/// is multiplied by `shrink`. Nothing where that is not positive, or no pair is found there.
+[[nodiscard]] std::optional<ConfigurationPair> pair_followed(SnapshotSolver& solver,
+                                                             const ConfigurationPair& pair,
+                                                             double parameter, double shrink);
+
 /// Follows a pair to the fold where it meets. Along the branch through a fold both the parameter
 /// and the configuration are analytic in g = dp / d(v . X), where v is the direction between the
 /// two; each configuration near the fold gives one exact g, and the fold is at g = 0. `through`

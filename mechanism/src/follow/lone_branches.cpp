@@ -50,12 +50,12 @@ std::optional<BranchPoint> LoneBranches::continued(BranchPoint from, double para
   constexpr int most_tries = 400;
   constexpr double shorter = 0.6;
   constexpr double longer = 16;  // A long step may pass a place at which a short one would end.
-  constexpr double shortest = 1.0 / 64;  // of the last
+  constexpr double least_part = 1.0 / 64;  // of the last
   double step = parameter - from.set->parameter;
   double last = std::abs(step);
   Eigen::VectorXd curvature = Eigen::VectorXd::Zero(from.here().at.size());
-  for (int attempt = 0;
-       attempt < most_tries && from.set->parameter != parameter && std::abs(step) > shortest * last;
+  for (int attempt = 0; attempt < most_tries && from.set->parameter != parameter &&
+                        std::abs(step) > least_part * last;
        ++attempt) {
     const double rest = parameter - from.set->parameter;
     const bool arrives = std::abs(step) >= std::abs(rest);

@@ -182,16 +182,17 @@ bool SnapshotSolver::has_less_than_beside(const Snapshot& set) {
   }
   const bool is_behind_middle = 2 * set.parameter > from_ + to_;
   const double inward = is_behind_middle == (from_ < to_) ? from_ - to_ : to_ - from_;
-  std::shared_ptr<const Snapshot> beside;
+  std::shared_ptr<const Snapshot> neighbour;
   try {
     auto snapshot = begun(set.parameter + std::copysign(little * way_of_size(set), inward));
     solver_.solve({.within_limits = false}, snapshot->solution);
-    beside = completed(std::move(snapshot));
+    neighbour = completed(std::move(snapshot));
   } catch (const MechanismError&) {
     return false;  // A formula may have no value there.
   }
-  families_ = std::min(families, beside->solution.families.size());
-  return (families > families_ || is_merged) && beside->separable && beside->count() > set.count();
+  families_ = std::min(families, neighbour->solution.families.size());
+  return (families > families_ || is_merged) && neighbour->separable &&
+         neighbour->count() > set.count();
 }
 
 void SnapshotSolver::mark_known_paths(Solution& solution) const {

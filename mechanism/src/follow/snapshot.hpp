@@ -65,9 +65,18 @@ class SnapshotSolver {
   /// From now on, angles that laws read are counted by whole turns from those of a set. Solving a
   /// step does this with the step's set.
   void count_from(const SnapshotPointer& set);
-  /// From now on, sets can be followed, too, whose slopes are known only from all constraints
+  /// While it lives, sets can be followed, too, whose slopes are known only from all constraints
   /// together, and not group by group. That takes longer, and crossings are located less precisely.
-  void look_closely(bool closely) { closely_ = closely; }
+  class CloseLook {
+   public:
+    explicit CloseLook(SnapshotSolver& solver) : solver_(solver) { solver_.closely_ = true; }
+    CloseLook(const CloseLook&) = delete;
+    CloseLook& operator=(const CloseLook&) = delete;
+    ~CloseLook() { solver_.closely_ = false; }
+
+   private:
+    SnapshotSolver& solver_;
+  };
   [[nodiscard]] bool looks_closely() const { return closely_; }
   /// Resets the count of calls between two steps; `at_step` does so, too.
   void begin_step() { between_steps_ = 0; }

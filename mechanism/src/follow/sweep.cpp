@@ -86,8 +86,8 @@ class Sweeper {
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
-    SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
-    SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
+    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
+    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
     if ((!before || !after) && !solver_.looks_closely()) {
       look_closely_beside(step, set);
       return;
@@ -102,7 +102,6 @@ class Sweeper {
       from = {tracker_.current(), tracker_.branches()};
     }
     take_events();
-    unresolved_.clear();
     const std::ptrdiff_t told = until(value) - later_.begin();
     const bool is_told_before = !after && !tracker_.running() && gap_;
     if (after && tracker_.running()) {
@@ -127,6 +126,11 @@ class Sweeper {
       to = {after, tracker_.branches()};
     }
     std::vector<int> gone_after = to.branches.items();
+    // In a passage of more than a step nobody knows on which side of an event a row is.
+    const bool is_wide =
+        from.set && to.set && std::abs(to.set->parameter - from.set->parameter) > step_width();
+    unresolved_ =
+        is_wide ? left_unresolved({later_.begin() + told, later_.end()}) : std::set<int>();
     forget_outside(from);
     forget_outside(to);
     passage_.emplace(std::move(from), std::move(to), solver_.length());
@@ -146,14 +150,13 @@ class Sweeper {
 
   /// Handles a step that has no set beside it, with a closer look at both.
   void look_closely_beside(int step, const SnapshotPointer& set) {
-    solver_.look_closely(true);
+    const SnapshotSolver::CloseLook look(solver_);
     if (const SnapshotPointer closely = solver_.at(set->parameter); closely->separable) {
       passage_.reset();
       pass(step, closely);
     } else {
       pass_beside(step, set);
     }
-    solver_.look_closely(false);
   }
 
   /// Adds an unresolved event where no set can be followed beyond the first or last step, for the
@@ -293,14 +296,9 @@ class Sweeper {
   }
 
   /// Handles an unresolved event, which happens anywhere within its uncertainty about a middle.
-  /// Branches without rows that may end or begin beyond the ends of the sweep are not reported. If
-  /// the uncertainty exceeds a step, no row within the passage is assigned to these branches.
+  /// Branches without rows that may end or begin beyond the ends of the sweep are not reported.
   void leave_unknown(BranchEvent& event, double middle) {
     const double reach = sense() * event.uncertainty;
-    if (2 * event.uncertainty > step_width()) {
-      unresolved_.insert(event.ended.begin(), event.ended.end());
-      unresolved_.insert(event.begun.begin(), event.begun.end());
-    }
     const auto is_outside = [this](int branch) {
       return !told_.has_row(branch) && outside_.insert(branch).second;
     };
@@ -370,8 +368,7 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep
-  std::set<int>
-      unresolved_;  ///< numbers of branches that events leave unknown over more than one step
+  std::set<int> unresolved_;        ///< numbers of branches that have no rows in the passage
   ToldBranches told_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step

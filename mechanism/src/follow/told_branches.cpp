@@ -20,6 +20,17 @@ std::vector<int> untold(std::vector<int> branches, const std::vector<StepRow>& r
   return branches;
 }
 
+std::set<int> left_unresolved(std::span<const BranchEvent> events) {
+  std::set<int> branches;
+  for (const BranchEvent& event : events) {
+    if (event.kind == EventKind::unresolved) {
+      branches.insert(event.ended.begin(), event.ended.end());
+      branches.insert(event.begun.begin(), event.begun.end());
+    }
+  }
+  return branches;
+}
+
 void ToldBranches::note(const StepRow& row) {
   if (!row.state->is_consistent && row.state->regularity == Status::ok) {
     foreign_.insert(row.branch);

@@ -19,6 +19,9 @@ namespace assur::mechanism::follow {
 [[nodiscard]] std::vector<int> untold(std::vector<int> branches, const std::vector<StepRow>& rows,
                                       std::span<const BranchEvent> events);
 
+/// The branches that unresolved events name.
+[[nodiscard]] std::set<int> left_unresolved(std::span<const BranchEvent> events);
+
 /// Records which branches have had rows, and by which numbers they are shown.
 class ToldBranches {
  public:

@@ -82,7 +82,7 @@ class StructuralGraph {
       for (const BodyIndex body : bodies_.keys()) {
         const bool reached = std::any_of(
             bodies_[body].matched.begin(), bodies_[body].matched.end(), [&](TieIndex tie) {
-              return free.count(ties_[tie].body) > 0 || free.count(ties_[tie].other) > 0;
+              return free.contains(ties_[tie].body) || free.contains(ties_[tie].other);
             });
         grown = (reached && free.insert(body).second) || grown;
       }
@@ -193,9 +193,9 @@ class StructuralGraph {
         bodies_[body].matched.push_back(tie);
         return true;
       }
-      for (std::size_t freedom = 0; freedom < bodies_[body].matched.size(); ++freedom) {
-        if (matched(bodies_[body].matched[freedom])) {
-          bodies_[body].matched[freedom] = tie;
+      for (TieIndex& held : bodies_[body].matched) {
+        if (matched(held)) {
+          held = tie;
           return true;
         }
       }
@@ -215,7 +215,8 @@ class StructuralGraph {
   /// among equal ones the one whose links' names come first. The order must not depend on the
   /// listing, since configurations may be numbered group by group.
   void rank_bodies(Decomposition& result) {
-    Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size()), read(bodies_.size());
+    Table<BodyIndex, std::vector<BodyIndex>> needs(bodies_.size());
+    Table<BodyIndex, std::vector<BodyIndex>> read(bodies_.size());
     for (const BodyIndex body : bodies_.keys()) {
       for (const TieIndex tie : bodies_[body].matched) {
         const BodyIndex other = ties_[tie].body == body ? ties_[tie].other : ties_[tie].body;

@@ -46,9 +46,8 @@ class Overloading {
       overloaded.push_back(links.front());
     }
     std::map<LinkIndex, Table<LinkIndex, bool>> parts;
-    for (std::size_t joint = 0; joint < overloaded.size(); ++joint) {
-      Table<LinkIndex, bool>& part = parts[part_of(overloaded[joint])];
-      part.assign(mechanism_.links().size(), false);
+    for (const LinkIndex link : overloaded) {
+      parts[part_of(link)].assign(mechanism_.links().size(), false);
     }
     for (std::size_t joint = 0; joint < overloaded.size(); ++joint) {
       for (const LinkIndex link : held[joint]) {

@@ -59,6 +59,7 @@ class PartFinder {
   /// Adds the links that move needed ones: those that carry them, and those that the laws of
   /// drivers read.
   void need_carriers() {
+    // NOLINTNEXTLINE(modernize-loop-convert): clang 14 cannot read the reversed views of libstdc++
     for (auto link = structure_.carried.rbegin(); link != structure_.carried.rend(); ++link) {
       if (!needed_[link->to]) {
         continue;

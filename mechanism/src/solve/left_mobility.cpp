@@ -82,7 +82,8 @@ class FamilyTrial {
   [[nodiscard]] Eigen::VectorXd any_step() {
     Eigen::VectorXd step(3 * std::ssize(loose_));
     for (Eigen::Index row = 0; row < step.size(); ++row) {
-      const double part = static_cast<double>(random_()) / static_cast<double>(random_.max());
+      const double part =
+          static_cast<double>(random_()) / static_cast<double>(decltype(random_)::max());
       step(row) = (2 * part - 1) * (row % 3 == 2 ? std::numbers::pi : 1);
     }
     return step;

@@ -41,9 +41,8 @@ models::Series moving_law(const Values& values, DriverIndex index,
     moving.c[2] = values::second_rate_of(number) / 2;
     return moving;
   };
-  models::Series law =
-      values.plan().mechanism.numbers()[driver.position].formula.evaluate<models::Series>(
-          in_time, coordinate_of);
+  auto law = values.plan().mechanism.numbers()[driver.position].formula.evaluate<models::Series>(
+      in_time, coordinate_of);
   if (driver.velocity.exists() || driver.acceleration.exists()) {
     law.c[1] = driver.velocity.exists() ? values.number(driver.velocity).value() : law.c[1];
     law.c[2] =

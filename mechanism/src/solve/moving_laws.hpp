@@ -26,13 +26,13 @@ struct MovingParts {
 
 /// The coordinate of a joint without a driver between moving links; an angle includes the whole
 /// turns that the configuration counts.
-[[nodiscard]] models::Series moving_coordinate(const MovingParts& parts, JointIndex joint);
+[[nodiscard]] models::Series moving_coordinate(const MovingParts& parts, JointIndex index);
 
 /// The value of a law that reads coordinates of joints, as a series. Rates that the driver states
 /// replace those that follow from the law; then the third and fourth orders are zero, as those of
 /// parameters are.
 [[nodiscard]] models::Series moving_law(
-    const Values& values, DriverIndex driver,
+    const Values& values, DriverIndex index,
     const std::function<models::Series(JointIndex)>& coordinate_of);
 
 }  // namespace assur::mechanism::solve

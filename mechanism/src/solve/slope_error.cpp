@@ -11,11 +11,11 @@ namespace assur::mechanism::solve {
 
 double slope_error(const Values& values, const Configuration& configuration, Eigen::Index column) {
   constexpr double unknown = std::numeric_limits<double>::infinity();
-  constexpr std::size_t most_links = 100;
+  constexpr std::size_t most_tried_links = 100;
   constexpr double short_step = 1e-5;  // halves the digits that a difference of J keeps
   const PlanData& plan = values.plan();
   if (!plan.redundant.empty() || !plan.structure.reading.empty() ||
-      plan.mechanism.links().size() > most_links || !moves_drivers_alone(values, column)) {
+      plan.mechanism.links().size() > most_tried_links || !moves_drivers_alone(values, column)) {
     return unknown;
   }
   AllConstraints constraints(values);

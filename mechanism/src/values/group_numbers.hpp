@@ -72,9 +72,9 @@ struct Values::GroupNumbers {
 namespace assur::mechanism::values {
 
 /// Derivatives of lengths, and of angles in radians.
-[[nodiscard]] ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& values,
-                                                  const Values& mechanism);
+[[nodiscard]] ParameterDerivatives derivatives_of(
+    const std::vector<DimensionValue<Dual>>& quantities, const Values& values);
 
-[[nodiscard]] Values::GroupNumbers group_numbers(const Values& values, GroupIndex group);
+[[nodiscard]] Values::GroupNumbers group_numbers(const Values& values, GroupIndex index);
 
 }  // namespace assur::mechanism::values

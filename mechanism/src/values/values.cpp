@@ -32,8 +32,8 @@ LinkFeature<Dual> block_feature(const Values& values, bool is_line) {
 namespace assur::mechanism {
 
 Values::Values(std::shared_ptr<const PlanData> plan,
-               const std::vector<std::pair<ParameterIndex, double>>& replaced)
-    : plan_(std::move(plan)), replaced_(replaced) {
+               std::vector<std::pair<ParameterIndex, double>> replaced)
+    : plan_(std::move(plan)), replaced_(std::move(replaced)) {
   const Mechanism& mechanism = plan_->mechanism;
   dependents_.resize(mechanism.parameters().size());
   parameters_.resize(mechanism.parameters().size());
@@ -182,7 +182,7 @@ void Values::evaluate_again(const Dependents& dependents) {
 
 double Values::value_of(NumberIndex index) const {
   const Number& number = plan_->mechanism.numbers()[index];
-  const double value = number.formula.evaluate<double>(
+  const auto value = number.formula.evaluate<double>(
       [&](ParameterIndex parameter) { return parameters_[parameter].value(); });
   if (!std::isfinite(value)) {
     throw MechanismError(number.part, "the value is not a finite number");

@@ -134,7 +134,7 @@ template <typename Model, typename Scalar = double, Unresolved unresolved = Unre
 
 namespace detail {
 
-/// The same group solved in double.
+/// Solves the same group in double.
 template <typename Model, typename Scalar>
 [[gnu::noinline, gnu::cold]] void ask_double(const typename Model::template Dimensions<Scalar>& d,
                                              const typename Model::template Inputs<Scalar>& u,
@@ -149,9 +149,9 @@ template <typename Model, typename Scalar>
 
 }  // namespace detail
 
-/// By how much the loop closures fail at least, in the unit of the lengths, where the links cannot
-/// reach: the least |F(d, u, q)|, over all closures together, of the minima that a search from
-/// several places leads to. It is set if the status is ok; other statuses are not_finite and
+/// The amount by which the loop closures fail at least, in the unit of the lengths, where the links
+/// cannot reach: the least |F(d, u, q)|, over all closures together, of the minima that a search
+/// from several places leads to. It is set if the status is ok; other statuses are not_finite and
 /// unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,

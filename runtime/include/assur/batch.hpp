@@ -84,8 +84,8 @@ template <typename Model, std::size_t Lanes>
   return (!found.settled).bits();
 }
 
-/// The same of all groups; the last pack overlaps the one before. Returns how many were solved by
-/// themselves.
+/// Solves all groups in this way; the last pack overlaps the one before. Returns how many were
+/// solved by themselves.
 template <typename Model, std::size_t Lanes>
 [[nodiscard]] std::size_t solve_closed(const Batch<Model>& batch) {
   std::size_t alone = 0;
@@ -102,7 +102,7 @@ template <typename Model, std::size_t Lanes>
   return alone;
 }
 
-/// The same of groups whose final polynomial has more roots, block by block.
+/// Solves groups whose final polynomial has more roots in this way, block by block.
 template <typename Model, std::size_t Lanes>
 [[nodiscard]] std::size_t solve_general(const Batch<Model>& batch) {
   batch::GeneralBlock<Model, Lanes> block;

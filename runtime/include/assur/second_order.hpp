@@ -84,8 +84,8 @@ class SecondOrder {
     if (!is_finite(x) || !is_finite(y) || !assur::is_finite(d_xy) || !assur::is_finite(u_xy)) {
       return Status::not_finite;
     }
-    // Of a quadratic form Q the bilinear form is (Q(x + y) - Q(x - y))/4. It loses what the longer
-    // of x and y has more digits than the shorter, so both are brought to one length.
+    // A quadratic form Q has the bilinear form (Q(x + y) - Q(x - y))/4. It loses what the longer of
+    // x and y has more digits than the shorter, so both are brought to one length.
     const Scalar length_x = length(x);
     const Scalar length_y = length(y);
     Equations rhs = -(f_d_ * d_xy) - f_u_ * u_xy;
@@ -102,7 +102,7 @@ class SecondOrder {
     return status();
   }
 
-  /// The same if d and u depend linearly on what varies.
+  /// Finds the same if d and u depend linearly on what varies.
   [[nodiscard]] Status second(const First& x, const First& y, Second& result) const {
     return second(x, y, DimensionRates::Zero(), InputRates::Zero(), result);
   }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <iostream>
 #include <random>
@@ -64,7 +65,7 @@ TEST(Audit, ADifferenceIsShownAtAPointThatCanBeChecked) {
   long r_below = 1;
   long s_above = 0;
   long s_below = 1;
-  long cosine[2];
+  std::array<long, 2> cosine{};
   ASSERT_EQ(std::sscanf(finding.comparison.point.c_str(),
                         "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", &cosine[0], &cosine[1],
                         &s_above, &s_below, &r_above, &r_below),

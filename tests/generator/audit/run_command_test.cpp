@@ -68,7 +68,7 @@ TEST(RunAudit, AnswersTheSameBesideOthers) {
     const std::string file = directory.write("b.audit", slider_crank + text).string();
     const std::string output = run_assur("audit --run " + file).output;
     const std::size_t from = std::min(output.find("run J"), output.size());
-    std::string own = output.substr(from, output.find("\n", output.find("note", from)) - from);
+    std::string own = output.substr(from, output.find('\n', output.find("note", from)) - from);
     for (std::size_t at = own.find(" (/"); at != std::string::npos; at = own.find(" (/")) {
       own.erase(at, own.find('\n', at) - at);  // the place, which does differ
     }

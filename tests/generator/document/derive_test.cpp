@@ -312,7 +312,8 @@ class DeriveProcess : public testing::TestWithParam<const generator::structure::
 
 TEST_P(DeriveProcess, GivesTheSameBytesTwice) {
   // All formats lay out the same derivation; each model tries one of them.
-  const char* const format = std::array{"text", "latex", "json"}[GetParam()->number / 6 % 3];
+  const auto number = static_cast<std::size_t>(GetParam()->number);
+  const char* const format = std::array{"text", "latex", "json"}[number / 6 % 3];
   const std::string once = said(format);
   EXPECT_FALSE(once.empty());
   EXPECT_EQ(once, said(format));

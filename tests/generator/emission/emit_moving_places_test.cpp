@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 Json moving_example(const std::string& stem) {
   Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / (stem + ".json"));
   double rate = 1;
-  for (auto& [name, parameter] : scene["parameters"].items()) {
+  for (const auto& [name, parameter] : scene["parameters"].items()) {
     if (!parameter.is_object()) {
       parameter = Json{{"value", parameter}};
     }
@@ -122,8 +122,9 @@ Json driven_behind_its_group(const std::string& law, bool is_slot) {
 /// those that follow: in one program, because most of its compilation is what they share. By
 /// default without the scenes whose sorts of laws and of joints others of them have too.
 TEST(EmitMovingPlaces, AgreesWithSolveOfLawsAndRatesOfTheirOwn) {
-  const std::string turned = "0.5*joint(D)", bent = "0.4 + gain*joint(D)",
-                    rooted = "sqrt(2 + gain*joint(D)) + 0.1*joint(C)";
+  const std::string turned = "0.5*joint(D)";
+  const std::string bent = "0.4 + gain*joint(D)";
+  const std::string rooted = "sqrt(2 + gain*joint(D)) + 0.1*joint(C)";
   std::vector<std::pair<std::string, Json>> named = {
       {"swelling", formula_with_its_own_rate()},
       {"bend", shaped_by_law(bent, false)},

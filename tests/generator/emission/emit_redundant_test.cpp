@@ -181,7 +181,9 @@ int main() {
   EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::ifstream printed(directory.path() / "printed");
   std::vector<Told> all;
-  std::string turning, turned, speeding_up;
+  std::string turning;
+  std::string turned;
+  std::string speeding_up;
   Told one{};
   while (printed >> one.status >> one.count >> one.families >> one.regularity >> turning >>
          turned >> speeding_up) {

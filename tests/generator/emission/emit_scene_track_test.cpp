@@ -86,7 +86,10 @@ SweptBranches swept(const Tracked& tracked, int steps, const TemporaryDirectory&
   EXPECT_TRUE(row.starts_with("step,configuration,branch," + tracked.parameter + ",")) << row;
   while (std::getline(rows, row)) {
     std::istringstream cells(row);
-    std::string step, configuration, branch, value;
+    std::string step;
+    std::string configuration;
+    std::string branch;
+    std::string value;
     std::getline(std::getline(cells, step, ','), configuration, ',');
     std::getline(std::getline(cells, branch, ','), value, ',');
     if (configuration.empty()) {

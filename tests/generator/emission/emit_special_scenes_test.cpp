@@ -169,7 +169,7 @@ void add_every_order(const std::string& name, const Json& scene,
     for (const bool exchanged : {false, true}) {
       if (all || number % 6 == 0) {
         Json listed = in_order(scene, order);
-        for (auto& [joint, entry] : listed["joints"].items()) {
+        for (const auto& [joint, entry] : listed["joints"].items()) {
           if (exchanged && joint != "A") {
             std::reverse(entry["between"].begin(), entry["between"].end());
           }
@@ -245,7 +245,7 @@ Verdict verdict_of(const Json& report) {
 /// Without the rates that are not known.
 Json with_known_numbers(Json configuration) {
   for (const std::string part : {"links", "joints", "outputs"}) {
-    for (auto& [name, entry] : configuration[part].items()) {
+    for (const auto& [name, entry] : configuration[part].items()) {
       Json known = Json::object();
       for (const auto& [what, value] : entry.items()) {
         if (value.dump().find("null") == std::string::npos) {

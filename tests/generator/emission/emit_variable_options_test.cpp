@@ -16,8 +16,8 @@ using namespace variable;
 CommandResult emit_with(const std::string& options, const Json& scene) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", scene.dump());
-  const CommandResult result = run_assur("emit --scene " + file.string() + " --output " +
-                                         (directory.path() / "out").string() + " " + options);
+  CommandResult result = run_assur("emit --scene " + file.string() + " --output " +
+                                   (directory.path() / "out").string() + " " + options);
   EXPECT_FALSE(result.status != 0 && std::filesystem::exists(directory.path() / "out"));
   return result;
 }

@@ -272,7 +272,7 @@ TEST(MisusedLibrary, IsRefusedInALine) {
   const mechanism::ParameterIndex phi = bar.parameter_named("phi");
   EXPECT_THROW(values.set(phi, std::nan("")), MechanismError);
   values.set(phi, 1);
-  EXPECT_EQ(plan.solve(values).configurations.size(), 1u);
+  EXPECT_EQ(plan.solve(values).configurations.size(), 1U);
   EXPECT_THROW(bar.add_output("P", "bar.P"), MechanismError);
   mechanism::Request request;
   request.sweep = mechanism::Sweep{phi, {}, {}, 3};

@@ -72,7 +72,7 @@ TEST(SweepStream, MemoryDoesNotGrowWithTheCount) {
   const long many = peak(200000);
   std::cout << "2000 steps: " << few << " kB, 200000 steps: " << many << " kB\n";
   EXPECT_GT(few, 0);
-  EXPECT_LT(many, few + 8 * 1024);
+  EXPECT_LT(many, few + 8L * 1024);
 }
 
 TEST(SweepStream, AValueThatIsNotFiniteLateLeavesNoOutput) {
@@ -117,8 +117,8 @@ TEST(SweepStream, WhereAFormulaHasNoValueBetweenTwoStepsNoBranchGoesThrough) {
                               },
                           .solved = {},
                           .progress = {}});
-  EXPECT_EQ(steps.size(), 3u);
-  ASSERT_EQ(events.size(), 1u);
+  EXPECT_EQ(steps.size(), 3U);
+  ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].substr(0, 10), "unresolved");
 }
 

@@ -366,7 +366,10 @@ TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
 /// In both motions of a parallelogram tan(rocker / 2) is a multiple of tan(crank / 2). Six digits
 /// of accelerations are left from 1e-3 rad on, and where they are the configuration is regular.
 TEST(Meetings, BesideThemWhatIsRegularHasSixDigits) {
-  constexpr double crank = 2, ground = 3, rate = -1.3, second_rate = 0.4;
+  constexpr double crank = 2;
+  constexpr double ground = 3;
+  constexpr double rate = -1.3;
+  constexpr double second_rate = 0.4;
   int regular = 0;
   for (double beside = 1e-5; beside < 0.1; beside *= 1.1) {
     SceneMaker scene = four_bar(crank, ground, crank, ground, "0", rate, second_rate);

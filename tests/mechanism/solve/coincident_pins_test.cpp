@@ -205,7 +205,7 @@ TEST(IndependentGroups, AreToldToMoveOnceForEachChoiceOfWhatHoldsThem) {
     }
     EXPECT_EQ(families.size(), 3U);
     for (const auto& [family, count] : families) {
-      EXPECT_EQ(count, family.find("K") != std::string::npos ? 2 : 1) << family;
+      EXPECT_EQ(count, family.find('K') != std::string::npos ? 2 : 1) << family;
     }
   } while (std::next_permutation(listing.begin(), listing.end()));
 }

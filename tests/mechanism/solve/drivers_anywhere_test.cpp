@@ -234,12 +234,12 @@ TEST_P(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
 
 /// The scene with one parameter moving, at a constant rate, and nothing else.
 Json with_one_moving(Json scene, const std::string& name, double velocity) {
-  for (auto& [other, entry] : scene["parameters"].items()) {
+  for (const auto& [other, entry] : scene["parameters"].items()) {
     if (entry.is_object()) {
       entry = entry["value"];
     }
   }
-  for (auto& [joint, driver] : scene["drivers"].items()) {
+  for (const auto& [joint, driver] : scene["drivers"].items()) {
     driver.erase("velocity");
     driver.erase("acceleration");
   }
@@ -355,9 +355,9 @@ TEST_P(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
     const Real turn = 2 * std::acos(-1.0L);
     for (const auto& [branch, by_step] : poses) {
       for (const auto& [at, q] : by_step) {
-        if (branch > 0 && by_step.count(at - 1) > 0 && by_step.count(at + 1) > 0 &&
-            by_step.count(at - 2) > 0 && by_step.count(at + 2) > 0) {
-          const auto central = [&](int by) {
+        if (branch > 0 && by_step.contains(at - 1) && by_step.contains(at + 1) &&
+            by_step.contains(at - 2) && by_step.contains(at + 2)) {
+          const auto central = [&, &at = at, &by_step = by_step](int by) {
             RealVector change = by_step.at(at + by) - by_step.at(at - by);
             for (Eigen::Index angle = 2; angle < change.size(); angle += 3) {
               change(angle) = std::remainder(change(angle), turn);

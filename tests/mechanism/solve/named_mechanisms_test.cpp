@@ -144,7 +144,7 @@ TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
       const long double length = static_cast<long double>(bars.coupler) + rocker;
       const long double square = (reach - length) * (reach + length) /
                                  (4 * static_cast<long double>(bars.crank) * bars.ground);
-      const double gap = static_cast<double>(2 * std::asin(std::sqrt(square)));
+      const auto gap = static_cast<double>(2 * std::asin(std::sqrt(square)));
       for (const double half : {3.0, 0.3, 0.01}) {
         for (const int count : {2, 61}) {
           SCOPED_TRACE(testing::Message()

@@ -39,8 +39,8 @@ Json rack_on_drag_link(int turns, int count) {
 
 mechanism::Scene scene_of(const Json& json) { return mechanism::parse_scene(json.dump(), "scene"); }
 
-constexpr Eigen::Index output_cos = 4 * 3 + 2;
-constexpr Eigen::Index rack_x = 4 * 4;
+constexpr Eigen::Index output_cos = Eigen::Index{4} * 3 + 2;
+constexpr Eigen::Index rack_x = Eigen::Index{4} * 4;
 
 TEST(ReadAngles, GoOnAlongBranches) {
   const SweepKept fine = run_sweep(scene_of(rack_on_drag_link(3, 3001)));

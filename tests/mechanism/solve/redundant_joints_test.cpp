@@ -120,7 +120,8 @@ TEST(RedundantJoints, OfManyParallelCranksHold) {
       for (int crank = 0; crank < cranks; ++crank) {
         const std::string number = std::to_string(crank);
         const std::string name = "crank" + number;
-        const Json place = {crank % 3, 0.25 * (crank / 3)};
+        const int row = crank / 3;
+        const Json place = {crank % 3, 0.25 * row};
         scene["links"]["ground"]["A" + number] = place;
         scene["links"]["coupler"]["B" + number] = place;
         scene["links"][name] = {{"A", {0, 0}}, {"B", {1, 0}}};
@@ -363,7 +364,7 @@ TEST(RedundantJoints, OfPinsInOnePlaceHold) {
                                            {"B", "lower", "coupler"},
                                            {"C", "coupler", "upper"},
                                            {"D", "upper", "top"}}) {
-      const auto feature = [&](const std::string& link) {
+      const auto feature = [&number, &joint = joint](const std::string& link) {
         return link +
                (link == "lower" || link == "upper" ? number + "." + joint : "." + (joint + number));
       };

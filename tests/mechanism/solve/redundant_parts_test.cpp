@@ -119,9 +119,12 @@ SceneMaker cognates() {
   scene.bar("coupler", {{"B", 0}, {"C", 4}}).point("coupler", "P", 2, 2.8);
   for (const auto& [number, foot, across, length] :
        {std::tuple{"1", "A", 1.4, 2.0}, {"2", "D", -1.4, 3.0}}) {
-    const std::string side = std::string("side") + number, plate = std::string("plate") + number;
-    const std::string last = std::string("last") + number, pin = std::string("G") + number;
-    const std::string low = std::string("L") + number, high = std::string("H") + number;
+    const std::string side = std::string("side") + number;
+    const std::string plate = std::string("plate") + number;
+    const std::string last = std::string("last") + number;
+    const std::string pin = std::string("G") + number;
+    const std::string low = std::string("L") + number;
+    const std::string high = std::string("H") + number;
     scene.point(side, low, 0, 0).point(side, pin, size, 0);
     scene.point(plate, pin, 0, 0).point(plate, "P", length, 0);
     scene.point(plate, high, length / 2, across * length / 2);
@@ -144,7 +147,8 @@ void add_trammel(SceneMaker& scene) {
 /// The scene with other names of its links and joints, in another order.
 Scene renamed(const Scene& scene, std::mt19937& random) {
   const auto names = [&](const Scene& of, const std::string& letter) {
-    std::vector<std::string> own, other;
+    std::vector<std::string> own;
+    std::vector<std::string> other;
     for (const auto& [name, item] : of.items()) {
       own.push_back(name);
       other.push_back(letter + std::to_string(10 + other.size()));

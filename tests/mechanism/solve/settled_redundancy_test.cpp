@@ -36,8 +36,8 @@ TEST(SettledRedundancy, OfAnAlmostFlatParallelogramHoldOnce) {
           Bars bars = five_bars(2, 1.5);
           bars.json()["links"]["ground"]["F"] = {third, 0};
           bars.json()["links"]["coupler"]["G"] = {third, 0};
-          for (auto& [link, points] : bars.json()["links"].items()) {
-            for (auto& [name, place] : points.items()) {
+          for (const auto& [link, points] : bars.json()["links"].items()) {
+            for (const auto& [name, place] : points.items()) {
               place[0] = place[0].get<double>() * unit;
             }
           }

@@ -1,6 +1,7 @@
 // Turns a compiler's arithmetic into a line for each of many answers of the runtime, to compare
 // with those of other arithmetic. A second argument sets the processor to round or to flush
 // otherwise.
+#include <array>
 #include <assur/assembly.hpp>
 #include <assur/dyad/model_01.hpp>
 #include <cfenv>
@@ -30,8 +31,8 @@ using Dyad = assur::dyad::Model01;
 const volatile double spoilt = std::numeric_limits<double>::quiet_NaN();
 
 const char* word(assur::AssemblyStatus status) {
-  constexpr const char* words[] = {"ok", "degenerate", "not finite", "unsound"};
-  return words[static_cast<int>(status)];
+  constexpr std::array words = {"ok", "degenerate", "not finite", "unsound"};
+  return words[static_cast<std::size_t>(status)];
 }
 
 /// In thousandths: whole numbers are printed alike however the processor rounds.

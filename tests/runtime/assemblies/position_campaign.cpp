@@ -1,6 +1,7 @@
 // Counts lost and invented configurations against Sturm's theorem: random groups of every rigid
 // model, and families that approach what root finders fail at. Prints Markdown; exits 1 on a loss.
 // position_campaign RANDOM_GROUPS_PER_MODEL FAMILY_MEMBERS_PER_DISTANCE
+#include <array>
 #include <assur/assemblies.hpp>
 #include <assur/tetrad/models.hpp>
 #include <cstdlib>
@@ -209,8 +210,8 @@ Group<Model> flattened(RandomInputs& random, double distance) {
 template <typename Model>
 Group<Model> joined_externals(RandomInputs& random, double distance) {
   Group<Model> group = random_group<Model>(random);
-  double* coordinates[2] = {nullptr, nullptr};
-  int place = 0;
+  std::array<double*, 2> coordinates{};
+  std::size_t place = 0;
   const auto join = [&](auto& member) {
     if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
       if (place < 2) {

@@ -187,14 +187,14 @@ using Models = testing::Types<dyad::Model01, dyad::Model02, dyad::Model05, triad
 TYPED_TEST_SUITE(BatchKinematics, Models, ModelNames);
 
 TYPED_TEST(BatchKinematics, AnswerAsConfigurationsByThemselves) {
-  for (const std::size_t count : {0, 1, 3, 4, 5, 1000}) {
+  for (const std::size_t count : {0U, 1U, 3U, 4U, 5U, 1000U}) {
     compare<TypeParam, 4>(count, false, false);
   }
   compare<TypeParam, 2>(101, false, false);
 }
 
 TYPED_TEST(BatchKinematics, MoveAsConfigurationsByThemselves) {
-  for (const std::size_t count : {0, 1, 4, 5, 500}) {
+  for (const std::size_t count : {0U, 1U, 4U, 5U, 500U}) {
     compare_motion<TypeParam, 4>(count, false, false);
   }
   compare_motion<TypeParam, 4>(200, true, false);

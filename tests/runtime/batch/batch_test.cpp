@@ -198,7 +198,7 @@ void compare(std::size_t count, Kind kind, Seen& seen) {
 template <typename Model, std::size_t Lanes>
 void compare_all(Kind kind) {
   Seen seen;
-  for (const std::size_t count : {0, 1, 3, 4, 5, 17}) {
+  for (const std::size_t count : {0U, 1U, 3U, 4U, 5U, 17U}) {
     compare<Model, Lanes>(count, kind, seen);
   }
   compare<Model, Lanes>(is_whole_campaign()     ? 20000

@@ -1,5 +1,6 @@
 // Turns every public header and every generated model into one file of C++17 under the strictest
 // warnings; headers_alone.cmake does the same with each header by itself.
+#include <array>
 #include <assur/assur.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/numeric/bounded.hpp>
@@ -47,7 +48,7 @@ assur::Status use(const Model::Dimensions<Scalar>& d, const Model::Inputs<Scalar
   assur::SecondDerivative<Model, Scalar> second;
   assur::FirstDerivative<Model, Scalar> first;
   const assur::SecondOrder<Model, Scalar> order(d, u, q);
-  const assur::Status statuses[] = {
+  const std::array statuses = {
       way.status,
       assur::refine<Model, Scalar>(d, u, q),
       assur::regularity<Model, Scalar>(d, u, q).status,

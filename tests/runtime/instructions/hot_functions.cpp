@@ -1,5 +1,6 @@
 // Runs one hot function of RRR-RRR 1000 times on fixed inputs, inside `measured`, for callgrind to
 // count its instructions: hot_functions NAME.
+#include <array>
 #include <assur/assembly.hpp>
 #include <assur/tetrad/model_01.hpp>
 #include <assur/tracking.hpp>
@@ -59,10 +60,14 @@ struct Function {
   const char* name;
   void (*run)(State&);
 };
-constexpr Function functions[] = {
-    {"jacobian", jacobian},     {"inverse_jacobian", inverse_jacobian},
-    {"motion", motion},         {"sensitivities_and_motion", sensitivities_and_motion},
-    {"assemblies", assemblies}, {"track", track}};
+constexpr std::array<Function, 6> functions = {{
+    {"jacobian", jacobian},
+    {"inverse_jacobian", inverse_jacobian},
+    {"motion", motion},
+    {"sensitivities_and_motion", sensitivities_and_motion},
+    {"assemblies", assemblies},
+    {"track", track},
+}};
 
 }  // namespace
 

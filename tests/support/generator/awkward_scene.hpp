@@ -38,12 +38,12 @@ inline nlohmann::ordered_json awkward_scene() {
       {"A", "1-2"}, {"B", "class"}, {"C", ""}, {"D", "\"D\\"}};
   nlohmann::ordered_json scene =
       scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "shaper_quick_return.json");
-  for (auto& [name, joint] : scene["joints"].items()) {
+  for (const auto& [name, joint] : scene["joints"].items()) {
     for (nlohmann::ordered_json& reference : joint["between"]) {
       rename_link(reference, links);
     }
   }
-  for (auto& [name, reference] : scene["outputs"].items()) {
+  for (const auto& [name, reference] : scene["outputs"].items()) {
     rename_link(reference, links);
   }
   scene["name"] = "a <b> & \"c\" {{file}} \\";

@@ -140,7 +140,7 @@ inline nlohmann::ordered_json stepped(nlohmann::ordered_json scene, double step)
   if (!scene.contains("drivers")) {
     return scene;
   }
-  for (auto& [name, driver] : scene["drivers"].items()) {
+  for (const auto& [name, driver] : scene["drivers"].items()) {
     if (!is_argument(driver)) {
       continue;
     }

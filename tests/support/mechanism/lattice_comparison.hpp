@@ -151,7 +151,7 @@ inline ClosureEquations closure_equations(const LatticeScene& scene,
         continue;
       }
       const double sense = link == joint.first ? -1 : 1;
-      const Eigen::Index column = 3 * link;
+      const Eigen::Index column = Eigen::Index{3} * link;
       if (joint.prismatic) {
         const Eigen::Vector2d normal(-first.along.y(), first.along.x());
         result.jacobian.block<1, 2>(row, column) = sense * normal.transpose();

@@ -208,8 +208,8 @@ class LatticeScene {
     const int step = joint.prismatic ? joint.steps[side] : 0;
     const int x = joint.at.x + step * joint.along.x - frame.origin.x;
     const int y = joint.at.y + step * joint.along.y - frame.origin.y;
-    const std::string place = "[" + number_text(frame.c * x + frame.s * y, frame.size) + ", " +
-                              number_text(frame.c * y - frame.s * x, frame.size) + "]";
+    std::string place = "[" + number_text(frame.c * x + frame.s * y, frame.size) + ", " +
+                        number_text(frame.c * y - frame.s * x, frame.size) + "]";
     if (!joint.prismatic) {
       return place;
     }

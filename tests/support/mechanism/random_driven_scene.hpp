@@ -80,11 +80,11 @@ class RandomDrivenScene {
       return result;
     };
     Json result = scene_;
-    for (auto& [name, features] : result["links"].items()) {
+    for (const auto& [name, features] : result["links"].items()) {
       features = shuffled(features);
     }
-    for (auto& [name, joint] : result["joints"].items()) {
-      if (joint["type"] == "revolute" && closed_.count(name) == 0) {
+    for (const auto& [name, joint] : result["joints"].items()) {
+      if (joint["type"] == "revolute" && !closed_.contains(name)) {
         std::vector<std::string> between = joint["between"];
         std::shuffle(between.begin(), between.end(), engine);
         joint["between"] = between;
@@ -172,7 +172,7 @@ class RandomDrivenScene {
   }
 
   std::string add_link() {
-    const std::string name = "L" + std::to_string(poses_.size());
+    std::string name = "L" + std::to_string(poses_.size());
     poses_[name] = {length(), length(), angle()};
     scene_["links"][name] = Json::object();
     return name;
@@ -284,7 +284,8 @@ class RandomDrivenScene {
 
   /// The group of links that a body holds alone: they are a part of the body.
   void add_group_to(Body& body) {
-    const std::vector<std::string> added = add_group(chance(0.8) ? 0 : 1 + below(2), &body);
+    const std::vector<std::string> added =
+        add_group(chance(0.8) ? 0U : static_cast<std::size_t>(1 + below(2)), &body);
     body.insert(body.end(), added.begin(), added.end());
   }
 
@@ -416,7 +417,7 @@ class RandomDrivenScene {
   [[nodiscard]] std::vector<OpenPin> open_pins() const {
     std::vector<OpenPin> result;
     for (const OpenPin& pin : pins_) {
-      if (closed_.count(pin.joint) == 0 && joined_.count(pin.joint) == 0) {
+      if (!closed_.contains(pin.joint) && !joined_.contains(pin.joint)) {
         result.push_back(pin);
       }
     }

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
+#include <bit>
+#include <cstdint>
 
 #include "mechanism/solved.hpp"
 
@@ -11,7 +12,7 @@ namespace assur::test {
 
 /// Bit by bit, so that also what is no number, and the sign of a zero, must be the same.
 inline bool same_bits(double one, double other) {
-  return std::memcmp(&one, &other, sizeof(double)) == 0;
+  return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
 }
 
 template <typename Derived, typename Other>

@@ -12,6 +12,7 @@
 namespace assur::test {
 
 /// Links are added with their points; points of one name on several links are a pin.
+// NOLINTNEXTLINE(bugprone-exception-escape): destroying JSON throws only where memory is short
 struct SceneMaker {
   using Json = nlohmann::ordered_json;  // lists what it holds as it was added
 
@@ -107,10 +108,10 @@ inline SceneMaker::Json listed(const SceneMaker::Json& object, int listing) {
 }
 
 inline SceneMaker::Json scene_listed(SceneMaker::Json scene, int listing) {
-  for (auto& [name, features] : scene["links"].items()) {
+  for (const auto& [name, features] : scene["links"].items()) {
     features = listed(features, listing);
   }
-  for (auto& [name, joint] : scene["joints"].items()) {
+  for (const auto& [name, joint] : scene["joints"].items()) {
     const bool is_driven = scene.contains("drivers") && scene["drivers"].contains(name);
     if (listing == 1 && !is_driven && joint["type"] == "revolute") {
       std::reverse(joint["between"].begin(), joint["between"].end());

@@ -133,7 +133,7 @@ inline SweepDifference difference(const SweepKept& few, const SweepKept& many, i
   SweepDifference result;
   const auto many_branches = many.branches();
   for (const SweepRowKept& row : few.rows) {
-    result.mismatched += many_branches.count({row.step * factor, row.configuration}) == 0 ? 1 : 0;
+    result.mismatched += many_branches.contains({row.step * factor, row.configuration}) ? 0 : 1;
   }
   for (const auto& [row, next] : neighbours(few)) {
     const auto there = many_branches.find({row->step * factor, row->configuration});

@@ -18,7 +18,7 @@ double largest_cluster_value(const TrigonometricPolynomial<Scalar, Degree>& T,
   for (std::size_t k = 1; k <= Degree; ++k) {
     sum += numeric::magnitude(T.cosine[k]) + numeric::magnitude(T.sine[k]);
   }
-  const Scalar error = numeric::transform_error<Scalar, Degree>(coefficient_error, sum);
+  const auto error = numeric::transform_error<Scalar, Degree>(coefficient_error, sum);
   double worst = -1;
   for (std::size_t cluster = 0; cluster < found.cluster_count; ++cluster) {
     const double angle = found.clusters[cluster].angle;

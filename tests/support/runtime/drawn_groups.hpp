@@ -18,7 +18,7 @@ class DrawnGroups {
   template <typename Variables>
   [[nodiscard]] Variables variables() {
     Variables result;
-    for_each_member(result, [this](auto& member, std::size_t) { draw(member); });
+    for_each_member(result, [this](auto& member, std::size_t) { this->draw(member); });
     return result;
   }
 

@@ -28,7 +28,7 @@ auto models_where(std::tuple<Models...>) -> TypesOf<decltype(std::tuple_cat(
     std::declval<
         std::conditional_t<Holds<Models>::value, std::tuple<Models>, std::tuple<>>>()...))>;
 template <template <typename> typename Holds>
-using ModelsWhere = decltype(models_where<Holds>(std::declval<AllModelsTuple>()))::Type;
+using ModelsWhere = typename decltype(models_where<Holds>(std::declval<AllModelsTuple>()))::Type;
 
 template <typename Model>
 using IsRigid = std::bool_constant<Model::rigid>;

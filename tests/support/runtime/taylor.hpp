@@ -3,6 +3,7 @@
 
 #include <assur/variables.hpp>
 #include <tuple>
+#include <utility>
 
 namespace assur::test {
 
@@ -17,7 +18,7 @@ struct Taylor {
   Taylor() = default;
   Taylor(int value) : c0(value) {}  // NOLINT(google-explicit-constructor): as numbers convert
   Taylor(Number value, Number first, Number second, Number third)
-      : c0(value), c1(first), c2(second), c3(third) {}
+      : c0(std::move(value)), c1(std::move(first)), c2(std::move(second)), c3(std::move(third)) {}
 
   friend Taylor operator+(const Taylor& a, const Taylor& b) {
     return {a.c0 + b.c0, a.c1 + b.c1, a.c2 + b.c2, a.c3 + b.c3};

@@ -210,7 +210,7 @@ template <typename Family>
     int number, double distance) {
   RandomNumbers random(seed + static_cast<unsigned>(number));
   for (;;) {
-    const auto member = with_truth<Family>(Family::draw(random, Real(distance)), distance);
+    auto member = with_truth<Family>(Family::draw(random, Real(distance)), distance);
     if (member.largest_condition < regular_condition) {
       return member;
     }

@@ -48,7 +48,7 @@ class Values {
   /// or a derivative that is not finite, a negative tolerance, a line without a direction, or a
   /// covariance that no random variables can have.
   Values(std::shared_ptr<const PlanData> plan,
-         const std::vector<std::pair<ParameterIndex, double>>& replaced);
+         std::vector<std::pair<ParameterIndex, double>> replaced);
 
   /// Sets another value of one parameter. Throws as the constructor does; these values then cannot
   /// be solved until a usable value is set.
@@ -86,7 +86,7 @@ class Values {
   void settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
               const Table<LinkIndex, support::Displacement>& displaced);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
-  [[nodiscard]] double value_of(NumberIndex number) const;
+  [[nodiscard]] double value_of(NumberIndex index) const;
   /// A feature in its link's frame. A block has no feature; the result is then its origin.
   [[nodiscard]] LinkFeature<Dual> feature(FeatureIndex feature, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
@@ -135,28 +135,28 @@ class Values {
   void evaluate_again(const Dependents& dependents);
   void evaluate_parameter(ParameterIndex parameter);
   void evaluate_number(NumberIndex number);
-  void evaluate_feature(FeatureIndex feature);
-  void evaluate_parameter_in_time(ParameterIndex parameter);
-  void evaluate_driver(DriverIndex driver,
+  void evaluate_feature(FeatureIndex index);
+  void evaluate_parameter_in_time(ParameterIndex index);
+  void evaluate_driver(DriverIndex index,
                        const std::function<JointMotion(JointIndex)>& coordinate_of);
   void evaluate_carried_frames();
   /// The index of a carried link among them.
   [[nodiscard]] std::size_t place_of(const CarriedLink& link) const;
-  void evaluate_group(GroupIndex group);
+  void evaluate_group(GroupIndex index);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(
-      NumberIndex number,
+      NumberIndex index,
       const std::function<JointMotion(JointIndex)>& coordinate_of = nullptr) const;
   /// Throws MechanismError where a derivative of a number is not finite.
-  void expect_derivatives(NumberIndex number, const Dual& value) const;
-  [[nodiscard]] double rounding(NumberIndex number) const;
+  void expect_derivatives(NumberIndex index, const Dual& value) const;
+  [[nodiscard]] double rounding(NumberIndex index) const;
   // The following are functions of time; what does not move is a constant.
   [[nodiscard]] bool moves(NumberIndex number) const;
-  [[nodiscard]] bool moves(FeatureIndex feature) const;
+  [[nodiscard]] bool moves(FeatureIndex index) const;
   [[nodiscard]] bool moves(const FoundGroup& group) const;
   [[nodiscard]] Dual in_time(NumberIndex number,
                              const std::function<JointMotion(JointIndex)>& coordinate_of) const;
-  [[nodiscard]] LinkFeature<Dual> in_time(FeatureIndex feature, bool is_line) const;
+  [[nodiscard]] LinkFeature<Dual> in_time(FeatureIndex index, bool is_line) const;
   [[nodiscard]] LinkFeature<Dual> in_time(const ElementaryJoint& at, LinkIndex link) const;
   [[nodiscard]] GroupGeometry<Dual> in_time(const FoundGroup& group) const;
   /// A parameter's value, or its deviation from its formula, with its own derivative one.

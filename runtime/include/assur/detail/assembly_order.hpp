@@ -27,7 +27,7 @@ template <typename Model>
 inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
     Model::in_any_order;
 
-/// Of the variables of two groups or configurations, those of one.
+/// The variables of one of several groups or configurations that stand side by side.
 template <typename To, typename From>
 [[nodiscard]] To lane_of(const From& from, std::size_t index) {
   To result;
@@ -57,7 +57,7 @@ template <typename Model, typename Scalar>
   return result;
 }
 
-/// Of the angle from one direction to another.
+/// The cosine and sine of the angle from one direction to another.
 template <typename Scalar>
 [[nodiscard]] Scalar cosine_between(const Direction<Scalar>& one, const Direction<Scalar>& other) {
   return one.cos * other.cos + one.sin * other.sin;

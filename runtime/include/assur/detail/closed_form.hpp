@@ -141,8 +141,8 @@ struct ClosedForm {
       vouches ? 1 / (std::max)(static_cast<Scalar>(Model::discriminant_error),
                                static_cast<Scalar>(Model::regular_discriminant))
               : discriminant.firmness;
-  /// Of a trigonometric polynomial the leading coefficient is no less than the discriminant, and of
-  /// a linear one it is the root of it.
+  /// The leading coefficient of a trigonometric polynomial is no less than the discriminant, and
+  /// that of a linear one is the root of it.
   static constexpr bool has_leading_coefficient =
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
   static constexpr bool is_scaled = Model::dimension_count > 0;
@@ -156,7 +156,7 @@ struct ClosedForm {
   /// of all lengths.
   template <typename Number>
   [[nodiscard]] static auto is_in_range(const Number& square) {
-    constexpr Scalar longest = numeric::power_of_two<Scalar>(most_power);
+    constexpr auto longest = numeric::power_of_two<Scalar>(most_power);
     constexpr Scalar most = longest * longest;
     constexpr Scalar most_of_numbers = most_length<Model, Scalar> * most_length<Model, Scalar>;
     if constexpr (is_scaled) {

@@ -37,7 +37,7 @@ class ClosedSearch {
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                const Displacement& displaced,
                                                Assemblies<Model, Number>& result) {
-    const Number of_dimensions = square_of_lengths<Number>(dimensions);
+    const auto of_dimensions = square_of_lengths<Number>(dimensions);
     const Number square = of_dimensions + square_of_lengths<Number>(inputs);
     if (!static_cast<bool>(Form::is_in_range(square))) {
       return false;
@@ -89,7 +89,7 @@ class ClosedSearch {
       Assemblies<Model, Number>& result) {
     const Number longest = (std::max)(longest_length(inputs), longest_length(dimensions));
     // What is scaled may have any unit of which the scale is a number.
-    constexpr Number most = numeric::power_of_two<Number>(most_power_of_scale);
+    constexpr auto most = numeric::power_of_two<Number>(most_power_of_scale);
     const bool is_in_range = Form::is_scaled ? longest * most > 1 && longest < most
                                              : longest <= most_length<Model, Number>;
     if (!is_in_range || !is_finite(dimensions) || !is_finite(inputs)) {

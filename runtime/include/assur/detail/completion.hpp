@@ -98,8 +98,8 @@ template <typename Model, typename Scalar>
   return complete_rest<Model, Scalar>(d, u, q);
 }
 
-/// The same where the two reduced equations tell the second unknown well: what comes of it must be
-/// seen to close.
+/// Completes in the same way where the two reduced equations tell the second unknown well: what
+/// comes of it must be seen to close.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto complete_simple(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,

@@ -40,8 +40,8 @@ struct FirstValues {
   }
 };
 
-/// Of T = c0 + c1 cos x + s1 sin x by formula. Where it may touch zero or miss it, the place where
-/// it comes nearest.
+/// The values of T = c0 + c1 cos x + s1 sin x that vanish, by formula. Where it may touch zero or
+/// miss it, the place where it comes nearest.
 [[nodiscard]] inline FirstValues first_values_of_first_degree(
     const TrigonometricPolynomial<numeric::Bounded<numeric::DoubleDouble>, 1>& T) {
   using numeric::DoubleDouble;
@@ -101,8 +101,8 @@ template <std::size_t Degree>
   }
 }
 
-/// Of a polynomial of degree one or two in a displacement. A leading coefficient that may be zero
-/// lets a root run to infinity, and what is left has one root less.
+/// The values at which a polynomial of degree one or two in a displacement vanishes. A leading
+/// coefficient that may be zero lets a root run to infinity, and what is left has one root less.
 template <int Size>
 [[nodiscard]] FirstValues first_values(
     const Vector<numeric::Bounded<numeric::DoubleDouble>, Size>& bounded) {

@@ -35,7 +35,7 @@ void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_coun
     const Scalar weight = min EIGEN_NOT_A_MACRO(Scalar(1), Scalar(4) * lever(index) / longest);
     largest = max EIGEN_NOT_A_MACRO(largest, weight * abs(step(index)));
   });
-  const Scalar limit = Scalar(0.5);
+  const auto limit = Scalar(0.5);
   if (largest > limit) {
     step *= limit / largest;
   }

@@ -11,8 +11,8 @@
 
 namespace assur::detail {
 
-// By indices, not by nested calls of std::apply: every model has variables of its own, and what is
-// instantiated for each of them is most of what its users compile.
+// Members are visited by indices, not by nested calls of std::apply: every model has variables of
+// its own, and what is instantiated for each of them is most of what its users compile.
 template <typename Members, typename Use, std::size_t... Index>
 [[gnu::always_inline]] constexpr void visit(Members&& members, Use&& use,
                                             std::index_sequence<Index...>) {

@@ -88,7 +88,7 @@ template <typename Scalar>
 /// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
 template <typename Model, typename Scalar, typename Rounding>
 [[nodiscard]] auto are_regular(const Pivots<Model, Scalar>& pivots, const Rounding& rounding) {
-  Scalar core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
+  auto core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
   Scalar lost = Scalar(rounding) * pivots.terms;
   for (int index = 0; index < Model::core_pivot_count; ++index) {
     core = core * (pivots.values(index) * pivots.values(index));
@@ -102,7 +102,7 @@ template <typename Model, typename Scalar, typename Rounding>
   return regular;
 }
 
-/// The same of all numbers of a pack at once.
+/// Finds the same for all numbers of a pack at once.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
                               typename numeric::PartOf<Scalar>::Type rounding) {

@@ -103,7 +103,7 @@ template <typename Model, typename Scalar>
 [[nodiscard]] bool has_twins(const Assemblies<Model, Scalar>& found) {
   for (int index = 1; index < found.count; ++index) {
     for (int other = 0; other < index; ++other) {
-      const Scalar largest = farthest_apart<Scalar>(
+      const auto largest = farthest_apart<Scalar>(
           &entry(found.configurations, index), &entry(found.configurations, other),
           SortsOf<typename Model::template Configuration<Scalar>>::count);
       // 1e-7 of double, which are seven halves of its digits.

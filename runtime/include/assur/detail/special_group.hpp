@@ -75,7 +75,7 @@ class SpecialGroupOf {
     const SpecialGroup group = functions();
     return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).run();
   }
-  /// By how much the closures fail at least where the group cannot be assembled.
+  /// The amount by which the closures fail at least where the group cannot be assembled.
   [[nodiscard]] double least_miss() const {
     const SpecialGroup group = functions();
     return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).least_miss();

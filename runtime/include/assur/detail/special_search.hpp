@@ -35,7 +35,7 @@ struct Completions {
 /// What the search needs of a model, on flat variables. Lengths are near one at most.
 struct SpecialGroup {
   Closures closures;
-  /// Of each variable whether it is an angle.
+  /// Whether each variable is an angle.
   const bool* dimensions;
   const bool* inputs;
   std::size_t dimension_count, input_count;
@@ -67,7 +67,7 @@ class SpecialSearch {
 
   [[nodiscard]] SpecialAssemblies run();
 
-  /// By how much the closures fail at least, as far as a search from some places tells.
+  /// The amount by which the closures fail at least, as far as a search from some places tells.
   [[nodiscard]] double least_miss() const;
 
  private:

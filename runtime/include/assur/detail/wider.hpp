@@ -13,7 +13,7 @@
 
 namespace assur::detail {
 
-/// The same numbers in double, exactly, but for directions: these are unit vectors to the digits of
+/// The variables in double, exactly, but for directions: these are unit vectors to the digits of
 /// float and become such to the digits of double. Two steps do, as each squares what is missing.
 template <typename Wide, typename Variables>
 [[nodiscard]] Wide widened(const Variables& variables) {
@@ -30,7 +30,7 @@ template <typename Wide, typename Variables>
   return result;
 }
 
-/// The same numbers rounded.
+/// The variables rounded.
 template <typename Narrow, typename Variables>
 [[nodiscard]] Narrow narrowed(const Variables& variables) {
   using Scalar = typename ScalarOf<Narrow>::Type;

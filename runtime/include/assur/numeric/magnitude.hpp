@@ -42,7 +42,7 @@ struct Magnitude {
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
     return {a.size * b.size, a.size * b.units + a.units * b.size + a.size * b.size};
   }
-  /// By a constant of generated code; what else divides has no least size.
+  /// Only constants of generated code divide; what else would has no least size.
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
     if (b.units > b.size) {
       constexpr double none = std::numeric_limits<double>::infinity();

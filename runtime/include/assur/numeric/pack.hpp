@@ -22,7 +22,7 @@ struct SideBySide {
                                                ? Lanes * sizeof(Scalar)
                                                : EIGEN_MAX_ALIGN_BYTES;
   using Type [[gnu::vector_size(Lanes * sizeof(Scalar)), gnu::aligned(alignment)]] = Scalar;
-  /// The same as they stand among others.
+  /// The numbers as they stand among others.
   struct [[gnu::packed, gnu::may_alias]] Anywhere {
     Type numbers;
   };

@@ -8,8 +8,8 @@
 
 namespace assur::numeric {
 
-/// As `assur::direction_of` has it of one, lane by lane: compilers call one function for cosine and
-/// sine of a number.
+/// Finds lane by lane what `assur::direction_of` finds for one angle: compilers call one function
+/// for cosine and sine of a number.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] Direction<PackOf<Scalar, Lanes>> direction_of(PackOf<Scalar, Lanes> angle) {
   Direction<PackOf<Scalar, Lanes>> direction;

@@ -73,9 +73,9 @@ template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
                SecondCandidates<Direction<Scalar>>& candidates) {
   using std::sqrt;
-  const Scalar a = e.coeff(row, 0);
-  const Scalar b = e.coeff(row, 1);
-  const Scalar c = e.coeff(row, 2);
+  const Scalar& a = e.coeff(row, 0);
+  const Scalar& b = e.coeff(row, 1);
+  const Scalar& c = e.coeff(row, 2);
   const Scalar square = a * a + b * b;
   if (!(square > Scalar(0))) {
     return;
@@ -97,9 +97,9 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
 template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>& candidates) {
   using std::sqrt;
-  const Scalar a = e.coeff(row, 0);
-  const Scalar b = e.coeff(row, 1);
-  const Scalar c = e.coeff(row, 2);
+  const Scalar& a = e.coeff(row, 0);
+  const Scalar& b = e.coeff(row, 1);
+  const Scalar& c = e.coeff(row, 2);
   const Scalar inside = b * b - Scalar(4) * a * c;
   const Scalar root = inside > Scalar(0) ? Scalar(sqrt(inside)) : Scalar(0);
   const Scalar q = b > Scalar(0) ? -(b + root) / Scalar(2) : -(b - root) / Scalar(2);

@@ -59,7 +59,7 @@ struct Harmonic {
   [[nodiscard]] Harmonic less(Harmonic shift) const {
     return {cosine * shift.cosine + sine * shift.sine, sine * shift.cosine - cosine * shift.sine};
   }
-  // The same for right angles, exactly.
+  // The harmonic less right angles, exactly.
   [[nodiscard]] Harmonic less_quarters(std::size_t quarters) const {
     switch (quarters % 4) {
       case 0:

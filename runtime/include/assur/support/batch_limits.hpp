@@ -29,7 +29,7 @@ template <typename Scalar, std::size_t Lanes>
   return Pack(1e-6) * larger(Pack(1), larger(abs(lowest), abs(highest)));
 }
 
-/// As `is_between` has it of one.
+/// Tells lane by lane what `is_between` tells of one.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                               const numeric::PackOf<Scalar, Lanes>& displacement,
@@ -40,7 +40,7 @@ template <typename Scalar, std::size_t Lanes>
   return KeptLimits<numeric::PackTruth<Scalar, Lanes>>{inside, inside | outside};
 }
 
-/// As `is_turned_between` has it of one.
+/// Tells lane by lane what `is_turned_between` tells of one.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_turned_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                                      const numeric::PackOf<Scalar, Lanes>& angle,

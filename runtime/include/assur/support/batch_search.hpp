@@ -138,7 +138,7 @@ class BatchSearch {
       proceed<Place + 1>(next);
     }
   }
-  /// In a function of its own, so that what it takes of the stack is free below.
+  /// This is a function of its own, so that what it takes of the stack is free below.
   template <std::size_t Place, typename Held, typename Found, typename Having>
   [[gnu::noinline]] void isolate(const Sets& lanes, Held& held, Found& found, Having& having) {
     using Model = Specialised<GroupAt<Place>>;

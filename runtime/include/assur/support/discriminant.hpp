@@ -14,18 +14,18 @@ struct Discriminants {
   Scalar leading{};
 };
 
-/// Of T = c0 + c1 cos x + s1 sin x: c1^2 + s1^2 - c0^2.
+/// The discriminant of T = c0 + c1 cos x + s1 sin x: c1^2 + s1^2 - c0^2.
 template <typename Scalar>
 [[nodiscard]] Discriminants<Scalar> discriminants_of(const TrigonometricPolynomial<Scalar, 1>& T) {
   const Scalar leading = T.cosine[1] * T.cosine[1] + T.sine[1] * T.sine[1];
   return {leading - T.cosine[0] * T.cosine[0], leading};
 }
-/// Of T = a + b x, which has one root wherever it has a leading coefficient.
+/// The discriminant of T = a + b x, which has one root wherever it has a leading coefficient.
 template <typename Scalar>
 [[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 2>& T) {
   return {T(1) * T(1), T(1)};
 }
-/// Of T = a + b x + c x^2: b^2 - 4 a c.
+/// The discriminant of T = a + b x + c x^2: b^2 - 4 a c.
 template <typename Scalar>
 [[nodiscard]] Discriminants<Scalar> discriminants_of(const Vector<Scalar, 3>& T) {
   return {T(1) * T(1) - Scalar(4) * T(2) * T(0), T(2)};

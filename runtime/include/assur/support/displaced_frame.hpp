@@ -16,9 +16,9 @@ template <typename Scalar>
   return max EIGEN_NOT_A_MACRO(one, other);
 }
 
-/// By how much rounding may have moved what stands in a frame up to `extent` from its origin, and
-/// turned the frame, at most. What is computed from lengths that cancel is not known to a rounding
-/// of its own value, but to one of theirs: `reach` is the longest of them.
+/// The amounts by which rounding may have moved what stands in a frame up to `extent` from its
+/// origin, and turned the frame, at most. What is computed from lengths that cancel is not known to
+/// a rounding of its own value, but to one of theirs: `reach` is the longest of them.
 template <typename Scalar>
 struct DisplacementOf {
   static constexpr auto epsilon =
@@ -28,7 +28,7 @@ struct DisplacementOf {
   Scalar reach = 0;
   Scalar extent = 0;
 
-  /// The same where it is finite. What is not bounds nothing: all may be off by any amount.
+  /// The amounts where they are finite. What is not bounds nothing: all may be off by any amount.
   [[nodiscard]] DisplacementOf bounded() const {
     constexpr Scalar any = std::numeric_limits<Scalar>::infinity();
     const bool is_bound = std::isfinite(moved) && std::isfinite(turned);
@@ -58,18 +58,18 @@ struct DisplacementOf {
   [[nodiscard]] DisplacementOf scaled(Scalar scale) const {
     return {moved * scale, turned, reach * scale, extent * scale};
   }
-  /// The same numbers in double.
+  /// The amounts in double.
   [[nodiscard]] DisplacementOf<double> in_double() const {
     return {static_cast<double>(moved), static_cast<double>(turned), static_cast<double>(reach),
             static_cast<double>(extent)};
   }
-  /// Of what stands at (x, y) in this frame.
+  /// The displacement of what stands at (x, y) in this frame.
   [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y) const {
     using std::abs;
     const Scalar arm = abs(x) + abs(y);
     return {moved + turned * larger(Scalar(0), arm - extent), turned, larger(reach, arm)};
   }
-  /// Of a frame that stands there and is displaced against this one.
+  /// The displacement of a frame that stands there and is displaced against this one.
   [[nodiscard]] DisplacementOf carries(Scalar x, Scalar y, const DisplacementOf& inner) const {
     const DisplacementOf origin = carries(x, y);
     return {origin.moved + inner.moved, turned + inner.turned, larger(origin.reach, inner.reach)};

@@ -41,7 +41,7 @@ class DisplacedGroup {
     return assur::regularity<Model, Scalar>(d, u, q, unsure_);
   }
 
-  /// The same where second rates count, too: in float the pivots' firmness is never enough.
+  /// The regularity where second rates count, too: in float the pivots' firmness is never enough.
   [[nodiscard]] Regularity<Scalar> regularity_in_motion(const Dimensions& d, const Inputs& u,
                                                         const Configuration& q) const {
     Regularity<Scalar> result = regularity(d, u, q);
@@ -87,8 +87,8 @@ class DisplacedGroup {
   [[nodiscard]] Scalar held() const { return (std::max)(held_, turned_ * size_); }
 
  private:
-  /// By how much an unknown follows loops that are open by one: in any direction, a loop has two
-  /// rows; or, where digits are to spare, in both at once.
+  /// The amount by which an unknown follows loops that are open by one: in any direction, a loop
+  /// has two rows; or, where digits are to spare, in both at once.
   [[nodiscard]] static Scalar loosened_by(const Inverse& J_inverse, int row) {
     if constexpr (!is_exact || Model::equation_count % 2 != 0) {
       return J_inverse.row(row).cwiseAbs().sum();

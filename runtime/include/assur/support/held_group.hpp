@@ -39,7 +39,7 @@ struct HeldJoints {
   void hold_point(const Point<Scalar, Order, Parameters>& point) {
     std::get<First>(u.members()) = point.x / unit_of<Group, Scalar>;
     std::get<First + 1>(u.members()) = point.y / unit_of<Group, Scalar>;
-    // By entries: compilers keep them in registers then.
+    // Entries are added one by one: compilers keep them in registers then.
     for (int order = 0; order < Order; ++order) {
       rates(First, order) = point.rates(0, order) / unit_of<Group, Scalar>;
       rates(First + 1, order) = point.rates(1, order) / unit_of<Group, Scalar>;

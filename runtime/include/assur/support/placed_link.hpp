@@ -53,7 +53,7 @@ template <typename Scalar, int Order, int Parameters>
   result.x = frame.pose.x + arm_x;
   result.y = frame.pose.y + arm_y;
   result.displaced = frame.displaced.carries(place.x, place.y);
-  // By coordinates, not as vectors: compilers keep them in registers then.
+  // Coordinates are moved one by one, not as vectors: compilers keep them in registers then.
   for (int order = 0; order < Order; ++order) {
     const Scalar square = order == 0 ? 0 : frame.rates(2, 0) * frame.rates(2, 0);
     result.rates(0, order) = frame.rates(0, order) - frame.rates(2, order) * arm_y - square * arm_x;
@@ -220,7 +220,7 @@ template <typename Scalar, int Order, int Parameters>
   return frame;
 }
 
-/// The same of a prismatic joint along the x-axis, for its displacement.
+/// Turns a prismatic joint along the x-axis into the same, for its displacement.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> sliding(
     Scalar displacement,

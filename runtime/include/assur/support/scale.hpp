@@ -25,12 +25,12 @@ template <typename Scalar, typename Number, std::size_t Count>
 void scale_numbers(const void* from, const std::array<bool, Count>& is_length, Number scale,
                    void* to) {
   for (std::size_t place = 0; place < Count; ++place) {
-    const Number number = detail::number_at<Number>(from, place);
+    const auto number = detail::number_at<Number>(from, place);
     detail::put_number(to, place, Scalar(is_length[place] ? number * scale : number));
   }
 }
 
-/// The same variables in another scalar, lengths multiplied by `scale`, a power of two.
+/// The variables in another scalar, lengths multiplied by `scale`, a power of two.
 template <typename To, typename From>
 [[nodiscard]] To scaled_to(const From& from, typename ScalarOf<From>::Type scale) {
   To result;
@@ -38,8 +38,7 @@ template <typename To, typename From>
   return result;
 }
 
-/// The same variables in another scalar, member by member: faster, but compiled anew for every
-/// model.
+/// The variables in another scalar, member by member: faster, but compiled anew for every model.
 template <typename To, typename From>
 [[nodiscard]] To converted_to(const From& from) {
   To result;
@@ -60,7 +59,7 @@ template <typename Scalar>
   using Limits = std::numeric_limits<Scalar>;
   using Bits = std::conditional_t<Limits::digits == 24, std::uint32_t, std::uint64_t>;
   static_assert(sizeof(Bits) == sizeof(Scalar), "a power is made of bits of double or float");
-  constexpr Scalar largest = numeric::power_of_two<Scalar>(Limits::max_exponent - 1);
+  constexpr auto largest = numeric::power_of_two<Scalar>(Limits::max_exponent - 1);
   if (!(length >= (Limits::min)() && length < largest)) {
     return std::ldexp(Scalar(1), (std::min)(-std::ilogb(length), Limits::max_exponent - 1));
   }
@@ -104,8 +103,8 @@ void bound_numbers(const void* from, const std::array<bool, Count>& is_length, N
   }
 }
 
-/// The same variables with bounds, lengths known to `within` and directions to a `turn`: where a
-/// root of their final polynomial is certain, it is so however the variables were rounded.
+/// The variables with bounds, lengths known to `within` and directions to a `turn`: where a root of
+/// their final polynomial is certain, it is so however the variables were rounded.
 template <typename To, typename From, typename Scalar = typename ScalarOf<From>::Type>
 [[nodiscard]] To rounded(const From& from, Scalar within, Scalar turn) {
   To result;
@@ -147,10 +146,10 @@ template <typename Model, typename Scalar = double>
   }
 }
 
-/// By how much the loop Jacobian of a group may be off, in parts of what it is made of: a place far
-/// away is rounded as it is long, and what rounding has `displaced` is not known better. Where
-/// nothing turns J depends on directions alone. In float a displacement counts no more than in
-/// `counted_displacement`: the bound would leave no digit behind three groups.
+/// The amount by which the loop Jacobian of a group may be off, in parts of what it is made of: a
+/// place far away is rounded as it is long, and what rounding has `displaced` is not known better.
+/// Where nothing turns J depends on directions alone. In float a displacement counts no more than
+/// in `counted_displacement`: the bound would leave no digit behind three groups.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar unsure_jacobian(const typename Model::template Dimensions<Scalar>& d,
                                      const typename Model::template Inputs<Scalar>& u,

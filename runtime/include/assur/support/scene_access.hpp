@@ -51,7 +51,7 @@ struct GivenTo<Solver, Scalar, true> {
     typename Solver::template Drivers<Scalar> drivers;
     typename Solver::template Parameters<Scalar> parameters;
 
-    /// Of all that changes on a way; drivers that turn come first.
+    /// The positions of all that changes on a way; drivers that turn come first.
     [[nodiscard]] auto positions() {
       const auto of_drivers = drivers.positions();
       const auto values = parameters.values();
@@ -92,7 +92,7 @@ struct Access {
   static std::false_type settles_of(...);
   /// Whether it closes all constraints together, where those that are not too many hardly tell.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
-  /// Of each group the set of the groups that hold it, directly or through others.
+  /// For each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
     if constexpr (groups > 1) {
@@ -148,7 +148,7 @@ struct Access {
   [[nodiscard]] static auto keeps_limits(const Placed& placed) {
     return Parts::keeps_limits(placed);
   }
-  /// By how much constraints that are too many miss, in parts of the largest coordinate.
+  /// The amount by which constraints that are too many miss, in parts of the largest coordinate.
   [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
   /// Whether all constraints together hold where everything is placed, and go on to.
   [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }

@@ -22,8 +22,8 @@ struct GivenColumns {
   std::size_t stride = 0;
 };
 
-/// Where the configurations of many instances are to go: arrays of the caller's. What stands of
-/// instance i in the first ones is what `Solution` holds of it.
+/// The caller's arrays to which the configurations of many instances go. What stands of instance i
+/// in the first ones is what `Solution` holds of it.
 template <typename Solver>
 struct BatchSolutions {
   AssemblyStatus* status = nullptr;
@@ -31,7 +31,7 @@ struct BatchSolutions {
   int* families = nullptr;
   int* mobility = nullptr;
   int* left_out = nullptr;  ///< of the solver of a scene with limits
-  /// Of configuration k of instance i at [k * stride + i]. What stands beyond the count of an
+  /// Configuration k of instance i stands at [k * stride + i]. What stands beyond the count of an
   /// instance means nothing.
   Status* regularity = nullptr;
   /// Number p, by `column_numbers`, of configuration k of instance i is at

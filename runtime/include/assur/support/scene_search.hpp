@@ -38,7 +38,7 @@ class Search {
   using Solution = typename Solver::Solution;
   static constexpr auto capacity = static_cast<std::size_t>(Solver::max_configurations);
   static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
-  /// Of groups, a bit each.
+  /// A set of groups has a bit for each.
   using Set = std::uint64_t;
   static_assert(group_count <= 64, "a set of groups is a word");
 
@@ -76,7 +76,7 @@ class Search {
     return solution_;
   }
 
-  /// Of the groups in a configuration of the mechanism, by its number from 0.
+  /// The configurations of the groups in a configuration of the mechanism, by its number from 0.
   [[nodiscard]] const Configurations& kept(int configuration) const {
     return detail::entry(kept_, configuration);
   }

@@ -33,7 +33,8 @@ class InDouble {
   }
 
   [[nodiscard]] const typename Solver::Solution& solution() const { return solution_; }
-  /// Of the groups in a configuration of the mechanism, by its number from 0, rounded.
+  /// The configurations of the groups in a configuration of the mechanism, by its number from 0,
+  /// rounded.
   [[nodiscard]] Configurations rounded(int configuration) const {
     Configurations result;
     round<0>(search_.kept(configuration), result);
@@ -137,8 +138,8 @@ template <typename Solver, Unresolved unresolved, typename Scalar>
   return solution;
 }
 
-/// Of the groups in one configuration of the mechanism, by its number from 0; set where there is
-/// one of that number.
+/// Finds the configurations of the groups in one configuration of the mechanism, by its number from
+/// 0; they are set where there is one of that number.
 template <Unresolved unresolved, typename Solver, typename Scalar>
 [[nodiscard]] typename Solver::Solution choose(
     const typename Access<Solver, Scalar>::Given& given, int configuration,

@@ -30,7 +30,7 @@ struct GroupPoints<std::tuple<Group...>, Scalar> {
   using Type = std::tuple<GroupPoint<Group, Scalar>...>;
 };
 
-/// Where a branch of an emitted solver has been followed to.
+/// The place to which a branch of an emitted solver has been followed.
 template <typename Solver, typename Scalar = double>
 struct Branch {
   typename Access<Solver, Scalar>::Given given;
@@ -48,7 +48,7 @@ struct Track {
   double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
 };
 
-/// The same by the solver of a scene with limits. A branch is followed through them and back.
+/// Follows a branch by the solver of a scene with limits, through them and back.
 struct LimitedTrack : Track {
   bool within_limits = false;  ///< whether the state, where it was filled, keeps them
 };

@@ -9,8 +9,8 @@
 
 namespace assur::support {
 
-/// By how much the error of second rates exceeds that of rates, relative. In J q'' = -H(q', q') -
-/// ... an error of q' counts as often as J^-1 is `loose`. Near a fold q'' is as large; at a
+/// The factor by which the error of second rates exceeds that of rates, relative. In J q'' = -H(q',
+/// q') - ... an error of q' counts as often as J^-1 is `loose`. Near a fold q'' is as large; at a
 /// crossing it is not. `rate` and `second_rate` are the largest of q' and q'', with turns as
 /// lengths: times the `size` of the group.
 template <typename Scalar>

@@ -5,6 +5,7 @@
 
 #include "mechanism/lattice_run.hpp"
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what a campaign throws ends it with its message
 int main(int argc, char** argv) {
   using namespace assur::test;
   const auto scenes = static_cast<std::size_t>(argc > 1 ? std::atol(argv[1]) : 500);

@@ -57,8 +57,8 @@ struct KnownInputs {
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
     return certainty.power(square);
   }
-  /// By how much the Jacobian is off. What is near the origin is as unsure as its lengths, which
-  /// every verdict counts.
+  /// The amount by which the Jacobian is off. What is near the origin is as unsure as its lengths,
+  /// which every verdict counts.
   [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& d,
                             const typename Model::template Inputs<Pack>& u, const Pack& square,
                             const Pack& of_dimensions) const {
@@ -81,7 +81,7 @@ struct ClosedPack {
   Truth settled;
   /// Where the list holds all configurations that there can be; else it is empty.
   Truth assembled;
-  /// In order; set where both hold, and all of them ok.
+  /// The configurations in order; they are set where both hold, and all of them are ok.
   std::array<Configuration, root_count> configurations;
 
   ClosedPack(const Dimensions& d, const Inputs& u, const Rounding& rounding = {}) {
@@ -135,7 +135,7 @@ struct ClosedPack {
     }
   }
 
-  /// Where the first of two configurations comes before the second, as `comes_before` tells it.
+  /// Whether the first of two configurations comes before the second, as `comes_before` tells it.
   [[nodiscard]] Truth comes_first(const Dimensions& d, const Inputs& u, const Pack& square) const {
     const auto by_all = [&] {
       return come_before_by_keys<Model, Pack>(d, u, configurations[0], configurations[1],

@@ -175,7 +175,7 @@ class GeneralBlock {
       harmonics[k].sine = k == 0 ? Pack(0) : T.sine[k];
       sum = sum + abs(harmonics[k].cosine) + abs(harmonics[k].sine);
     }
-    // As `numeric::transform_error` has it; far from overflow and underflow.
+    // This is the bound of `numeric::transform_error`, far from overflow and underflow.
     constexpr double u = std::numeric_limits<double>::epsilon() / 2;
     const Truth usable = (sum < Pack(0x1p200)) & (Pack(0x1p-200) < sum);
     const unsigned certain =

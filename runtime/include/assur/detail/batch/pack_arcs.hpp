@@ -70,7 +70,7 @@ struct PackArcs {
   Pack owner;        ///< whose arc it is, times four, and on which of four charts
 };
 
-/// The same by columns; some more than there are can be read once `end` has written them.
+/// Reads the same by columns; some more than there are can be read once `end` has written them.
 template <std::size_t Size, std::size_t Capacity>
 struct ArcList {
   /// So many packs are read at once.

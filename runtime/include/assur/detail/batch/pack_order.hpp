@@ -22,8 +22,8 @@ void put_keys(const typename Model::template Dimensions<Pack>& d,
   });
 }
 
-/// Where the first of two configurations comes before the second by all that may tell them apart,
-/// as `numeric::comes_before` has it; `one` is the unit of lengths.
+/// Whether the first of two configurations comes before the second by all that may tell them apart,
+/// as `numeric::comes_before` tells it; `one` is the unit of lengths.
 template <typename Model, typename Pack>
 [[nodiscard, gnu::noinline]] auto come_before_by_keys(
     const typename Model::template Dimensions<Pack>& d,

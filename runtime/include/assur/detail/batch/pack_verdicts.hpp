@@ -12,7 +12,7 @@
 
 namespace assur::detail::batch {
 
-/// Where all directions are numbers: zero times what is not finite is NaN.
+/// Whether all directions are numbers: zero times what is not finite is NaN.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] auto are_finite_directions(const Variables<Pack>& variables) {
   Pack zero(0);
@@ -60,7 +60,7 @@ template <typename Model, typename Pack>
   return longest;
 }
 
-/// By how much the loop Jacobian of each group may be off, as `unsure_jacobian` has it.
+/// The amount by which the loop Jacobian of each group may be off, as `unsure_jacobian` tells it.
 template <typename Model, typename Pack>
 [[nodiscard]] Pack unsure_jacobians(const typename Model::template Dimensions<Pack>& d,
                                     const typename Model::template Inputs<Pack>& u) {
@@ -72,8 +72,8 @@ template <typename Model, typename Pack>
   }
 }
 
-/// Where a configuration is regular, and would be if it were off by a few roundings. Where that is
-/// not so, whoever looks at one group alone decides.
+/// Whether a configuration is regular, and would be if it were off by a few roundings. Where that
+/// is not so, whoever looks at one group alone decides.
 template <typename Model, typename Pack>
 [[nodiscard]] auto are_surely_regular(const typename Model::template Dimensions<Pack>& d,
                                       const typename Model::template Inputs<Pack>& u,

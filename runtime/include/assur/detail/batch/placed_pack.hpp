@@ -19,14 +19,14 @@ struct DisplacedInputs {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   support::DisplacementOf<Pack> displaced;
 
-  /// As `Certainty::error` has it.
+  /// The error that `Certainty::error` tells for one group.
   template <typename Certainty>
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
     constexpr Scalar given = static_cast<Scalar>(numeric::Magnitude::given_rounding());
     const Pack part = displaced.moved / sqrt(square) + displaced.turned;
     return certainty.power(square) * (Pack(1) + part * Pack(1 / given));
   }
-  /// As `unsure_jacobian` has it.
+  /// The amount that `unsure_jacobian` tells for one group.
   [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& /*d*/,
                             const typename Model::template Inputs<Pack>& u, const Pack& /*square*/,
                             const Pack& /*of_dimensions*/) const {
@@ -116,7 +116,7 @@ struct PlacedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   static constexpr Scalar closer = 1 + Scalar(1) / 256;
 
-  /// Where rounding has displaced next to nothing, as `place_group` has it, or the groups are
+  /// Whether rounding has displaced next to nothing, as `place_group` asks it, or the groups are
   /// regular with what it has displaced.
   [[nodiscard]] Truth is_regular_among_displaced(
       const support::HeldJoints<Group, Pack, Order, Parameters>& held,

@@ -130,7 +130,7 @@ class ScaledBlock {
   [[nodiscard]] Pack units(std::size_t group) const { return Pack::load(&units_[group]); }
   /// Their longest lengths wherever they stand, at least one.
   [[nodiscard]] Pack longest(const Places& at) const { return Pack::gather(longest_.data(), at); }
-  /// By how much their Jacobians may be off.
+  /// The amount by which their Jacobians may be off.
   [[nodiscard]] Pack unsure(const Places& at) const {
     return support::larger(Pack::gather(off_.data(), at),
                            Pack(std::numeric_limits<double>::epsilon()) * longest(at));
@@ -176,7 +176,7 @@ class ScaledBlock {
       }
     }
   }
-  /// Of each number of the inputs, the axis along which it is a coordinate, or none. Where numbers
+  /// For each number of the inputs, the axis along which it is a coordinate, or none. Where numbers
   /// hold joints of the ground, the group cannot be moved.
   [[nodiscard]] static constexpr auto axes_of_inputs() {
     std::array<char, Columns<Inputs<double>>::count> axes{};

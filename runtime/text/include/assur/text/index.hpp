@@ -85,6 +85,7 @@ class Table {
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }
 
   /// By their items, as vectors are compared.
+  // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the zero of orderings for a pointer
   friend auto operator<=>(const Table&, const Table&) = default;
 
  private:
