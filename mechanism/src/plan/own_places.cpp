@@ -41,8 +41,10 @@ OwnPlaces::OwnPlaces(const Mechanism& mechanism) {
 
 bool OwnPlaces::coincide(FeatureIndex one, FeatureIndex other) const {
   constexpr double rounding = 1e-9;
-  const double largest = std::max(places_[one].stableNorm(), places_[other].stableNorm());
-  return (places_[one] - places_[other]).stableNorm() <= rounding * largest;
+  const auto [x, y] = places_[one];
+  const auto [other_x, other_y] = places_[other];
+  return std::hypot(x - other_x, y - other_y) <=
+         rounding * std::max(std::hypot(x, y), std::hypot(other_x, other_y));
 }
 
 }  // namespace assur::mechanism::plan

@@ -1,7 +1,7 @@
 // Turns the numbers of a mechanism into which points of a link lie in one place.
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <assur/mechanism/mechanism.hpp>
 
 namespace assur::mechanism::plan {
@@ -18,7 +18,7 @@ class OwnPlaces {
   [[nodiscard]] bool coincide(FeatureIndex one, FeatureIndex other) const;
 
  private:
-  Table<FeatureIndex, Eigen::Vector2d> places_;
+  Table<FeatureIndex, std::array<double, 2>> places_;
 };
 
 }  // namespace assur::mechanism::plan
