@@ -3,6 +3,7 @@
 #include <array>
 #include <assur/text/expression.hpp>
 #include <assur/text/suggestion.hpp>
+#include <stdexcept>
 
 namespace assur::generator::closures {
 
@@ -51,7 +52,40 @@ class Reader {
   Reader(const PlaceOf& place_of, ClosureSystem& system, const LocalNames& locals)
       : place_of_(place_of), system_(system), locals_(locals) {}
 
+  /// Throws FormulaError where the node has no value, too, as tan(pi/2) has none.
   GiNaC::ex scalar(const text::Expression& node) {
+    try {
+      return evaluated(node);
+    } catch (const std::domain_error&) {  // by GiNaC, of poles and of 0^0
+      fail("the expression has no value here", node);
+    }
+  }
+
+  equations::Vector2 vector(const text::Expression& node) {
+    const std::string& called = node.name;
+    if (node.kind == text::Expression::Kind::call && called == "point") {
+      return {scalar(node.arguments[0]), scalar(node.arguments[1])};
+    }
+    if (node.kind == text::Expression::Kind::call && called == "polar") {
+      const GiNaC::ex length = scalar(node.arguments[0]);
+      const GiNaC::ex angle = scalar(node.arguments[1]);
+      return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
+    }
+    const bool sum = node.kind == text::Expression::Kind::call && (called == "+" || called == "-");
+    if (!sum) {
+      fail("expected a sum of point(x, y) and polar(length, angle)", node);
+    }
+    const equations::Vector2 first = vector(node.arguments[0]);
+    if (node.arguments.size() == 1) {
+      return {-first.x, -first.y};
+    }
+    const equations::Vector2 second = vector(node.arguments[1]);
+    return called == "+" ? equations::Vector2{first.x + second.x, first.y + second.y}
+                         : equations::Vector2{first.x - second.x, first.y - second.y};
+  }
+
+ private:
+  GiNaC::ex evaluated(const text::Expression& node) {
     if (node.kind == text::Expression::Kind::number) {
       return number(node);
     }
@@ -82,30 +116,6 @@ class Reader {
     return text::applied<GiNaC::ex>(node.operation, first, second);
   }
 
-  equations::Vector2 vector(const text::Expression& node) {
-    const std::string& called = node.name;
-    if (node.kind == text::Expression::Kind::call && called == "point") {
-      return {scalar(node.arguments[0]), scalar(node.arguments[1])};
-    }
-    if (node.kind == text::Expression::Kind::call && called == "polar") {
-      const GiNaC::ex length = scalar(node.arguments[0]);
-      const GiNaC::ex angle = scalar(node.arguments[1]);
-      return {length * GiNaC::cos(angle), length * GiNaC::sin(angle)};
-    }
-    const bool sum = node.kind == text::Expression::Kind::call && (called == "+" || called == "-");
-    if (!sum) {
-      fail("expected a sum of point(x, y) and polar(length, angle)", node);
-    }
-    const equations::Vector2 first = vector(node.arguments[0]);
-    if (node.arguments.size() == 1) {
-      return {-first.x, -first.y};
-    }
-    const equations::Vector2 second = vector(node.arguments[1]);
-    return called == "+" ? equations::Vector2{first.x + second.x, first.y + second.y}
-                         : equations::Vector2{first.x - second.x, first.y - second.y};
-  }
-
- private:
   [[noreturn]] void fail(const std::string& what, const text::Expression& at) const {
     throw FormulaError(what, place_of_(at.column));
   }
