@@ -56,7 +56,7 @@ class Reader {
   GiNaC::ex scalar(const text::Expression& node) {
     try {
       return evaluated(node);
-    } catch (const std::domain_error&) {  // by GiNaC, of poles and of 0^0
+    } catch (const std::domain_error&) {  // by GiNaC, of poles
       fail("the expression has no value here", node);
     }
   }
@@ -183,6 +183,9 @@ class Reader {
     }
     if (base.is_zero() && exponent.info(GiNaC::info_flags::negative)) {
       fail("division by zero", at);
+    }
+    if (base.is_zero() && exponent.is_zero()) {  // GiNaC would throw, and lose the power
+      fail("zero to the power of zero has no value", at);
     }
     return GiNaC::pow(base, exponent);
   }

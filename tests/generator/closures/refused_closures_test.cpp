@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "closure f: 'acos(a/s)' stands outside a sine or cosine"},
         Refusal{"NegativeRoot", DECLARED "closure f = sqrt(-4)*cos(q)\n", "is not a real number"},
         Refusal{"ZeroToZero", DECLARED "closure f = a*0.0^0 - cos(q)\n",
-                "mine.audit:5:21: the expression has no value here"},
+                "mine.audit:5:21: zero to the power of zero has no value"},
         Refusal{"Pole", DECLARED "closure f = a*tan(pi/2) - cos(q)\n",
                 "mine.audit:5:15: the expression has no value here"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",

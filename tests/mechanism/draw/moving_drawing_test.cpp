@@ -111,7 +111,7 @@ Made star(int dyads) {
 TEST(DrawingOfMany, HasTheOneThatIsAskedFor) {
   Made made = star(5);
   const Plan plan(made.mechanism, made.request);
-  const auto& last = plan.solve(plan.values()).configurations.back();
+  const mechanism::Configuration last = plan.solve(plan.values()).configurations.back();
   for (const mechanism::LinkIndex link : made.mechanism.links().keys()) {
     if (link != made.mechanism.ground()) {
       const auto& [c, s] = last.links[link].pose.direction;

@@ -72,7 +72,12 @@ TEST(SweepStream, MemoryDoesNotGrowWithTheCount) {
   const long many = peak(200000);
   std::cout << "2000 steps: " << few << " kB, 200000 steps: " << many << " kB\n";
   EXPECT_GT(few, 0);
-  EXPECT_LT(many, few + 8L * 1024);
+#ifdef __SANITIZE_ADDRESS__
+  constexpr long freed = 256L * 1024;  // AddressSanitizer keeps so much of what is freed
+#else
+  constexpr long freed = 0;
+#endif
+  EXPECT_LT(many, few + 8L * 1024 + freed);
 }
 
 TEST(SweepStream, AValueThatIsNotFiniteLateLeavesNoOutput) {
