@@ -5,8 +5,9 @@
 // GiNaC loses a power that it has just allocated when the power divides by zero and throws.
 // NOLINTNEXTLINE(bugprone-reserved-identifier): the name that LeakSanitizer looks for
 extern "C" [[gnu::weak]] const char* __lsan_default_suppressions() {
-  return "leak:libcln.so\nleak:GiNaC::mul::combine_ex_with_coeff_to_pair\nleak:GiNaC::power::"
-         "subs\n";
+  return "leak:libcln.so\n"
+         "leak:GiNaC::mul::combine_ex_with_coeff_to_pair\n"
+         "leak:GiNaC::power::subs\n";
 }
 
 // Tests read what a program prints, so no word about a suppression.
