@@ -3,6 +3,7 @@
 #include <array>
 #include <assur/text/expression.hpp>
 #include <assur/text/suggestion.hpp>
+#include <cmath>
 #include <stdexcept>
 
 namespace assur::generator::closures {
@@ -42,6 +43,18 @@ text::Expression tree_of(const PlacedText& text) {
   } catch (const text::ExpressionError& error) {
     throw FormulaError(error.what(), text.at(error.column));
   }
+}
+
+/// Whether a power of a number has more digits than anybody computes with.
+bool is_too_long(const GiNaC::ex& base, const GiNaC::ex& exponent) {
+  constexpr double most_bits = 1 << 16;
+  if (!GiNaC::is_a<GiNaC::numeric>(base)) {
+    return false;
+  }
+  const auto& number = GiNaC::ex_to<GiNaC::numeric>(base);
+  const int bits = number.numer().int_length() + number.denom().int_length();
+  const bool is_one = GiNaC::abs(number).is_equal(1);
+  return !is_one && std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double()) * bits > most_bits;
 }
 
 /// Goes through a tree.
@@ -186,6 +199,9 @@ class Reader {
     }
     if (base.is_zero() && exponent.is_zero()) {  // GiNaC would throw, and lose the power
       fail("zero to the power of zero has no value", at);
+    }
+    if (is_too_long(base, exponent)) {
+      fail("the power of a number has too many digits", at);
     }
     return GiNaC::pow(base, exponent);
   }

@@ -59,6 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"NegativeRoot", DECLARED "closure f = sqrt(-4)*cos(q)\n", "is not a real number"},
         Refusal{"ZeroToZero", DECLARED "closure f = a*0.0^0 - cos(q)\n",
                 "mine.audit:5:21: zero to the power of zero has no value"},
+        Refusal{"LongPower", DECLARED "closure f = a*cos(q) - 7^1000000000\n",
+                "mine.audit:5:36: the power of a number has too many digits"},
         Refusal{"Pole", DECLARED "closure f = a*tan(pi/2) - cos(q)\n",
                 "mine.audit:5:15: the expression has no value here"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
