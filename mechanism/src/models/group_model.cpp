@@ -35,8 +35,8 @@ int assur_class_of(int link_count, const std::vector<JointPair>& joints) {
   };
   for (int link = 0; link < link_count; ++link) {
     int own = 0;
-    bool inner = true;  // with a joint to the outside, the other two only belong to contours of
-                        // several links
+    // A link with a joint to the outside has two others, which belong to contours of several links.
+    bool inner = true;
     for (const JointPair& joint : joints) {
       if (touches(joint, link)) {
         ++own;

@@ -92,7 +92,8 @@ bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
       return true;
     }
   }
-  if (found.mobility > 0) {
+  const bool is_in_doubt = found.count == 0 && gaps_.is_in_doubt(group);
+  if (found.mobility > 0 || is_in_doubt) {
     leave_out(group, unplaced);
     return rest_assembles(depth + 1, std::move(unplaced));
   }

@@ -239,19 +239,24 @@ TEST(RedundantParts, OfFlatCognatesAreFoundUnderAnyName) {
   }
 }
 
+/// Scott Russell's linkage on two blocks, driven at the low one, on a rod of this length.
+SceneMaker scott_russell(double unit, double rod) {
+  SceneMaker scene;
+  scene.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
+  scene.bar("rod", {{"C", 0}, {"B", 3 * unit}, {"D", rod}});
+  scene.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
+  scene.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
+  scene.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
+  scene.slide("y", "ground.y", "high.y").drive("x", 3 * unit, unit, 0);
+  return scene;
+}
+
 /// Scott Russell's linkage on two blocks, driven at a block, in units from 1e-9 to 1e9 of its size:
 /// whether what is left out holds is asked where the block has gone on by a part of that size.
 TEST(RedundantParts, HoldInAnyUnit) {
   for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
     SCOPED_TRACE(unit);
-    SceneMaker maker;
-    maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
-    maker.bar("rod", {{"C", 0}, {"B", 3 * unit}, {"D", 6 * unit}});
-    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
-    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
-    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
-    maker.slide("y", "ground.y", "high.y").drive("x", 3 * unit, unit, 0);
-    const Solved found = solved(maker.scene());
+    const Solved found = solved(scott_russell(unit, 6 * unit).scene());
     EXPECT_EQ(found.plan.redundant().size(), 1U);
     ASSERT_EQ(found.configurations().size(), 2U);
     for (const Configuration& configuration : found.configurations()) {
@@ -268,13 +273,8 @@ TEST(RedundantParts, HoldInAnyUnit) {
 TEST(RedundantParts, HoldBesideALongLink) {
   for (const double far : {300.0, 3000.0, 30000.0}) {
     SCOPED_TRACE(far);
-    SceneMaker maker;
-    maker.bar("ground", {{"A", 0}, {"Z", far}}).bar("crank", {{"A", 0}, {"B", 3}});
-    maker.bar("rod", {{"C", 0}, {"B", 3}, {"D", 6}}).bar("bar", {{"Z", 0}}).drive("Z", 1, 0, 0);
-    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
-    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
-    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
-    maker.slide("y", "ground.y", "high.y").drive("x", 3, 1, 0);
+    SceneMaker maker = scott_russell(1, 6);
+    maker.bar("ground", {{"Z", far}}).bar("bar", {{"Z", 0}}).drive("Z", 1, 0, 0);
     const Solved found = solved(maker.scene());
     EXPECT_EQ(found.plan.redundant().size(), 1U);
     ASSERT_EQ(found.configurations().size(), 2U);
@@ -311,14 +311,8 @@ TEST(RedundantParts, LieTowardsOtherPlacesAlone) {
 TEST(RedundantParts, ThatDoNotHoldAreRefusedInAnyUnit) {
   for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
     SCOPED_TRACE(unit);
-    SceneMaker maker;
-    maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
-    maker.bar("rod", {{"C", 0}, {"B", 3 * unit}, {"D", 6.06 * unit}});
-    maker.line("ground", "x", {0, 0}, {1, 0}).line("ground", "y", {0, 0}, {0, 1});
-    maker.point("low", "C", 0, 0).line("low", "x", {0, 0}, {1, 0}).slide("x", "ground.x", "low.x");
-    maker.point("high", "D", 0, 0).line("high", "y", {0, 0}, {0, 1});
-    maker.slide("y", "ground.y", "high.y").drive("x", 3 * unit, unit, 0);
-    EXPECT_NE(message_of(maker.scene()).find("over-constrained by 1"), std::string::npos);
+    const std::string message = message_of(scott_russell(unit, 6.06 * unit).scene());
+    EXPECT_NE(message.find("over-constrained by 1"), std::string::npos) << message;
   }
 }
 
