@@ -99,22 +99,28 @@ class SecondLook {
   [[nodiscard]] double norm(const models::SmallVector& of) const {
     return std::max(largest(of, false), size_ * largest(of, true));
   }
-  /// J^-1 f for closures f with entries of 1 or -1, signed so that angles, or lengths, move most.
+  /// J^-1 f for closures f that leave every loop open by one, in the directions that move angles, or
+  /// lengths, most. A loop has two closures, one along each axis.
   [[nodiscard]] models::SmallVector loosest(bool angles) const {
-    Eigen::Index row_of_all = 0;
+    models::SmallVector result = models::SmallVector::Zero(inverse_.rows());
     double most = -1;
     for (Eigen::Index row = 0; row < inverse_.rows(); ++row) {
-      const double moves = inverse_.row(row).cwiseAbs().sum();
-      if (is_angle(row) == angles && moves > most) {
+      if (is_angle(row) != angles) {
+        continue;
+      }
+      models::SmallVector open = models::SmallVector::Zero(inverse_.cols());
+      double moves = 0;
+      for (Eigen::Index loop = 0; loop + 1 < inverse_.cols(); loop += 2) {
+        const auto of_loop = inverse_.row(row).segment<2>(loop).transpose();
+        moves += of_loop.norm();
+        open.segment<2>(loop) = of_loop.stableNormalized();
+      }
+      if (moves > most) {
         most = moves;
-        row_of_all = row;
+        result = inverse_ * open;
       }
     }
-    models::SmallVector sum = models::SmallVector::Zero(inverse_.rows());
-    for (Eigen::Index column = 0; column < inverse_.cols(); ++column) {
-      sum += inverse_.col(column) * (inverse_(row_of_all, column) < 0 ? -1 : 1);
-    }
-    return sum;
+    return result;
   }
   /// H((x, u), (y, 0)), up to its sign, from the quadratic form: x and y are brought to one length.
   [[nodiscard]] models::SmallVector bent(const models::SmallVector& x, const models::SmallVector& y,
