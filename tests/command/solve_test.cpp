@@ -149,6 +149,25 @@ TEST(Solve, DriverAloneIsAMechanismWithoutGroups) {
   EXPECT_NEAR(point["sensitivity"]["phi"][1].get<double>(), 2 * c, 1e-15);
 }
 
+// Both motions of a flat parallelogram turn steadily: an angular acceleration that cancels is 0.
+TEST(Solve, TextShowsNoRoundingInPlaceOfZero) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("scene.json", R"({
+    "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [2, 0]},
+              "coupler": {"B": [0, 0], "C": [4, 0], "P": [2, 1]}, "rocker": {"D": [0, 0], "C": [2, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+               "B": {"type": "revolute", "between": ["crank.B", "coupler.B"]},
+               "C": {"type": "revolute", "between": ["coupler.C", "rocker.C"]},
+               "D": {"type": "revolute", "between": ["ground.D", "rocker.D"]}},
+    "drivers": {"A": {"position": 0, "velocity": 1}}, "outputs": {"P": "coupler.P"}})");
+  const CommandResult result = run_assur("solve " + file.string());
+  EXPECT_EQ(result.status, 0) << result.messages;
+  EXPECT_NE(result.output.find("branch 2 of 2"), std::string::npos) << result.output;
+  for (const char* rounding : {"e-15 ", "e-16 ", "e-17 ", "e-15\n", "e-16\n", "e-17\n"}) {
+    EXPECT_EQ(result.output.find(rounding), std::string::npos) << result.output;
+  }
+}
+
 TEST(Solve, OverConstrainedSceneIsNamed) {
   Json scene = Json::parse(read_file(worked));
   scene["links"]["ground"]["T"] = {0, 0};

@@ -75,6 +75,8 @@ struct Sizes {
       positions.cover(in_degrees(frame.pose));
       velocities.cover(frame.velocity);
       accelerations.cover(frame.acceleration);
+      // An angular acceleration that cancels is a rounding of the squares of angular velocities.
+      accelerations.cover(Eigen::Vector3d(0, 0, frame.velocity.z() * frame.velocity.z()));
     }
     for (const OutputIndex output : configuration.outputs.keys()) {
       positions.cover(configuration.outputs[output].position);
