@@ -77,7 +77,7 @@ TEST(BadArguments, SuggestWhatWasMeant) {
        "the extensions are .svg, .html, .dxf (did you mean '.svg'?)"},
       {"derive RXR", "derive: no kind 'RXR' (did you mean 'RRR'?); give a kind such as RRR or a"},
       {"solve --nearest " + scene,
-       "reference: there is no angle of a link to be near to; give the angles of"},
+       "reference: the nearest configuration needs a reference; give the angles of"},
       {"map --over coupler=-1e308:1e308:3 --output x.csv " + scene,
        "--over: the range from FROM to TO is not finite"},
       {"solve --branch 99999999999 " + scene,

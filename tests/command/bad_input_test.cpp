@@ -193,7 +193,7 @@ constexpr std::array<Fault, 93> faults = {{
     {"UnknownSweepKey", "/sweep", R"({"parametr": "phi"})",
      "sweep: unknown key 'parametr' (did you mean 'parameter'?)"},
     {"UnderConstrained", "/joints/E", "",
-     "links: under-constrained by 2: the links rod, lever, slider, bar keep a freedom"},
+     "links: under-constrained by 2: the links rod, lever, slider, bar can still move"},
     {"NoGround", "/links/ground", "", "no link named 'ground'"},
 }};
 

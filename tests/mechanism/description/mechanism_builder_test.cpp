@@ -290,8 +290,9 @@ TEST(MisusedLibrary, ANumberThatNoConfigurationHasIsRefused) {
   mechanism::Solution solution;
   EXPECT_EQ(message_of([&] { (void)plan.solve_one(plan.values(), 0, solution); }),
             "there is no configuration 0; they are numbered from 1");
-  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
-            "reference: there is no angle of a link to be near to; give the angles of some links");
+  EXPECT_EQ(
+      message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
+      "reference: the nearest configuration needs a reference; give the angles of some links");
   EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 1, {}); }), "no error");
 }
 
