@@ -193,6 +193,10 @@ INSTANTIATE_TEST_SUITE_P(
                 made.add_output("Q", "coupler.axis");
               },
               "outputs.Q: an output is a point, and this feature is a line"},
+        Fault{"LineWithoutADirection",
+              [](Mechanism& made) { made.add_line("coupler.axis", 0, 0, 0, "2 - 2"); },
+              "links.coupler.axis.along: [0, 0] has no direction; at least one of the numbers must "
+              "not be zero"},
         Fault{"ParameterTwice", [](Mechanism& made) { made.add_parameter("phi", 1); },
               "parameters: the name 'phi' is taken"},
         Fault{"ParameterOfAFunctionsName", [](Mechanism& made) { made.add_parameter("sin", 1); },
@@ -213,6 +217,7 @@ TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
   Mechanism made = four_bar();
   EXPECT_NE(message_of([&] { made.add_point("coupler.Q", "no_such", 0); }), "no error");
   EXPECT_NE(message_of([&] { made.add_line("coupler.R", 0, 0, 1, "no_such"); }), "no error");
+  EXPECT_NE(message_of([&] { made.add_line("coupler.S", 0, 0, 0, 0); }), "no error");
   EXPECT_NE(message_of([&] { made.add_parameter("fresh", "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_driver("B", 0, "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.set_limits("C", 4, "no_such"); }), "no error");
