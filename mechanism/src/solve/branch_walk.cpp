@@ -95,7 +95,10 @@ class BranchWalk {
   /// driver moves features that hardly define the frame of their link.
   [[nodiscard]] static bool is_known(const Values::GroupNumbers& numbers) {
     return precision_of_shape(numbers.firmness).second_rates_known && numbers.d_rate.allFinite() &&
-           numbers.d_second_rate.allFinite();
+           numbers.d_second_rate.allFinite() &&
+           std::ranges::all_of(numbers.across, [](const values::AcrossAxis& axis) {
+             return std::isfinite(axis.rate) && std::isfinite(axis.second_rate);
+           });
   }
 
   void move_carried_link(std::size_t place) {
@@ -179,12 +182,13 @@ class BranchWalk {
     put_base(group);
     const models::FlatSeries u = inputs(numbers);
     const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
+    const std::vector<AcrossOnTheMove> across = across_axes(numbers);
     const PlacedGroup& here = placed_.groups[group];
     // A singular group was settled to rounding, so the group behind it is placed as accurately.
     // Behind other groups the displacement is smaller, or they would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
-         branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
+         branches_through({*structure_.groups[group].model, d, u, here.q, across, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
         links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
       }
@@ -215,6 +219,18 @@ class BranchWalk {
       }
     }
     return u;
+  }
+
+  [[nodiscard]] std::vector<AcrossOnTheMove> across_axes(
+      const Values::GroupNumbers& numbers) const {
+    std::vector<AcrossOnTheMove> across;
+    for (const values::AcrossAxis& axis : numbers.across) {
+      if (motions_.in_time && axis.moves()) {
+        across.push_back(
+            {axis.dimension, axis.angle, models::moving(0, axis.rate, axis.second_rate)});
+      }
+    }
+    return across;
   }
 
   [[nodiscard]] models::FlatSeries dimensions(const GroupModel& model,

@@ -19,6 +19,11 @@ bool moves_drivers_alone(const Values& values, Eigen::Index column) {
         return false;
       }
     }
+    for (const values::AcrossAxis& axis : values.numbers_of(group).across) {
+      if (axis.first(column) != 0) {
+        return false;
+      }
+    }
   }
   return true;
 }

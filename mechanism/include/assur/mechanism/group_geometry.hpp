@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/carried_features.hpp>
+#include <assur/mechanism/dual.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <assur/normal_form.hpp>
 #include <assur/text/names.hpp>
@@ -11,11 +13,21 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace assur::mechanism {
+
+/// A link of points alone, the first two of which coincide or nearly do: the way from one to the
+/// other has no direction there, or one that turns too fast to be differentiated. The x-axis of the
+/// link's normal frame then stands at a fixed angle on the link. Features may move the second point
+/// across it, which no dimension of the model says.
+template <typename Scalar>
+struct HeldAxis {
+  int link;               ///< of the model
+  std::size_t dimension;  ///< of the model: where the second point is along the axis
+  Scalar across;          ///< where it is across the axis: zero, with derivatives
+};
 
 /// The links of a group in normal form, under the first assignment of roles that has one.
 template <typename Scalar>
@@ -24,7 +36,9 @@ struct GroupGeometry {
   std::string obstacle;                   ///< then: which link has none, and why
   std::string flaw;                       ///< which link has no length, if one has none
   std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
-  double firmness = 0;  ///< how well the links' features define their frames, from zero to one
+  std::vector<HeldAxis<Scalar>> held_axes;
+  /// How well the links' features define their frames, from zero to one. A held axis is firm.
+  double firmness = 0;
 
   /// The dimensions of the model, in its order.
   [[nodiscard]] std::vector<DimensionValue<Scalar>> dimensions() const {
@@ -36,88 +50,6 @@ struct GroupGeometry {
     return values;
   }
 };
-
-/// The direction of a line along (dx, dy), which are not both zero. Scaled first, so that no length
-/// overflows or underflows when squared.
-template <typename Scalar>
-[[nodiscard]] Direction<Scalar> unit_direction(const Scalar& dx, const Scalar& dy) {
-  const double scale =
-      std::ldexp(1.0, std::ilogb(std::max(std::abs(dx.value()), std::abs(dy.value()))));
-  const Scalar x = dx / scale;
-  const Scalar y = dy / scale;
-  const Scalar length = sqrt(x * x + y * y);
-  return {x / length, y / length};
-}
-
-/// A feature of a driven link in the frame of the link that carries it: turned or slid in the frame
-/// of the driven joint. `near` and `far` are the joint's features on the two links.
-template <typename Scalar>
-[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
-                                                const LinkFeature<Scalar>& near,
-                                                const LinkFeature<Scalar>& far, bool slides,
-                                                const Scalar& by) {
-  const auto rotated = [](const Direction<Scalar>& turn, const Scalar& x, const Scalar& y) {
-    return std::make_pair(Scalar(turn.cos * x - turn.sin * y), Scalar(turn.sin * x + turn.cos * y));
-  };
-  const Direction<Scalar> back = reversed(far.along);
-  auto [x, y] = rotated(back, feature.x - far.x, feature.y - far.y);
-  LinkFeature<Scalar> result = feature;
-  if (slides) {
-    x = x + by;
-    result.along = turned(turned(feature.along, back), near.along);
-  } else {
-    const Direction<Scalar> turn{cos(by), sin(by)};
-    std::tie(x, y) = rotated(turn, x, y);
-    result.along = turned(turned(turned(feature.along, back), turn), near.along);
-  }
-  const auto [from_x, from_y] = rotated(near.along, x, y);
-  result.x = near.x + from_x;
-  result.y = near.y + from_y;
-  return result;
-}
-
-/// A feature of a carried link in the frame of the link that carries it. `feature_of(feature,
-/// is_line)` is a feature in its own link's frame, `position` where the driver's law puts the
-/// joint.
-template <typename Scalar, typename FeatureOf>
-[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
-                                                const Structure& structure, const CarriedLink& link,
-                                                const FeatureOf& feature_of,
-                                                const Scalar& position) {
-  const ElementaryJoint& joint = structure.linkage.joints[link.joint];
-  return moved_feature(feature, feature_of(joint.on(link.from), joint.prismatic),
-                       feature_of(joint.on(link.to), joint.prismatic), joint.prismatic,
-                       joint.first == link.from ? position : Scalar(-position));
-}
-
-/// A feature of a link, given in `frame`, in the outer frame of that frame.
-template <typename Scalar>
-[[nodiscard]] LinkFeature<Scalar> placed_feature(const LinkFeature<Scalar>& feature,
-                                                 const Pose<Scalar>& frame) {
-  LinkFeature<Scalar> result = feature;
-  const auto& [cosine, sine] = frame.direction;
-  result.x = frame.x + cosine * feature.x - sine * feature.y;
-  result.y = frame.y + sine * feature.x + cosine * feature.y;
-  result.along = turned(feature.along, frame.direction);
-  return result;
-}
-
-/// A joint's feature in the frame of a link that has it, or that carries the link that has it.
-/// `feature_of(feature, is_line)` is a feature in its own link's frame, `carried(feature, link)`
-/// one of a carried link in the frame of the link that carries it.
-template <typename Scalar, typename FeatureOf, typename Carried>
-[[nodiscard]] LinkFeature<Scalar> carried_feature(const Structure& structure,
-                                                  const ElementaryJoint& at, LinkIndex link,
-                                                  const FeatureOf& feature_of,
-                                                  const Carried& carried) {
-  LinkFeature<Scalar> result = feature_of(at.on(link), at.prismatic);
-  for (LinkIndex holder = at.holder(link); holder != link;) {
-    const CarriedLink& next = *structure.carried_link(holder);
-    result = carried(result, next);
-    holder = next.from;
-  }
-  return result;
-}
 
 /// How a mechanism measures a slide of a group: sense * (displacement + shift).
 template <typename Scalar>
@@ -149,6 +81,14 @@ namespace values {
 /// Lines closer to parallel than this do not define a frame by where they cross.
 inline constexpr double parallel = 1e-3;
 inline constexpr double well = 0.05;  ///< above this firmness, frames are well defined
+
+/// Points closer to one another than this part of their distance from the third point do not define
+/// an axis, but have it held. A number with a formula is held only where the square of its length
+/// is nothing, since an emitted solver does not follow points across an axis.
+template <typename Scalar>
+inline constexpr double close = 1e-150;
+template <>
+inline constexpr double close<Dual> = 1e-3;
 
 /// The sine of the angle from one line to another.
 template <typename Scalar>
@@ -187,6 +127,7 @@ class NormalForms {
       NormalForm<Scalar> form;
       form.shift.fill(zero);
       forms_.push_back(form);
+      across_.push_back(std::nullopt);
       is_done_.push_back(false);
     }
   }
@@ -232,10 +173,22 @@ class NormalForms {
     return "";
   }
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
+  [[nodiscard]] std::vector<HeldAxis<Scalar>> held_axes() const {
+    std::vector<HeldAxis<Scalar>> axes;
+    std::size_t dimension = 0;
+    for (std::size_t link = 0; link < forms_.size(); ++link) {
+      if (across_[link]) {
+        axes.push_back({static_cast<int>(link), dimension, *across_[link]});
+      }
+      dimension += static_cast<std::size_t>(forms_[link].dimension_count);
+    }
+    return axes;
+  }
 
   /// How well features define the frames, from zero to one: the sine between two lines, or the
-  /// distance of two points in parts of the link's size; not well if that may vary.
-  [[nodiscard]] double firmness() const {
+  /// distance of two points in parts of the link's size; not well if that may vary. A held axis
+  /// counts as firm unless it is asked about, too.
+  [[nodiscard]] double firmness(bool with_held_axes) const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
       const std::size_t count = joints_of(*group_.model, link).size();
@@ -244,7 +197,7 @@ class NormalForms {
       if (lines == static_cast<std::ptrdiff_t>(count)) {
         least =
             std::min(least, std::abs(sine_between(features_[link][0], features_[link][1]).value()));
-      } else if (lines == 0 && count == 3) {
+      } else if (lines == 0 && count == 3 && (with_held_axes || !across_[link])) {
         const auto& dimensions = forms_[link].dimensions;
         const double length = dimensions[0].length.value();
         const double other = std::hypot(dimensions[1].length.value(), dimensions[2].length.value());
@@ -278,15 +231,50 @@ class NormalForms {
     const auto& features = features_[link];
     const bool is_apart = !may_have_parallel_lines(link) ||
                           std::abs(sine_between(features[0], features[1]).value()) >= parallel;
-    const bool brought = (may_have_parallel_lines(link) && bring_parallel(link)) ||
-                         (is_apart && normal_form(features, static_cast<int>(joints.size()),
-                                                  forms_[link]) == Status::ok);
+    const bool brought =
+        (may_have_parallel_lines(link) && bring_parallel(link)) || hold_axis(link) ||
+        (is_apart &&
+         normal_form(features, static_cast<int>(joints.size()), forms_[link]) == Status::ok);
     is_done_[link] = true;
     if (!brought) {
       obstacle_ = "link " + structure_.linkage.links[roles_.links[link]] +
                   ": its lines at the joints " + text::listed(joint_names(link)) + " are parallel";
     }
     return brought;
+  }
+
+  /// Brings a link of three points whose first two nearly coincide into a form with an axis that
+  /// stands at a fixed angle on it; whether it is such a link.
+  bool hold_axis(std::size_t link) {
+    const auto& features = features_[link];
+    const bool has_three_points =
+        joints_of(*group_.model, link).size() == 3 &&
+        std::ranges::none_of(features, [](const auto& feature) { return feature.line; });
+    const auto apart = [&](std::size_t point) {
+      return std::hypot(features[point].x.value() - features[0].x.value(),
+                        features[point].y.value() - features[0].y.value());
+    };
+    const double length = apart(1);
+    if (!has_three_points || !(length <= close<Scalar> * apart(2))) {
+      return false;
+    }
+    const Scalar dx = features[1].x - features[0].x;
+    const Scalar dy = features[1].y - features[0].y;
+    if (may_change(dx) || may_change(dy)) {
+      return false;
+    }
+    NormalForm<Scalar>& form = forms_[link];
+    form.frame = {features[0].x, features[0].y, {Scalar(1.0), Scalar(0.0)}};
+    Direction<Scalar>& axis = form.frame.direction;
+    if (length > 0) {
+      axis = {Scalar(dx.value() / length), Scalar(dy.value() / length)};
+    }
+    if (measure_in_frame(features, 3, form) != Status::ok) {
+      return false;
+    }
+    form.dimensions[0].length = dx * axis.cos + dy * axis.sin;
+    across_[link] = dy * axis.cos - dx * axis.sin;
+    return true;
   }
 
   /// The link of the group that slides on another's line at a joint, if it has no form yet.
@@ -341,6 +329,7 @@ class NormalForms {
   const RoleAssignment& roles_;
   std::vector<std::array<LinkFeature<Scalar>, 3>> features_;
   std::vector<NormalForm<Scalar>> forms_;
+  std::vector<std::optional<Scalar>> across_;  ///< where an axis is held
   std::vector<bool> is_done_;
   std::string obstacle_;
 };
@@ -356,15 +345,16 @@ template <typename Scalar, typename FeatureOf>
                                                    const FeatureOf& feature_of,
                                                    const Scalar& zero) {
   GroupGeometry<Scalar> geometry;
-  double& firmest = geometry.firmness;
-  firmest = -1;
+  double firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
     for (const std::size_t first_size : {2U, 3U}) {
       values::NormalForms<Scalar> normal(structure, group, roles, feature_of, zero);
       if (!normal.run(first_size)) {
         geometry.obstacle = normal.obstacle();
-      } else if (normal.firmness() > firmest) {
-        firmest = normal.firmness();
+      } else if (const double firmness = normal.firmness(true); firmness > firmest) {
+        firmest = firmness;
+        geometry.firmness = normal.firmness(false);
+        geometry.held_axes = normal.held_axes();
         geometry.roles = &roles;
         geometry.flaw = normal.flaw();
         geometry.links = std::move(normal.forms());
