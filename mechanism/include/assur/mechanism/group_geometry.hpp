@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/link_features.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <assur/normal_form.hpp>
 #include <assur/text/names.hpp>
@@ -11,7 +12,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -25,6 +25,19 @@ struct GroupGeometry {
   std::string flaw;                       ///< which link has no length, if one has none
   std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
   double firmness = 0;  ///< how well the links' features define their frames, from zero to one
+  /// Of some external slides of a degenerate model: by how much the line that holds one is to be
+  /// moved back across itself.
+  std::vector<std::pair<int, Scalar>> held_offsets;
+
+  /// By how much that of an external joint of the model is.
+  [[nodiscard]] double offset_of(int joint) const {
+    for (const auto& [own, offset] : held_offsets) {
+      if (own == joint) {
+        return offset.value();
+      }
+    }
+    return 0;
+  }
 
   /// The dimensions of the model, in its order.
   [[nodiscard]] std::vector<DimensionValue<Scalar>> dimensions() const {
@@ -36,88 +49,6 @@ struct GroupGeometry {
     return values;
   }
 };
-
-/// The direction of a line along (dx, dy), which are not both zero. Scaled first, so that no length
-/// overflows or underflows when squared.
-template <typename Scalar>
-[[nodiscard]] Direction<Scalar> unit_direction(const Scalar& dx, const Scalar& dy) {
-  const double scale =
-      std::ldexp(1.0, std::ilogb(std::max(std::abs(dx.value()), std::abs(dy.value()))));
-  const Scalar x = dx / scale;
-  const Scalar y = dy / scale;
-  const Scalar length = sqrt(x * x + y * y);
-  return {x / length, y / length};
-}
-
-/// A feature of a driven link in the frame of the link that carries it: turned or slid in the frame
-/// of the driven joint. `near` and `far` are the joint's features on the two links.
-template <typename Scalar>
-[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
-                                                const LinkFeature<Scalar>& near,
-                                                const LinkFeature<Scalar>& far, bool slides,
-                                                const Scalar& by) {
-  const auto rotated = [](const Direction<Scalar>& turn, const Scalar& x, const Scalar& y) {
-    return std::make_pair(Scalar(turn.cos * x - turn.sin * y), Scalar(turn.sin * x + turn.cos * y));
-  };
-  const Direction<Scalar> back = reversed(far.along);
-  auto [x, y] = rotated(back, feature.x - far.x, feature.y - far.y);
-  LinkFeature<Scalar> result = feature;
-  if (slides) {
-    x = x + by;
-    result.along = turned(turned(feature.along, back), near.along);
-  } else {
-    const Direction<Scalar> turn{cos(by), sin(by)};
-    std::tie(x, y) = rotated(turn, x, y);
-    result.along = turned(turned(turned(feature.along, back), turn), near.along);
-  }
-  const auto [from_x, from_y] = rotated(near.along, x, y);
-  result.x = near.x + from_x;
-  result.y = near.y + from_y;
-  return result;
-}
-
-/// A feature of a carried link in the frame of the link that carries it. `feature_of(feature,
-/// is_line)` is a feature in its own link's frame, `position` where the driver's law puts the
-/// joint.
-template <typename Scalar, typename FeatureOf>
-[[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
-                                                const Structure& structure, const CarriedLink& link,
-                                                const FeatureOf& feature_of,
-                                                const Scalar& position) {
-  const ElementaryJoint& joint = structure.linkage.joints[link.joint];
-  return moved_feature(feature, feature_of(joint.on(link.from), joint.prismatic),
-                       feature_of(joint.on(link.to), joint.prismatic), joint.prismatic,
-                       joint.first == link.from ? position : Scalar(-position));
-}
-
-/// A feature of a link, given in `frame`, in the outer frame of that frame.
-template <typename Scalar>
-[[nodiscard]] LinkFeature<Scalar> placed_feature(const LinkFeature<Scalar>& feature,
-                                                 const Pose<Scalar>& frame) {
-  LinkFeature<Scalar> result = feature;
-  const auto& [cosine, sine] = frame.direction;
-  result.x = frame.x + cosine * feature.x - sine * feature.y;
-  result.y = frame.y + sine * feature.x + cosine * feature.y;
-  result.along = turned(feature.along, frame.direction);
-  return result;
-}
-
-/// A joint's feature in the frame of a link that has it, or that carries the link that has it.
-/// `feature_of(feature, is_line)` is a feature in its own link's frame, `carried(feature, link)`
-/// one of a carried link in the frame of the link that carries it.
-template <typename Scalar, typename FeatureOf, typename Carried>
-[[nodiscard]] LinkFeature<Scalar> carried_feature(const Structure& structure,
-                                                  const ElementaryJoint& at, LinkIndex link,
-                                                  const FeatureOf& feature_of,
-                                                  const Carried& carried) {
-  LinkFeature<Scalar> result = feature_of(at.on(link), at.prismatic);
-  for (LinkIndex holder = at.holder(link); holder != link;) {
-    const CarriedLink& next = *structure.carried_link(holder);
-    result = carried(result, next);
-    holder = next.from;
-  }
-  return result;
-}
 
 /// How a mechanism measures a slide of a group: sense * (displacement + shift).
 template <typename Scalar>
@@ -169,7 +100,8 @@ template <typename Scalar>
 ///
 /// A link whose features are lines alone has its origin where the first two cross. Where these may
 /// be parallel, the origin is anywhere on one of them, and the other's offset from it is given to
-/// the link that slides there: its line is moved back by as much. The closures do not change.
+/// the link that slides there: its line is moved back by as much. The closures do not change. Where
+/// all slides of a degenerate model are parallel, what holds the group takes the last offsets.
 template <typename Scalar>
 class NormalForms {
  public:
@@ -232,6 +164,7 @@ class NormalForms {
     return "";
   }
   [[nodiscard]] std::vector<NormalForm<Scalar>>& forms() { return forms_; }
+  [[nodiscard]] std::vector<std::pair<int, Scalar>>& held_offsets() { return held_offsets_; }
 
   /// How well features define the frames, from zero to one: the sine between two lines, or the
   /// distance of two points in parts of the link's size; not well if that may vary.
@@ -299,12 +232,18 @@ class NormalForms {
     return static_cast<std::size_t>(other);
   }
 
+  /// Nothing follows the neighbours of a degenerate group, so that these can take an offset.
+  [[nodiscard]] bool is_held_at(int joint) const {
+    const ModelJoint& at = group_.model->group->joints[static_cast<std::size_t>(joint)];
+    return !group_.model->rigid && (at.first == base_link || at.second == base_link);
+  }
+
   bool bring_parallel(std::size_t link) {
     const std::vector<int>& joints = joints_of(*group_.model, link);
     const auto& features = features_[link];
     for (const std::size_t moved : {std::size_t{1}, std::size_t{0}}) {
       const std::optional<std::size_t> neighbour = free_neighbour(link, joints[moved]);
-      if (!neighbour) {
+      if (!neighbour && !is_held_at(joints[moved])) {
         continue;
       }
       const LinkFeature<Scalar>& kept = features[1 - moved];
@@ -323,6 +262,10 @@ class NormalForms {
       const LinkFeature<Scalar>& given = features[moved];
       const Scalar offset =
           (given.y - form.frame.y) * given.along.cos - (given.x - form.frame.x) * given.along.sin;
+      if (!neighbour) {
+        held_offsets_.emplace_back(joints[moved], offset);
+        return true;
+      }
       LinkFeature<Scalar>& there = line_at(*neighbour, joints[moved]);
       there.x = there.x + offset * there.along.sin;
       there.y = there.y - offset * there.along.cos;
@@ -342,6 +285,7 @@ class NormalForms {
   std::vector<std::array<LinkFeature<Scalar>, 3>> features_;
   std::vector<NormalForm<Scalar>> forms_;
   std::vector<bool> is_done_;
+  std::vector<std::pair<int, Scalar>> held_offsets_;
   std::string obstacle_;
 };
 
@@ -368,6 +312,7 @@ template <typename Scalar, typename FeatureOf>
         geometry.roles = &roles;
         geometry.flaw = normal.flaw();
         geometry.links = std::move(normal.forms());
+        geometry.held_offsets = std::move(normal.held_offsets());
       }
       if (firmest > values::well) {
         return geometry;
