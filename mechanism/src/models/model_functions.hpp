@@ -22,9 +22,6 @@ class ModelFunctions {
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  /// Derivatives divide by a product of as many lengths as there are unknowns. Where that leaves
-  /// the range of double, they are not known.
-  static constexpr double most_binary_digits = 1000;
 
  public:
   static void assemble(const FlatVariables& d, const FlatVariables& u,
@@ -65,9 +62,6 @@ class ModelFunctions {
     motion.standing = among.regularity(d, u, q);
     motion.size = among.size();
     motion.held = among.held();
-    if (!(std::abs(std::log2(motion.size)) * Model::unknown_count < most_binary_digits)) {
-      motion.standing = {};
-    }
     const bool solvable = is_solvable(motion.standing.status);
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
     if (solvable) {
@@ -214,6 +208,13 @@ template <typename Model>
   }
 }
 
+/// Whether each of a model's variables is an angle.
+template <typename Variables>
+[[nodiscard]] std::vector<bool> sorts_of() {
+  constexpr auto& angles = assur::detail::SortsOf<Variables>::angles;
+  return std::vector<bool>(angles.begin(), angles.end());
+}
+
 /// The row of a model, but for its group.
 template <typename Model>
 [[nodiscard]] GroupModel row_of() {
@@ -227,6 +228,8 @@ template <typename Model>
                  {Model::unknowns.begin(), Model::unknowns.end()},
                  static_cast<std::size_t>(Model::dimension_count),
                  static_cast<std::size_t>(Model::input_count),
+                 sorts_of<typename Model::template Dimensions<double>>(),
+                 sorts_of<typename Model::template Inputs<double>>(),
                  kernel_of<Model>()};
   for (const ModelJoint& joint : Model::joints) {
     row.prismatic.push_back(joint.prismatic);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "models/scaled_motion.hpp"
 #include "plan/plan_data.hpp"
 #include "solve/precision.hpp"
 
@@ -140,7 +141,7 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   const models::FlatVariables& q = found_.configurations[configuration];
   const bool links_change = numbers().d_rate.size() > 0;
   query_.derivatives = of_u_.first.cols() > 0 || links_change;
-  model_.kernel->move(numbers().d, u_, q, query_, motion_);
+  models::move_in_any_unit(model_, numbers().d, u_, q, query_, motion_);
   if (links_change) {
     add_rates_of_links(q);
   }

@@ -50,7 +50,8 @@ std::string reason_of_freedom(const Values& values, GroupIndex group) {
 
 std::string reason_of_doubt(const Values& values, GroupIndex group) {
   return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
-         " depends on the last digit: two configurations of what holds them are one up to rounding";
+         " depends on the last digit: rounding cannot separate two configurations of the links "
+         "that hold their group";
 }
 
 std::string reason_of_conflict(const Values& values, GroupIndex group) {

@@ -259,7 +259,7 @@ class ConfigurationWalk {
     write_configuration(placement_, result);
   }
 
-  /// Of those listed leaves out what is none beside the one that is placed; whether that is one.
+  /// Removes listed configurations that the placed one rules out; false if it is itself ruled out.
   [[nodiscard]] bool is_told_apart() {
     using Comparison = SettledRedundancy::Comparison;
     std::vector<Configuration>& all = solution_->configurations;
@@ -281,7 +281,7 @@ class ConfigurationWalk {
     if (redundancy_ && !search_.within_limits) {
       redundancy_->mark_inconsistent(solution_->configurations);
     }
-    if (passed_ > listed_) {  // one was sought, and there are others
+    if (passed_ > listed_) {  // a single configuration was sought, and there are others
       return;
     }
     if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty() &&
