@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "models/degenerate_functions.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism::models {
@@ -150,20 +151,6 @@ class ModelFunctions {
     std::copy(poses.begin(), poses.end(), moving.poses.begin());
   }
 
-  static bool is_compatible(const FlatVariables& d, const FlatVariables& u) {
-    if constexpr (Model::compatibility_count > 0) {
-      Matrix<double, Model::compatibility_count, 2> c;
-      Model::compatibility(read<Dimensions>(d), read<Inputs>(u), c);
-      // Directions come from the scene's expressions, a few roundings each.
-      constexpr double tolerance = 1e-12;
-      return c.col(0).minCoeff() > 0 && c.col(1).cwiseAbs().maxCoeff() < tolerance;
-    } else {
-      (void)d;
-      (void)u;
-      return true;
-    }
-  }
-
  private:
   // Plain loops: Eigen's expressions would be compiled anew for the sizes of every model.
   static double largest(const double* numbers, int count) {
@@ -193,21 +180,21 @@ class ModelFunctions {
   }
 };
 
-/// The kernel of a model; a degenerate one can only be asked whether it is compatible.
+/// The kernel of a model; a degenerate one has no configuration that could be asked for its motion.
 template <typename Model>
 [[nodiscard]] const ModelKernel* kernel_of() {
-  using Functions = ModelFunctions<Model>;
   if constexpr (Model::rigid) {
     static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap,
-                                           &Functions::move,     &Functions::bend,
-                                           &Functions::expand,   &Functions::is_compatible};
+    using Functions = ModelFunctions<Model>;
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, &Functions::move,
+                                           &Functions::bend, &Functions::expand};
     return &kernel;
   } else {
-    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr,
-                                           nullptr, nullptr, &Functions::is_compatible};
+    using Functions = DegenerateFunctions<Model>;
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, nullptr, nullptr,
+                                           nullptr};
     return &kernel;
   }
 }

@@ -100,8 +100,8 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     query_.displaced = query_.displaced.worst_of(displaced);
     if (joint.prismatic) {
       compose(base, feature, line_);
-      *to++ = line_.pose.x;
-      *to++ = line_.pose.y;
+      *to++ = line_.pose.x + joint.offset * line_.pose.direction.sin;
+      *to++ = line_.pose.y - joint.offset * line_.pose.direction.cos;
       *to++ = line_.pose.direction.cos;
       *to++ = line_.pose.direction.sin;
       for (Eigen::Index from = 0; from < 3; ++from) {
@@ -136,8 +136,6 @@ double GroupSolver::determinant() const {
   }
   return 1 / determinant_of(inverse);
 }
-
-bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers().d, u_); }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
   const models::FlatVariables& q = found_.configurations[configuration];

@@ -70,8 +70,6 @@ class GroupSolver {
   /// The determinant of the loop Jacobian where the group was placed last; NaN where it has no
   /// inverse.
   [[nodiscard]] double determinant() const;
-  /// Whether the angles of a degenerate model are compatible where the group is held.
-  [[nodiscard]] bool is_compatible() const;
 
   [[nodiscard]] bool has_normal_form() const { return values_.group(group_).roles != nullptr; }
 

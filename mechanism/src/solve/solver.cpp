@@ -144,18 +144,11 @@ class ConfigurationWalk {
       return;
     }
     const GroupIndex group(depth);
-    const GroupModel& model = *structure_.groups[group].model;
     if (!placement_.solver(group).has_normal_form()) {
       families_.add(group, 0, values_.group(group).obstacle);
       return;
     }
     placement_.hold(group);
-    if (!model.rigid) {
-      const bool compatible = placement_.solver(group).is_compatible();
-      families_.add(group, compatible ? model.mobility : 0,
-                    reason_of_model(values_, group, compatible));
-      return;
-    }
     const models::GroupAssemblies& found = placement_.assemble(group);
     gaps_.meet(group);
     if (found.status == AssemblyStatus::not_finite) {
@@ -172,6 +165,8 @@ class ConfigurationWalk {
       families_.add(group, found.mobility, reason_of_freedom(values_, group));
     } else if (found.count == 0 && gaps_.is_in_doubt(group)) {
       families_.add(group, 0, reason_of_doubt(values_, group));
+    } else if (!found.is_compatible) {
+      families_.add(group, 0, reason_of_conflict(values_, group));
     } else if (found.count == 0 && listed_ == 0) {
       gaps_.fail(group);
     }

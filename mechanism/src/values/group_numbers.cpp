@@ -116,7 +116,8 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     numbers.rounding = numbers.rounding.worst_of(values.rounding(at, inner));
     if (wanted.first == base_link) {
       const LinkIndex base = at.other(inner);
-      numbers.held.push_back({at.holder(base), at.on(base), at.prismatic});
+      numbers.held.push_back(
+          {at.holder(base), at.on(base), at.prismatic, geometry.offset_of(joint)});
     } else {
       const LinkIndex other = at.other(inner);
       numbers.rounding = numbers.rounding.worst_of(values.rounding(at, other));

@@ -32,6 +32,7 @@ struct HeldJoint {
   LinkIndex base;
   FeatureIndex feature;
   bool prismatic;
+  double offset;  ///< of a line: by how much it is moved back across itself (`GroupGeometry`)
 };
 
 /// One derivative of a dimension that is not zero. Most dimensions follow one parameter or none.
