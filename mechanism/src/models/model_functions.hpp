@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/scale.hpp>
 #include <assur/support/shared_search.hpp>
 #include <cmath>
 #include <limits>
@@ -211,7 +212,7 @@ template <typename Model>
 /// Whether each of a model's variables is an angle.
 template <typename Variables>
 [[nodiscard]] std::vector<bool> sorts_of() {
-  constexpr auto& angles = assur::detail::SortsOf<Variables>::angles;
+  constexpr auto& angles = support::are_angles<Variables>;
   return std::vector<bool>(angles.begin(), angles.end());
 }
 
