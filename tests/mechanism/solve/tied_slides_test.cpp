@@ -146,7 +146,7 @@ class Lattice {
   /// A group among small whole numbers; its slides are along one line, two, or any.
   [[nodiscard]] tied::Group group(const std::string& kind) {
     tied::Group group = tied::group_of(kind);
-    const unsigned lines = 1 + random_() % 3;
+    const std::size_t lines = 1 + random_() % 3;
     const bool is_closed = random_() % 3 == 0;
     for (tied::TiedJoint& joint : group.joints) {
       joint.along = lines_.at(lines == 3 ? random_() % lines_.size() : random_() % lines);
