@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "group_branches.hpp"
+#include "motion_terms.hpp"
 #include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
@@ -178,13 +179,14 @@ class BranchWalk {
     }
     put_base(group);
     const models::FlatSeries u = inputs(numbers);
-    const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
+    const GroupModel& model = *structure_.groups[group].model;
+    const models::FlatSeries d = dimensions(model, numbers);
     const PlacedGroup& here = placed_.groups[group];
+    const MotionTerms terms = motion_terms(model, numbers, d, u, here.q);
     // A singular group was settled to rounding, so the group behind it is placed as accurately.
     // Behind other groups the displacement is smaller, or they would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
-    for (const GroupBranch& branch :
-         branches_through({*structure_.groups[group].model, d, u, here.q, displaced})) {
+    for (const GroupBranch& branch : branches_through({model, d, u, here.q, terms, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
         links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
       }
