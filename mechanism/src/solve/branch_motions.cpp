@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "all_constraints.hpp"
+#include "along_parameter.hpp"
 #include "branch_order.hpp"
 #include "branch_walk.hpp"
 #include "moved_by_parameter.hpp"
@@ -40,15 +41,17 @@ Motions in_time(const Values& values) {
   return motions;
 }
 
-/// The motions of the drivers along the parameter of a column, to first order: higher rates of that
-/// parameter do not change the first rates of the motions through a configuration.
-Motions along_parameter(const Values& values, Eigen::Index column) {
-  Motions motions{{}, false};
-  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
-    const Dual& position = values.motion(driver).position;
-    models::Series motion;
-    motion.c[1] = position.derivatives().size() > 0 ? position.derivatives()(column) : 0;
-    motions.drivers.add(motion);
+/// The motions of the drivers along a parameter. Where motions meet, their first rates follow from
+/// second rates, so a law that bends counts with those. Of a law that reads links the first rate
+/// alone is known.
+Motions along_parameter(const Values& values, ParameterIndex parameter, Eigen::Index column) {
+  const AlongParameter along(values, parameter);
+  Motions motions{along.laws(), false};
+  for (const DriverIndex driver : motions.drivers.keys()) {
+    models::Series& motion = motions.drivers[driver];
+    const Eigen::VectorXd& follows = values.motion(driver).position.derivatives();
+    motion.c[0] = 0;
+    motion.c[1] = follows.size() > 0 ? follows(column) : 0;
   }
   return motions;
 }
@@ -93,14 +96,11 @@ bool is_motion_of_all(const Values& values, const Configuration& motion) {
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
                       Configuration& configuration) {
   const Eigen::Index column = values.plan().evaluation.column_of[parameter];
-  if (!moves_drivers_alone(values, column)) {
-    return;
-  }
-  if (reads_unknown(values, placed)) {
+  if (!moves_drivers_alone(values, parameter) || reads_unknown(values, placed)) {
     return;
   }
   const auto found =
-      motions_through(values, placed, configuration, along_parameter(values, column));
+      motions_through(values, placed, configuration, along_parameter(values, parameter, column));
   if (found && found->size() == 1) {
     take_derivatives(found->front(), column, configuration);
     configuration.path_known = true;
