@@ -12,6 +12,7 @@
 #include "branch_order.hpp"
 #include "branch_walk.hpp"
 #include "moved_by_parameter.hpp"
+#include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
@@ -30,13 +31,22 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   configuration.rates_known = true;
 }
 
+/// The motions of the drivers. A law that reads links is evaluated once these move.
 Motions in_time(const Values& values) {
+  const PlanData& plan = values.plan();
   Motions motions{{}, true};
-  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
-    models::Series motion;
-    motion.c[1] = values.motion(driver).velocity;
-    motion.c[2] = values.motion(driver).acceleration / 2;
-    motions.drivers.add(motion);
+  motions.drivers.resize(plan.mechanism.drivers().size());
+  const auto coordinate = [&](JointIndex joint) {
+    const DriverIndex other = plan.mechanism.driver_of(joint);
+    models::Series moving = motions.drivers[other];
+    moving.c[0] = values.motion(other).position.value();
+    return moving;
+  };
+  for (const DriverIndex driver : plan.evaluation.drivers) {
+    if (!plan.evaluation.reads_links[driver]) {
+      motions.drivers[driver] = moving_law(values, driver, coordinate);
+      motions.drivers[driver].c[0] = 0;
+    }
   }
   return motions;
 }

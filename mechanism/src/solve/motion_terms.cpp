@@ -50,9 +50,8 @@ models::Series with_terms(const models::Series& moving, double size, double rate
 bool moves(const models::Series& number) { return number.c[1] != 0 || number.c[2] != 0; }
 
 /// Whatever moves on a link counts as moving along its lengths.
-void add_dimensions(const Values::GroupNumbers& numbers, double reach,
+void add_dimensions(const Values::GroupNumbers& numbers, const ShapeSpeed& speed, double reach,
                     models::FlatSeries& dimensions) {
-  const values::ShapeSpeed& speed = numbers.speed;
   const double along = std::max(speed.along, reach * speed.turn);
   const double turn_twice = speed.turn_twice + speed.turn * speed.turn;
   const double along_twice = speed.along_twice + speed.turn * along + reach * turn_twice;
@@ -82,11 +81,11 @@ void add_inputs(const Values::GroupNumbers& numbers, double reach, models::FlatS
 }  // namespace
 
 MotionTerms motion_terms(const GroupModel& model, const Values::GroupNumbers& numbers,
-                         const models::FlatSeries& d, const models::FlatSeries& u,
-                         const models::FlatVariables& q) {
+                         const ShapeSpeed& speed, const models::FlatSeries& d,
+                         const models::FlatSeries& u, const models::FlatVariables& q) {
   MotionTerms terms{d, u};
   const double reach = reach_of(model, numbers, q);
-  add_dimensions(numbers, reach, terms.d);
+  add_dimensions(numbers, speed, reach, terms.d);
   add_inputs(numbers, reach, terms.u);
   return terms;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "group_branches.hpp"
+#include "moving_shape.hpp"
 #include "values/group_numbers.hpp"
 
 namespace assur::mechanism::solve {
@@ -11,7 +12,7 @@ namespace assur::mechanism::solve {
 /// rate may be what cancellation has left: a length that is longest changes at no rate, although
 /// its ends move across it, nor does a law that has a maximum.
 [[nodiscard]] MotionTerms motion_terms(const GroupModel& model, const Values::GroupNumbers& numbers,
-                                       const models::FlatSeries& d, const models::FlatSeries& u,
-                                       const models::FlatVariables& q);
+                                       const ShapeSpeed& speed, const models::FlatSeries& d,
+                                       const models::FlatSeries& u, const models::FlatVariables& q);
 
 }  // namespace assur::mechanism::solve

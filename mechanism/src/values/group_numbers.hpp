@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <assur/mechanism/values.hpp>
-#include <cmath>
 
 #include "models/model_kernel.hpp"
 
@@ -35,22 +34,6 @@ struct HeldJoint {
   bool prismatic;
 };
 
-/// How fast what defines a group's links moves on them. The rate of a dimension may be less: where
-/// a driver stretches a link that is straight, its length stands still while its end moves across.
-struct ShapeSpeed {
-  double along = 0, along_twice = 0;  ///< rates and second rates of lengths and shifts, in size
-  double turn = 0, turn_twice = 0;    ///< of normal frames on their links, and of angles
-
-  void include_length(double rate, double second_rate) {
-    along = std::max(along, std::abs(rate));
-    along_twice = std::max(along_twice, std::abs(second_rate));
-  }
-  void include_angle(double rate, double second_rate) {
-    turn = std::max(turn, std::abs(rate));
-    turn_twice = std::max(turn_twice, std::abs(second_rate));
-  }
-};
-
 /// One derivative of a dimension that is not zero. Most dimensions follow one parameter or none.
 struct DimensionDerivative {
   Eigen::Index dimension, parameter;
@@ -67,7 +50,6 @@ struct Values::GroupNumbers {
   values::ParameterDerivatives of_d;
   std::vector<values::DimensionDerivative> nonzero_of_d;
   models::SmallVector d_rate, d_second_rate;  ///< in time; empty where the links keep their shapes
-  values::ShapeSpeed speed;                   ///< of the same
   std::vector<LinkIndex> links;               ///< that play the model's
   std::vector<Frame> own;                     ///< their own frames, each in its normal frame
   std::vector<values::MeasuredSlide> slides;

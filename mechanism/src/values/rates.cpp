@@ -29,18 +29,10 @@ void set_rates(const GroupGeometry<Dual>& geometry, const Structure& structure,
     const Dual quantity = value.is_angle ? angle_of(value.angle) : value.length;
     numbers.d_rate(row) = rate_of(quantity);
     numbers.d_second_rate(row) = second_rate_of(quantity);
-    value.is_angle ? numbers.speed.include_angle(rate_of(quantity), second_rate_of(quantity))
-                   : numbers.speed.include_length(rate_of(quantity), second_rate_of(quantity));
     ++row;
   }
   for (std::size_t link = 0; link < numbers.own.size(); ++link) {
-    const NormalForm<Dual>& form = geometry.links[link];
-    numbers.own[link].move(inverse(form.frame));
-    const Dual turned = angle_of(form.frame.direction);
-    numbers.speed.include_angle(rate_of(turned), second_rate_of(turned));
-    for (const Dual& shift : form.shift) {
-      numbers.speed.include_length(rate_of(shift), second_rate_of(shift));
-    }
+    numbers.own[link].move(inverse(geometry.links[link].frame));
   }
   std::size_t slide = 0;
   for (const ModelUnknown& unknown : group.model->unknowns) {
