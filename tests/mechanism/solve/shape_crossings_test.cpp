@@ -56,10 +56,10 @@ Json bar_to(const Json& x, const Json& y) {
 }
 
 /// Bars of 3 and 1, whose elbow is driven: x^2 = 10 + 6 cos s - height^2.
-Json elbow(double height) {
-  return driven(above(height)
-                    .bar("arm", {{"A", 0}, {"B", 3}})
-                    .bar("forearm", {{"B", 0}, {"C", 1}})
+Json elbow(double height, double unit = 1) {
+  return driven(above(height * unit)
+                    .bar("arm", {{"A", 0}, {"B", 3 * unit}})
+                    .bar("forearm", {{"B", 0}, {"C", unit}})
                     .slot("on", "ground.way", "forearm.C"),
                 "B", "s");
 }
@@ -121,24 +121,30 @@ std::vector<Case> cases() {
 
 class ShapeCrossings : public testing::TestWithParam<Case> {};
 
-std::vector<double> speeds_of(const Case& one, const Configuration& configuration) {
-  std::vector<double> speeds;
+/// The rates of C across, from the least, and its second rates in the same order.
+std::vector<std::pair<double, double>> rates_of(const Case& one,
+                                                const Configuration& configuration) {
+  const Eigen::Vector2d across(one.across_x, one.across_y);
+  std::vector<std::pair<double, double>> rates;
   for (const Configuration& motion : configuration.branches) {
-    const Eigen::Vector2d& velocity = motion.output("C").velocity;
-    speeds.push_back(one.across_x * velocity.x() + one.across_y * velocity.y());
+    const mechanism::Point& pin = motion.output("C");
+    rates.emplace_back(across.dot(pin.velocity), across.dot(pin.acceleration));
   }
-  std::ranges::sort(speeds);
-  return speeds;
+  std::ranges::sort(rates);
+  return rates;
 }
 
+/// Each motion is odd in s, so its second rate is its slope times that of s.
 TEST_P(ShapeCrossings, HaveBothMotionsAndBesideThemToo) {
   const Case& one = GetParam();
+  constexpr double second_rate = 0.5;
   for (const double aside :
        {0.0, 1e-17, -5.551115123125783e-17, 1e-16, 1e-14, -1e-12, 1e-9, 1e-8}) {
     for (int listing = 0; listing < listings; ++listing) {
       SCOPED_TRACE(testing::Message() << aside << " listing " << listing);
       Json scene = scene_listed(one.scene, listing);
-      scene["parameters"]["s"] = {{"value", one.singular + aside}, {"velocity", 1}};
+      scene["parameters"]["s"] = {
+          {"value", one.singular + aside}, {"velocity", 1}, {"acceleration", second_rate}};
       const Solved solved(mechanism::parse_scene(scene.dump(), "scene"));
       if (one.speeds.empty()) {
         for (const Configuration& configuration : solved.configurations()) {
@@ -147,10 +153,11 @@ TEST_P(ShapeCrossings, HaveBothMotionsAndBesideThemToo) {
         continue;
       }
       ASSERT_EQ(solved.configurations().size(), 1U);
-      const std::vector<double> speeds = speeds_of(one, solved.configurations()[0]);
-      ASSERT_EQ(speeds.size(), one.speeds.size());
-      for (std::size_t place = 0; place < speeds.size(); ++place) {
-        EXPECT_NEAR(speeds[place], one.speeds[place], 1e-7 + std::abs(aside));
+      const auto rates = rates_of(one, solved.configurations()[0]);
+      ASSERT_EQ(rates.size(), one.speeds.size());
+      for (std::size_t place = 0; place < rates.size(); ++place) {
+        EXPECT_NEAR(rates[place].first, one.speeds[place], 1e-7 + std::abs(aside));
+        EXPECT_NEAR(rates[place].second, second_rate * one.speeds[place], 1e-6);
       }
     }
   }
@@ -206,6 +213,102 @@ INSTANTIATE_TEST_SUITE_P(ClosedForms, ShapeCrossings, testing::ValuesIn(cases())
                            });
                            return name;
                          });
+
+TEST(ShapeCrossingsInOtherUnits, HaveTheSameMotions) {
+  for (const double unit : {1e-3, 1e3, std::ldexp(1, -390), std::ldexp(1, 390)}) {
+    SCOPED_TRACE(unit);
+    const double root = std::sqrt(3);
+    const Case one{"elbow", elbow(2, unit), std::numbers::pi, 1 / unit, 0, {-root, root}};
+    Json scene = one.scene;
+    scene["parameters"]["s"] = {{"value", one.singular}, {"velocity", 1}, {"acceleration", 0.5}};
+    const Solved solved(mechanism::parse_scene(scene.dump(), "scene"));
+    ASSERT_EQ(solved.configurations().size(), 1U);
+    const auto rates = rates_of(one, solved.configurations()[0]);
+    ASSERT_EQ(rates.size(), 2U);
+    for (std::size_t place = 0; place < 2; ++place) {
+      EXPECT_NEAR(rates[place].first, one.speeds[place], 1e-9);
+      EXPECT_NEAR(rates[place].second, one.speeds[place] / 2, 1e-9);
+    }
+  }
+}
+
+/// Links L1 to L4 in a loop that a slide drives, which is solved relative to L1. Where it is flat,
+/// the motions of the loop shape the group that stands on the ground differently.
+Json loop(const std::vector<double>& numbers, double along_l3, double along_ground) {
+  const auto at = [&](std::size_t place) { return numbers[place]; };
+  Json scene = SceneMaker()
+                   .point("ground", "O", at(0), at(1))
+                   .line("ground", "h", {at(2), at(3)}, {along_ground, 0})
+                   .point("L1", "P", 0, 0)
+                   .point("L1", "Q", 0, at(4))
+                   .point("L1", "O", at(5), at(6))
+                   .point("L2", "P", at(7), at(8))
+                   .point("L2", "R", at(9), at(10))
+                   .point("L2", "S", at(11), at(12))
+                   .point("L3", "Q", at(13), 0)
+                   .line("L3", "way", {at(14), at(15)}, {0, along_l3})
+                   .point("L4", "R", at(16), at(17))
+                   .line("L4", "way", {at(18), at(19)}, {0, along_l3})
+                   .slide("slides", "L4.way", "L3.way")
+                   .slot("on", "ground.h", "L2.S")
+                   .scene();
+  scene["drivers"]["slides"]["position"] = "s";
+  return scene;
+}
+
+std::vector<double> pose_of(const Configuration& configuration, double near) {
+  const Pose<double>& pose = configuration.link("L2").pose;
+  return {pose.x, pose.y,
+          near + std::remainder(angle_of(pose.direction) - near, 2 * std::numbers::pi)};
+}
+
+TEST(ShapeCrossingsOfRelativeGroups, HaveTheRatesOfTheConfigurationsBeside) {
+  constexpr double h = 1e-3;
+  const std::vector<std::pair<double, Json>> scenes{
+      {0, loop({-1, -1, 0, 1, 2, -1, 2, 0, 1, -1, 1, -3, 2, 1, 0, 1, -1, 1, -1, 2}, -1, 1)},
+      {-2, loop({1, 2, 2, -2, 1, -2, 3, 1, 1, 1, 3, -3, 0, 3, 6, -3, -1, 5, 3, 4}, 1, -1)}};
+  for (const auto& [singular, given] : scenes) {
+    for (int listing = 0; listing < listings; ++listing) {
+      SCOPED_TRACE(testing::Message() << singular << " listing " << listing);
+      const auto at = [&, singular = singular, &given = given](double time) {
+        Json scene = scene_listed(given, listing);
+        const double moved = time + time * time / 4;
+        scene["parameters"]["s"] = {
+            {"value", singular + moved}, {"velocity", 1}, {"acceleration", 0.5}};
+        return Solved(mechanism::parse_scene(scene.dump(), "scene"));
+      };
+      const Solved here = at(0);
+      const Solved before = at(-h);
+      const Solved after = at(h);
+      ASSERT_EQ(here.configurations().size(), 2U);
+      for (const Configuration& configuration : here.configurations()) {
+        ASSERT_EQ(configuration.branches.size(), 2U);
+        for (const Configuration& motion : configuration.branches) {
+          const mechanism::Frame& told = motion.link("L2");
+          const double angle = angle_of(told.pose.direction);
+          const std::vector<double> middle = pose_of(motion, angle);
+          double least = 1;
+          for (const Configuration& one : before.configurations()) {
+            for (const Configuration& other : after.configurations()) {
+              const std::vector<double> from = pose_of(one, angle);
+              const std::vector<double> to = pose_of(other, angle);
+              double miss = 0;
+              for (int row = 0; row < 3; ++row) {
+                const auto place = static_cast<std::size_t>(row);
+                const double rate = (to[place] - from[place]) / (2 * h);
+                const double second = (to[place] - 2 * middle[place] + from[place]) / (h * h);
+                miss = std::max({miss, std::abs(told.velocity(row) - rate),
+                                 std::abs(told.acceleration(row) - second)});
+              }
+              least = std::min(least, miss);
+            }
+          }
+          EXPECT_LT(least, 1e-3);
+        }
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace assur::test::shape_crossings_test
