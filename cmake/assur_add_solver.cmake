@@ -23,12 +23,12 @@ function(assur_add_solver target)
       "[VARIABLE <parameter>...] [WANT <result>...] [INTERFACE c])")
   endif()
   if(arg_INTERFACE AND NOT arg_INTERFACE MATCHES "^(c|cpp)$")
-    message(FATAL_ERROR "assur_add_solver: ${target}: no interface '${arg_INTERFACE}'; they are c "
-      "and cpp")
+    message(FATAL_ERROR "assur_add_solver: ${target}: no interface '${arg_INTERFACE}'; the "
+      "interfaces are c and cpp")
   endif()
   if(arg_INTERFACE STREQUAL "c" AND NOT CMAKE_CXX_COMPILER_LOADED)
-    message(FATAL_ERROR "assur_add_solver: ${target}: behind the interface stands C++; add CXX to "
-      "the languages of project()")
+    message(FATAL_ERROR "assur_add_solver: ${target}: the C interface is implemented in C++; add "
+      "CXX to the languages of project()")
   endif()
   get_filename_component(scene ${arg_SCENE} ABSOLUTE)
   get_source_file_property(is_generated ${scene} GENERATED)

@@ -59,9 +59,9 @@ std::vector<Asked> AskedPoints::drawn() {
     return asked;
   }
   if (!assembled_ || follows_closures()) {
-    throw closures::FormulaError(
-        run_.program.file.filename().string() + ": no points are found at which it can be asked",
-        run_.result.place);
+    throw closures::FormulaError(run_.program.file.filename().string() +
+                                     ": no points were found at which the program can be run",
+                                 run_.result.place);
   }
   assembled_ = false;  // its entries have values anywhere
   return drawn();

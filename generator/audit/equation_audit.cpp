@@ -6,7 +6,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-const std::string turned_round = "both sides turned_round";
+const std::string turned_round = "printed with all signs reversed";
 
 /// `a`, or `a - b` for `a = b`.
 GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedText& text) {

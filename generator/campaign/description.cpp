@@ -99,7 +99,7 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
                               const std::string& where) {
   Description result;
   const auto refuse = [&where](const std::string& what) {
-    throw text::InputError(where + ": " + what + ": it is not a table of a campaign");
+    throw text::InputError(where + ": " + what + ", so it is not a table of a campaign");
   };
   for (const auto& [name, text] : written) {
     if (name == "items") {
@@ -120,7 +120,7 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
     }
   }
   if (result.entries.empty() || result.entries[0].first != "assur" || result.columns.empty()) {
-    refuse("it does not say of what its rows are");
+    refuse("the file has no description of the rows of a campaign");
   }
   return result;
 }
@@ -128,7 +128,7 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
 std::string difference(const Description& one, const Description& other) {
   const auto differs = [](const std::string& name, const std::string& first,
                           const std::string& second) {
-    return name + ": " + (first.empty() ? "none" : first) + ", and not " +
+    return name + ": " + (first.empty() ? "none" : first) + " instead of " +
            (second.empty() ? "none" : second);
   };
   const std::size_t most = std::max(one.entries.size(), other.entries.size());

@@ -46,8 +46,8 @@ struct Description {
       const std::vector<std::pair<std::string, std::string>>& written, const std::string& where);
 };
 
-/// What differs first between two descriptions, but for their shards: `seed: 2, and not 1`; nothing
-/// if they are of one table.
+/// What differs first between two descriptions, but for their shards: `seed: 2 instead of 1`;
+/// nothing if they are of one table.
 [[nodiscard]] std::string difference(const Description& one, const Description& other);
 
 /// A number with the fewest digits that tell it from all others; `-` for none.

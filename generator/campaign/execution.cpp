@@ -20,7 +20,7 @@ bool is_computed(const Execution& execution) {
     const Description found = table_reader(execution.table)->description();
     why = difference(found, execution.description);
     if (why.empty() && found.shard.text() != execution.description.shard.text()) {
-      why = "shard: " + found.shard.text() + ", and not " + execution.description.shard.text();
+      why = "shard: " + found.shard.text() + " instead of " + execution.description.shard.text();
     }
     if (why.empty()) {
       return true;
@@ -28,8 +28,8 @@ bool is_computed(const Execution& execution) {
   } catch (const text::InputError&) {  // it is no table
   }
   if (!execution.may_replace) {
-    throw text::InputError(execution.table.string() + ": it exists" +
-                           (why.empty() ? "" : ", of another campaign (" + why + ")") +
+    throw text::InputError(execution.table.string() + ": the file exists" +
+                           (why.empty() ? "" : " and holds another table (" + why + ")") +
                            "; give another name, or --force to replace it");
   }
   return false;

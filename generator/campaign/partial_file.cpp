@@ -90,7 +90,7 @@ void expect_new(const std::filesystem::path& file, bool may_replace) {
   std::error_code error;
   if (!may_replace && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {
     throw text::InputError(file.string() +
-                           ": it exists; give another name, or --force to replace it");
+                           ": the file exists; give another name, or --force to replace it");
   }
 }
 

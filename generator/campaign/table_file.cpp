@@ -38,17 +38,18 @@ void for_each_row_block(TableReader& reader, const std::string& file,
       const bool is_next = next < last && rows[at] == static_cast<double>(next);
       const bool goes_on = next > first && rows[at] == static_cast<double>(next - 1);
       if (!is_next && !goes_on) {
-        throw text::InputError(file + ": behind item " + std::to_string(next) + " of " +
+        throw text::InputError(file + ": after item " + std::to_string(next) + " of " +
                                std::to_string(last) +
-                               " its rows are not in order; compute it again");
+                               " the rows are not in order; compute the table again");
       }
       next += is_next ? 1 : 0;
     }
     use(rows);
   }
   if (next != last) {
-    throw text::InputError(file + ": it is not whole: it ends at item " + std::to_string(next) +
-                           " of " + std::to_string(last) + "; compute it again");
+    throw text::InputError(file + ": the table is incomplete: it ends at item " +
+                           std::to_string(next) + " of " + std::to_string(last) +
+                           "; compute it again");
   }
 }
 

@@ -10,7 +10,8 @@ namespace assur::generator::command {
 [[nodiscard]] std::string complaint_of_word(const std::string& word,
                                             const std::vector<std::string>& words);
 
-/// What is wrong with the text of a whole number from 1 on: nothing if it is one.
+/// What is wrong with the text of a whole number from 1 on that an `int` holds: nothing if it is
+/// one.
 [[nodiscard]] std::string complaint_of_number(const std::string& text);
 
 /// The first word of a command line that looks like an option and is not one of these; nothing if
@@ -18,8 +19,8 @@ namespace assur::generator::command {
 [[nodiscard]] std::string complaint_of_options(const std::vector<std::string>& words,
                                                const std::vector<std::string>& options);
 
-/// What the library of command lines says of a missing or repeated value, as a sentence; other
-/// texts of it are sentences already and stay.
+/// What the library of command lines says of a missing or repeated value, and of options that go
+/// together, as a sentence; other texts of it are sentences already and stay.
 [[nodiscard]] std::string complaint_of_library(const std::string& text);
 
 }  // namespace assur::generator::command

@@ -127,7 +127,7 @@ bool compute(const CampaignOptions& options, const CampaignFiles& files,
   };
   if (ranks.count() == 1) {
     if (campaign::is_computed(execution)) {
-      remarks() << files.table.string() << ": it is whole, and is not computed again\n";
+      remarks() << files.table.string() << ": the table is complete and is not computed again\n";
     }
     campaign::execute(execution, use);
     return true;

@@ -34,6 +34,8 @@ constexpr int exit_ok = 0;
 constexpr int exit_negative = 1;
 constexpr int exit_unusable = 2;
 
+constexpr const char* set_help = "NAME=EXPR, replaces a parameter's value;\nmay be repeated";
+
 struct CatalogueOptions {
   std::string format = "text";
 };
@@ -83,6 +85,22 @@ void add_options(const CLI::App& command, std::vector<std::string>& names) {
   }
 }
 
+/// What a command asks for beside an option that is missing: one of each group of options of which
+/// none is given.
+std::string missing_choices(const CLI::App& command) {
+  std::string text;
+  for (const CLI::App* group : command.get_subcommands(nullptr)) {
+    const std::vector<const CLI::Option*> options = group->get_options();
+    if (std::all_of(options.begin(), options.end(),
+                    [](const CLI::Option* option) { return option->count() == 0; })) {
+      std::vector<std::string> names;
+      add_options(*group, names);
+      text += ", and exactly one of " + assur::text::listed(names);
+    }
+  }
+  return text;
+}
+
 /// What is wrong with a command line, after the subcommand that it belongs to, and where help
 /// stands.
 std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
@@ -91,9 +109,12 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
     const std::string name = chosen.front()->get_name();
     std::vector<std::string> options;
     add_options(*chosen.front(), options);
-    const std::string mistyped = complaint_of_options({argv + 1, argv + argc}, options);
-    return name + ": " + (mistyped.empty() ? complaint_of_library(error.what()) : mistyped) +
-           " (see assur " + name + " --help)";
+    std::string text = complaint_of_options({argv + 1, argv + argc}, options);
+    if (text.empty()) {
+      text = complaint_of_library(error.what());
+      text += text.ends_with(" is required") ? missing_choices(*chosen.front()) : "";
+    }
+    return name + ": " + text + " (see assur " + name + " --help)";
   }
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands(nullptr)) {
@@ -126,9 +147,7 @@ void add_computing_options(CLI::App& command, CampaignOptions& options,
                            const CLI::Validator& not_empty) {
   command.add_option("SCENE", options.scene, "scene file (JSON)")->required()->check(not_empty);
   add_campaign_options(command, options, not_empty);
-  command.add_option("--set", options.settings, "NAME=EXPR, replaces a parameter's value")
-      ->expected(1)
-      ->take_all();
+  command.add_option("--set", options.settings, set_help)->expected(1)->take_all();
   command.add_option("--shard", options.shard, "I/N: compute part I of N only, for assur merge");
   command
       .add_option("--threads", options.threads, "number of threads (default: one for each core)")
@@ -148,7 +167,7 @@ int run(int argc, char** argv) {
 
   CatalogueOptions catalogue;
   CLI::App* command = app.add_subcommand("catalogue", "list the kinds and models of each group");
-  command->add_option("--format", catalogue.format)
+  command->add_option("--format", catalogue.format, "the form of the list")
       ->check(one_of({"text", "markdown", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_catalogue(catalogue); }; });
@@ -163,7 +182,7 @@ int run(int argc, char** argv) {
           "--group", derivation.group,
           "the group of the model (default: tetrad)\nor of the kind (default: by spelling)")
       ->check(one_of(group_names()));
-  command->add_option("--format", derivation.format)
+  command->add_option("--format", derivation.format, "the form of the derivation")
       ->check(one_of({"text", "latex", "json"}))
       ->capture_default_str();
   command->callback([&] { chosen = [&] { return run_derive(derivation); }; });
@@ -204,10 +223,8 @@ int run(int argc, char** argv) {
   SolveOptions solve;
   command = app.add_subcommand("solve", "find the assembly configurations of a scene");
   command->add_option("SCENE", solve.scene, "scene file (JSON)")->required()->check(not_empty);
-  command->add_option("--set", solve.settings, "NAME=EXPR, replaces a parameter's value")
-      ->expected(1)
-      ->take_all();
-  command->add_option("--format", solve.format)
+  command->add_option("--set", solve.settings, set_help)->expected(1)->take_all();
+  command->add_option("--format", solve.format, "the form of the answer")
       ->check(one_of({"text", "json", "csv"}))
       ->capture_default_str();
   command
@@ -228,9 +245,7 @@ int run(int argc, char** argv) {
   command->add_option("--output", draw.output, "file to write: .svg, .html or .dxf")
       ->required()
       ->check(not_empty);
-  command->add_option("--set", draw.settings, "NAME=EXPR, replaces a parameter's value")
-      ->expected(1)
-      ->take_all();
+  command->add_option("--set", draw.settings, set_help)->expected(1)->take_all();
   command->add_option("--configuration", draw.configuration, "draw configuration N only")
       ->type_name("N")
       ->check(whole_number_text);
@@ -278,7 +293,7 @@ int run(int argc, char** argv) {
 
   MergeOptions merge;
   command = app.add_subcommand("merge", "put the shards of a sample or a map together");
-  command->add_option("FILE", merge.files, "all shards, in any order")->required();
+  command->add_option("FILE", merge.files, "the shards, in any order")->required();
   add_campaign_options(*command, merge, not_empty);
   command->callback([&] {
     chosen = [&] {
@@ -301,16 +316,18 @@ int run(int argc, char** argv) {
       ->required();
   command->add_option("--map", audit.map, "what the notation of the papers stands for")
       ->check(not_empty);
-  command->add_option("--format", audit.format)
+  command->add_option("--format", audit.format, "the form of the report")
       ->check(one_of({"text", "markdown", "json", "github"}))
       ->capture_default_str();
   command->add_flag("--run", audit.run,
                     "compile and run the programs that 'printed run'\nnames, on this machine");
   command->add_option("--flags", audit.flags, "with --run: further flags for the compiler")
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->needs("--run");
   command->add_option("--time-limit", audit.seconds, "with --run: seconds that a program may take")
       ->check(CLI::Range(0.1, 3600.0))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->needs("--run");
   command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
 
   for (CLI::App* each : app.get_subcommands(nullptr)) {

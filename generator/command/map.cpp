@@ -87,8 +87,9 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
     settings = " --set " + axis->name + "=" + campaign::number_text(value) + settings;
     rest /= axis->count;
   }
-  remarks() << refused << " cells are refused; assur solve" << settings
-            << " tells why of the first\n";
+  remarks() << refused << (refused == 1 ? " cell is" : " cells are")
+            << " refused; `assur solve SCENE" << settings << "` tells the reason"
+            << (refused == 1 ? "" : " for the first") << '\n';
 }
 
 void map(const MapOptions& options, CampaignScene& scene) {

@@ -176,9 +176,8 @@ class StretchTeller {
     if (reason.empty()) {  // there, it can be assembled alone
       return plan_.structure().reading.empty()
                  ? ": at " + short_number(place) + ", the links reach to within rounding"
-                 : ": angles that laws read count whole turns from the first step; by itself, with "
-                   "angles "
-                   "in (-pi, pi], it can be assembled at " +
+                 : ": laws read angles that count whole turns from the first step; solved alone, "
+                   "with angles in (-pi, pi], the mechanism can be assembled at " +
                        short_number(place);
     }
     return count == 1 ? ": " + reason : ": at " + short_number(place) + ", " + reason;

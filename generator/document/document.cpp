@@ -90,7 +90,8 @@ class DocumentBuilder {
     begin("Variables");
     prose(
         "Lengths share one unit of the user's choice, angles are radians, counter-clockwise; "
-        "rates are per second. Joints without an angle or a displacement here add no unknown: "
+        "rates are per unit of time. Joints without an angle or a displacement here add no "
+        "unknown: "
         "angles that prismatic joints tie together are one.");
     list_variables("unknown", from_.unknowns, true);
     list_variables("dimension", from_.dimensions, false);

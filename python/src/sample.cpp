@@ -141,11 +141,11 @@ void bind_nominal(py::module_& module) {
           "worst_case", [](const NominalPoint& point) { return array_of(point.worst_case); },
           "Array of shape (2,), or None: largest deviation of x and y, the sum of |derivative| "
           "times\n"
-          "the sum of |derivative| times half-width.")
+          "half-width.")
       .def_property_readonly(
           "rss", [](const NominalPoint& point) { return array_of(point.rss); },
-          "Array of shape (2,), or None: root sum square for x and y, of derivative times "
-          "the sum of |derivative| times half-width.")
+          "Array of shape (2,), or None: root sum square of derivative times half-width, for x and "
+          "y.")
       .def_property_readonly(
           "covariance",
           [](const NominalPoint& point) {

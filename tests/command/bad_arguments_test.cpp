@@ -46,6 +46,10 @@ TEST(BadArguments, MissingOrRepeated) {
       {"solve " + scene + " --format", "error: solve: --format needs a value (see assur solve"},
       {"solve " + scene + " --branch 1 --branch 2",
        "error: solve: --branch may be given only once (see assur solve"},
+      {"emit",
+       "error: emit: --output is required, and exactly one of --all, --model, --scene, --closures "
+       "(see assur emit"},
+      {"emit --all", "error: emit: --output is required (see assur emit"},
       {"emit --output .",
        "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"},
       {"emit --all --model 1 --output .",
@@ -77,11 +81,19 @@ TEST(BadArguments, SuggestWhatWasMeant) {
        "the extensions are .svg, .html, .dxf (did you mean '.svg'?)"},
       {"derive RXR", "derive: no kind 'RXR' (did you mean 'RRR'?); give a kind such as RRR or a"},
       {"solve --nearest " + scene,
-       "reference: there is no angle of a link to be near to; give the angles of"},
+       "reference: the nearest configuration needs a reference; give the angles of"},
       {"map --over coupler=-1e308:1e308:3 --output x.csv " + scene,
        "--over: the range from FROM to TO is not finite"},
-      {"solve --branch 99999999999 " + scene,
-       "expected a whole number from 1 on, found '99999999999'"}};
+      {"solve --branch 99999999999999999999 " + scene,
+       "--branch: the number 99999999999999999999 is too large; give one up to 2147483647 (see"},
+      {"solve --branch -99999999999 " + scene,
+       "--branch: expected a whole number from 1 on, found '-99999999999' (see"},
+      {"solve --branch 99999999999x " + scene,
+       "--branch: expected a whole number from 1 on, found '99999999999x' (see"},
+      {"audit a.audit --flags -O2",
+       "audit: --flags has an effect only with --run; add --run, or leave --flags out (see"},
+      {"audit a.audit --time-limit 5",
+       "audit: --time-limit has an effect only with --run; add --run, or leave --time-limit out"}};
   for (const auto& [call, message] : calls) {
     expect_one_line(run_assur(call), message);
   }

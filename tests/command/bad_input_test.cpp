@@ -36,7 +36,7 @@ TEST_P(BadScene, GetsOneLine) {
   expect_one_line(run_assur("solve " + file.string()), fault.message);
 }
 
-constexpr std::array<Fault, 93> faults = {{
+constexpr std::array<Fault, 94> faults = {{
     {"UnknownTopLevelKey", "/drivrs", "{}",
      "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
     {"LinksMissing", "/links", "", "the key 'links' is missing"},
@@ -68,6 +68,9 @@ constexpr std::array<Fault, 93> faults = {{
      "links.rod.B[0]: expected a number or an expression, found boolean"},
     {"LineWithoutSense", "/links/rod/slide/along", "[0, 0]",
      "links.rod.slide.along: [0, 0] has no direction; at least one of the numbers must not be "
+     "zero"},
+    {"UnusedLineWithoutSense", "/links/rod/unused", R"({"through": [0, 0], "along": [0, "1 - 1"]})",
+     "links.rod.unused.along: [0, 0] has no direction; at least one of the numbers must not be "
      "zero"},
     {"LineWithoutPoint", "/links/rod/slide/through", "", "the key 'through' is missing"},
     {"UnknownLineKey", "/links/rod/slide/angle", "0", "links.rod.slide: unknown key 'angle'"},
@@ -193,7 +196,7 @@ constexpr std::array<Fault, 93> faults = {{
     {"UnknownSweepKey", "/sweep", R"({"parametr": "phi"})",
      "sweep: unknown key 'parametr' (did you mean 'parameter'?)"},
     {"UnderConstrained", "/joints/E", "",
-     "links: under-constrained by 2: the links rod, lever, slider, bar keep a freedom"},
+     "links: under-constrained by 2: the links rod, lever, slider, bar can still move"},
     {"NoGround", "/links/ground", "", "no link named 'ground'"},
 }};
 

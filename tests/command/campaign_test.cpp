@@ -100,14 +100,15 @@ TEST_F(Campaigns, TellAFileThatIsWholeFromAnother) {
   const CommandResult again = run(sample, "a.csv");
   EXPECT_EQ(again.status, 0);
   EXPECT_EQ(again.output, first.output);
-  EXPECT_EQ(again.messages, path("a.csv") + ": it is whole, and is not computed again\n");
+  EXPECT_EQ(again.messages, path("a.csv") + ": the table is complete and is not computed again\n");
   EXPECT_EQ(refusal("sample " + four_bar + " --seed 2 --count 3000", "a.csv"),
             "error: " + path("a.csv") +
-                ": it exists, of another campaign (seed: 1, and not 2); give another name, or "
-                "--force to replace it\n");
+                ": the file exists and holds another table (seed: 1 instead of 2); give another "
+                "name, or --force to replace it\n");
   EXPECT_EQ(read("a.csv"), bytes);
   (void)directory_.write("notes.csv", "my notes\n");
-  EXPECT_NE(refusal(sample, "notes.csv").find("it exists; give another name"), std::string::npos);
+  EXPECT_NE(refusal(sample, "notes.csv").find(": the file exists; give another name"),
+            std::string::npos);
   EXPECT_EQ(read("notes.csv"), "my notes\n");
   EXPECT_EQ(run(sample, "notes.csv", "--force").status, 0);
   EXPECT_EQ(read("notes.csv"), bytes);
@@ -167,7 +168,9 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
             std::string::npos);
   EXPECT_NE(merging({"1.csv", "half.csv"}).find("it is shard 1/2, and"), std::string::npos);
   EXPECT_NE(merging({"1.csv", "cut.csv", "3.csv"}).find("ends within a line"), std::string::npos);
-  EXPECT_NE(merging({"1.csv", "short.csv", "3.csv"}).find("it is not whole"), std::string::npos);
+  EXPECT_NE(
+      merging({"1.csv", "short.csv", "3.csv"}).find("the table is incomplete: it ends at item"),
+      std::string::npos);
   std::string forged = read("1.csv");
   forged.replace(forged.find("whole outcome"), 13, "whole whole  ");
   forged = std::regex_replace(forged, std::regex(",regular,"), ",99,");

@@ -60,6 +60,17 @@ TEST(Draw, RefusesWhatHasNoConfiguration) {
   expect_refusal("none.json", "picture.svg", "none.json");
 }
 
+TEST(Draw, RefusesADirectoryThatDoesNotExist) {
+  const TemporaryDirectory directory;
+  const std::string file = (directory.path() / "gone" / "picture.svg").string();
+  const CommandResult result = run_assur("draw " + four_bar + " --output " + file);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.messages, "error: --output: " + file + ": there is no directory " +
+                                 (directory.path() / "gone").string() +
+                                 "; make it, or name another one\n");
+  EXPECT_EQ(entries_in(directory.path()), 0U);
+}
+
 TEST(Draw, RefusesOptionsOfOtherForms) {
   expect_refusal(four_bar + " --moving", "picture.dxf",
                  "--moving: only an .svg can be drawn in motion");
@@ -98,6 +109,7 @@ TEST(Draw, RefusesADirectory) {
 TEST(Draw, WritesTheSameFileWhereverItIsCalled) {
   const TemporaryDirectory directory;
   const std::string away = (directory.path() / "new" / "one.svg").string();
+  fs::create_directory(directory.path() / "new");
   EXPECT_EQ(run_assur("draw " + four_bar + " --output " + away).status, 0);
   EXPECT_EQ(
       run_assur("draw " + four_bar + " --output " + (directory.path() / "two.svg").string()).status,

@@ -88,8 +88,8 @@ TEST(NoAssembly, NamesTheGroupTheGapAndTheConfigurationsBeforeIt) {
   EXPECT_EQ(reason.find("group 2 (dyad RRR: left, right): the joints E, F, H fail to close by "),
             0U)
       << reason;
-  EXPECT_NE(reason.find(" at least, in 2 of 2 configurations of group 1 (by so little with coupler "
-                        "at "),
+  EXPECT_NE(reason.find(" at least, in 2 of 2 configurations of group 1 (the gap is least with "
+                        "coupler at "),
             std::string::npos)
       << reason;
   EXPECT_NEAR(number_after(reason, "fail to close by "), gap, 0.005 * gap);
@@ -140,8 +140,8 @@ Json press() {
 
 TEST(NoAssembly, TellsHowFarALawHasMovedWhatHoldsTheGroup) {
   const CommandResult result = solved(press(), "json");
-  EXPECT_NE(result.output.find("in 2 of 2 configurations of group 1 (by so little with rack moved "
-                               "by -36.8)"),
+  EXPECT_NE(result.output.find("in 2 of 2 configurations of group 1 (the gap is least with rack "
+                               "moved by -36.8)"),
             std::string::npos)
       << result.output.substr(0, 600);
 }

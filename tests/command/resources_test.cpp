@@ -50,11 +50,11 @@ double upright(int /*number*/) { return 1.4; }
 TEST(Resources, OfALongListing) {
   const Json scene = many_dyads(29, upright);
   for (const std::string format : {"text", "json", "csv"}) {
-    EXPECT_EQ(refusal_of(scene.dump(), "solve --format " + format),
-              "there may be 536870912 configurations, and no more than 20000 can be listed; give "
-              "joints limits, or ask for one only: for the nearest to a reference of more links, "
-              "or by a "
-              "low number\n");
+    EXPECT_EQ(
+        refusal_of(scene.dump(), "solve --format " + format),
+        "there may be 536870912 configurations, and no more than 20000 can be listed; give "
+        "joints limits, or ask for one configuration only: the nearest to a reference of more "
+        "links, or one with a low number\n");
   }
   EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
             "there may be 536870912 configurations, and an emitted solver lists 4096 at most; "
@@ -126,8 +126,8 @@ TEST(Resources, OfManyGroups) {
 /// which take 0.9 GB.
 TEST(LongResources, OfManyFamiliesAndNumbers) {
   const std::string mend =
-      "; give joints limits, or ask for one only: for the nearest to a reference of more links, "
-      "or by a low number\n";
+      "; give joints limits, or ask for one configuration only: the nearest to a reference of more "
+      "links, or one with a low number\n";
   Json scene = many_dyads(11, upright);
   scene["links"]["bar11"]["Q"] = scene["links"]["bar11"]["P"];
   const auto join = [&scene](const std::string& name, const std::string& one,

@@ -1,118 +1,307 @@
 #!/usr/bin/env python3
 """Turns sources and the tests that hold them into a list of mutants and of those that survive.
 
-mutate.py BUILD SUBJECT [--count N] [--seed S] [--harmless FILE] [--output FILE]
+mutate.py BUILD SUBJECT [--count N] [--seed S] [--jobs J] [--harmless FILE] [--output FILE]
 
-A mutant is one operator, comparison, sign or constant changed in one place. SUBJECT is `derivation`
-or `runtime`. Each mutant is compiled in BUILD, whose sources are changed and put back, so that it
-should be a clone of its own; what does not compile, or changes no program, is not counted. Its
-killers run, one after the other, until one of them fails: that kills it. The exit status is 1 if
-one survives that FILE does not list with the reason why it is harmless, a line each:
-`PATH | LINE AS IT IS | LINE AS IT WAS MUTATED | REASON`. Whoever interrupts this has one changed
-line left, which git tells.
+A mutant is one operator, comparison, sign, constant or component changed in one place. SUBJECT is
+`derivation` or `runtime`. All mutants are compiled at once: each stands beside the expression that
+it changes, behind a switch that an environment variable turns on, so that the tests are built once
+for all of them. The sources of BUILD are changed and put back, so it should belong to a clone of
+its own. Each mutant runs the tests that reach it, the quick ones first, until one of them fails:
+that kills it. What does not compile, or no test reaches, is listed and not counted. The exit status
+is 1 if a mutant survives that FILE does not list with the reason why it is harmless, one per line:
+`PATH | LINE AS IT IS | LINE AS IT WAS MUTATED | REASON`. It needs Debian's python3-clang.
 """
 import argparse
-import hashlib
+import collections
+import concurrent.futures
+import dataclasses
+import json
+import os
 import pathlib
 import random
 import re
 import resource
+import shlex
 import signal
 import subprocess
 import sys
+import tempfile
 import time
+
+import clang.cindex
+from clang.cindex import CursorKind
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 
-# The formatter sets binary operators between blanks, and the brackets of templates without.
-CHANGES = [
-    (r" \+ ", " - "), (r" - ", " + "), (r" \* ", " / "), (r" / ", " * "),
-    (r" \+= ", " -= "), (r" -= ", " += "),
-    (r" < ", " <= "), (r" <= ", " < "), (r" > ", " >= "), (r" >= ", " > "),
-    (r" < ", " > "), (r" > ", " < "), (r" == ", " != "), (r" != ", " == "),
-    (r" && ", " || "), (r" \|\| ", " && "), (r"(?<=[(=,] )-(?=[a-z])", ""), (r"(?<=return )-", ""),
-    (r"(?<=\()!(?=[a-z])", ""), (r"(?<=[ (])0(?=[;,)])", "1"), (r"(?<=[ (])1(?=[;,)])", "2"),
-    (r"\btrue\b", "false"), (r"\bfalse\b", "true"),
-    (r"\.cos\b", ".sin"), (r"\.sin\b", ".cos"), (r"std::min\b", "std::max"),
-    (r"std::max\b", "std::min"),
-]
-
-# What is mutated, and what kills: programs with the arguments that they are run with, the quick ones
-# first, for each is built only where those before it have not killed.
+# What is mutated, and what kills: programs with the arguments that they are run with.
 SUBJECTS = {
     "derivation": (
         ["generator/equations/*.cpp", "generator/derivatives/*.cpp", "generator/elimination/*.cpp",
          "generator/pivoting/*.cpp", "generator/special_points/*.cpp", "generator/structure/*.cpp"],
-        [("assur", "assur", [["emit", "--all", "--output", "{source}/generated", "--check"],
-                             ["catalogue", "--format", "json"]]),
-         ("derive_test", "tests/generator/derive_test", [["--gtest_brief=1"]]),
+        [("assur", "assur", ["emit", "--all", "--output", "{source}/generated", "--check"]),
+         ("assur", "assur", ["catalogue", "--format", "json"]),
+         ("derive_test", "tests/generator/derive_test", ["--gtest_brief=1"]),
          ("generator_tests", "tests/generator/generator_tests",
-          [["--gtest_brief=1", "--gtest_filter=*Catalogue*:AllModels/AuditOfModel*"]])]),
+          ["--gtest_brief=1", "--gtest_filter=*Catalogue*:AllModels/AuditOfModel*"])]),
     "runtime": (
         ["runtime/include/assur/*.hpp", "runtime/include/assur/detail/*.hpp",
-         "runtime/include/assur/numeric/*.hpp"],
-        [(name, "tests/runtime/" + name, [["--gtest_brief=1"]])
+         "runtime/include/assur/detail/batch/*.hpp", "runtime/include/assur/numeric/*.hpp"],
+        [(name, "tests/runtime/" + name, ["--gtest_brief=1"])
          for name in ("trigonometric_roots_test", "special_points_test", "status_tests",
-                      "body_motion_tests", "closed_search_test", "matrix4_test",
-                      "invariance_test", "configurations_test", "verdicts_test",
-                      "float_groups_test")]),
+                      "body_motion_tests", "closed_search_test", "matrix4_test", "batch_test",
+                      "batch_kinematics_test", "invariance_test", "configurations_test",
+                      "verdicts_test", "float_groups_test")]),
 }
 
+BINARY = {"+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "+=": ["-="], "-=": ["+="],
+          "<": ["<=", ">"], "<=": ["<"], ">": [">=", "<"], ">=": [">"], "==": ["!="],
+          "!=": ["=="], "&&": ["||"], "||": ["&&"]}
+LITERALS = {"0": "1", "1": "2", "true": "false", "false": "true"}
+COMPONENTS = {".cos": ".sin", ".sin": ".cos"}
+CALLS = {"std::min(": "std::max(", "std::max(": "std::min("}
 
-def code_of(line):
-    """The part of a line that is code: without its comment; nothing for directives and strings."""
-    stripped = line.strip()
-    if stripped.startswith(("//", "#", "/*", "*", "template", "static_assert")) or '"' in line:
-        return ""
-    return line.split("//")[0]
+SWITCH = """\
+#pragma once
+#include <cstdio>
+#include <cstdlib>
+namespace assur_mutant {
+/// Which mutants a process has reached, written to the file that ASSUR_REACHED names.
+struct Reached {
+  bool flags[%d];
+  ~Reached() {
+    const char* name = std::getenv("ASSUR_REACHED");
+    std::FILE* file = name == nullptr ? nullptr : std::fopen(name, "a");
+    for (int mutant = 0; file != nullptr && mutant < %d; ++mutant) {
+      if (flags[mutant]) {
+        std::fprintf(file, "%%d\\n", mutant);
+      }
+    }
+    if (file != nullptr) {
+      std::fclose(file);
+    }
+  }
+};
+inline Reached reached;
+inline bool is_active(int mutant) {
+  static const char* const name = std::getenv("ASSUR_MUTANT");
+  static const int active = name == nullptr ? -1 : std::atoi(name);
+  reached.flags[mutant] = true;
+  return mutant == active;
+}
+}  // namespace assur_mutant
+#define ASSUR_MUTANT(n) (__builtin_is_constant_evaluated() ? false : ::assur_mutant::is_active(n))
+"""
 
 
-def sites_of(patterns):
-    sites = []
-    for pattern in patterns:
-        for path in sorted(SOURCE.glob(pattern)):
-            for number, line in enumerate(path.read_text().split("\n")):
-                code = code_of(line)
-                for what, by in CHANGES:
-                    for found in re.finditer(what, code):
-                        sites.append((path, number, found.span(), by))
-    return sites
+@dataclasses.dataclass(frozen=True)
+class Mutant:
+    """The bytes [begin, end) of a file, by what they are replaced, and the operator alone."""
+    path: pathlib.Path
+    begin: int
+    end: int
+    text: str
+    operator: tuple  # its first byte, its length, and what stands there instead
+
+    def is_on(self, line, content):
+        """Whether a line of the file holds a part of the expression."""
+        return (content.count(b"\n", 0, self.begin) < line <=
+                content.count(b"\n", 0, self.end) + 1)
+
+    def lines(self, content):
+        """The number of the changed line, as it is and as it is mutated."""
+        start, length, by = self.operator
+        first = content.rfind(b"\n", 0, start) + 1
+        last = content.find(b"\n", start)
+        mutated = content[first:start] + by.encode() + content[start + length:last]
+        return (content.count(b"\n", 0, start) + 1, content[first:last].decode().strip(),
+                mutated.decode().strip())
 
 
-def run(command, seconds):
-    """What a command that may use some seconds of a processor did; none if it took too long. The
+def changes_of(cursor, content, path):
+    """The mutants of one expression."""
+    begin, end = cursor.extent.start.offset, cursor.extent.end.offset
+    text = content[begin:end].decode()
+    if "//" in text or "#" in text or "ASSUR_" in text:
+        return
+
+    def mutant(start, length, by):
+        changed = text[:start] + by + text[start + length:]
+        return Mutant(path, begin, end, changed, (begin + start, length, by))
+
+    if cursor.kind in (CursorKind.BINARY_OPERATOR, CursorKind.COMPOUND_ASSIGNMENT_OPERATOR,
+                       CursorKind.CALL_EXPR):
+        children = list(cursor.get_children())
+        if len(children) >= 2:
+            gap = (children[0].extent.end.offset - begin, children[-1].extent.start.offset - begin)
+            between = text[gap[0]:gap[1]]
+            for by in BINARY.get(between.strip(), []):
+                start = gap[0] + len(between) - len(between.lstrip())
+                yield mutant(start, len(between.strip()), by)
+    if cursor.kind == CursorKind.CALL_EXPR:
+        for call, by in CALLS.items():
+            if text.startswith(call):
+                yield mutant(0, len(call), by)
+    if cursor.kind == CursorKind.UNARY_OPERATOR and text[:1] in "-!":
+        yield mutant(0, 1, "")
+    if cursor.kind == CursorKind.MEMBER_REF_EXPR and text[-4:] in COMPONENTS:
+        yield mutant(len(text) - 4, 4, COMPONENTS[text[-4:]])
+    if (cursor.kind in (CursorKind.INTEGER_LITERAL, CursorKind.CXX_BOOL_LITERAL_EXPR) and
+            text in LITERALS):
+        yield mutant(0, len(text), LITERALS[text])
+
+
+def include_flags(build):
+    """Where the compilations of a build look for headers."""
+    commands = json.loads((build / "compile_commands.json").read_text())
+    words = [word for command in commands for word in shlex.split(command["command"])]
+    flags = {(word,) for word in words if word.startswith("-I")}
+    flags |= set(zip(["-isystem"] * len(words),
+                     (path for option, path in zip(words, words[1:]) if option == "-isystem")))
+    return [word for flag in sorted(flags) for word in flag]
+
+
+def mutants_of(patterns, build):
+    """All mutants of some files."""
+    paths = sorted(path for pattern in patterns for path in SOURCE.glob(pattern))
+    contents = {str(path): path.read_bytes() for path in paths}
+    flags = ["-x", "c++", "-std=c++20", *include_flags(build)]
+    index = clang.cindex.Index.create()
+    found = []
+    skipped = (CursorKind.STATIC_ASSERT, CursorKind.TEMPLATE_NON_TYPE_PARAMETER,
+               CursorKind.ENUM_DECL)
+
+    def visit(cursor):
+        for child in cursor.get_children():
+            file = child.extent.start.file
+            if file is not None and file.name in contents and child.kind not in skipped:
+                found.extend(changes_of(child, contents[file.name], pathlib.Path(file.name)))
+                visit(child)
+            elif child.kind == CursorKind.NAMESPACE:
+                visit(child)
+
+    # Headers are read together, for what they include takes longer than they.
+    headers = "".join(f'#include "{path}"\n' for path in paths if path.suffix == ".hpp")
+    if headers:
+        visit(index.parse("headers.cpp", flags, [("headers.cpp", headers)]).cursor)
+    for path in paths:
+        if path.suffix == ".cpp":
+            visit(index.parse(str(path), flags).cursor)
+    return found
+
+
+def planted(mutants, originals):
+    """The text of every file with all its mutants behind switches; lines keep their numbers."""
+    by_file = collections.defaultdict(list)
+    for number, mutant in mutants.items():
+        by_file[mutant.path].append((mutant.begin, number))
+    texts = {}
+    for path, content in originals.items():
+        for _, number in sorted(by_file[path], reverse=True):
+            mutant = mutants[number]
+            changed = " ".join(mutant.text.split()).encode()
+            original = content[mutant.begin:mutant.end]
+            content = (content[:mutant.begin] + b"(ASSUR_MUTANT(%d) ? (" % number + changed +
+                       b") : (" + original + b"))" + content[mutant.end:])
+        texts[path] = content
+    return texts
+
+
+def write(texts):
+    for path, content in texts.items():
+        if path.read_bytes() != content:
+            path.write_bytes(content)
+
+
+def syntax_commands(build, targets):
+    """The compilations of targets, as checks of syntax that write nothing."""
+    made = subprocess.run(["ninja", "-C", str(build), "-t", "commands", *targets],
+                          capture_output=True, text=True, check=True)
+    commands = []
+    for line in made.stdout.splitlines():
+        if " -c " in line:
+            line = re.sub(r" -MD -MT \S+ -MF \S+| -o \S+", " ", line.split(" && ")[-1])
+            commands.append(line + " -fsyntax-only -w -fmax-errors=0")
+    return commands
+
+
+def without_errors(mutants, originals, build, targets, jobs):
+    """The mutants that compile. The others are found by the lines of the compiler's errors."""
+    commands = syntax_commands(build, targets)
+    names = {str(path): path for path in originals}
+    while commands:
+        write(planted(mutants, originals))
+        with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+            results = list(pool.map(lambda command: subprocess.run(
+                shlex.split(command), cwd=build, capture_output=True, text=True), commands))
+        commands = [one for one, result in zip(commands, results) if result.returncode != 0]
+        # What a template refuses may be told where it was used, and not where it stands.
+        wrong = []
+        for kind in (" error:", ""):
+            places = {(names[match[1]], int(match[2])) for result in results
+                      for match in re.finditer(rf"^(\S+?):(\d+):\d+:{kind}", result.stderr, re.M)
+                      if match[1] in names}
+            wrong = wrong or [number for number, mutant in mutants.items()
+                              if any(path == mutant.path and mutant.is_on(line, originals[path])
+                                     for path, line in places)]
+        if commands and not wrong:
+            failed = next(result for result in results if result.returncode != 0)
+            sys.exit("what is planted does not compile:\n" + failed.stderr[:4000])
+        for number in wrong:
+            del mutants[number]
+    return mutants
+
+
+def run(command, seconds, mutant=None, reached=None):
+    """The status of a command that may use some seconds of a processor; none if it took more. The
     clock would count what other programs take, too; it ends what waits."""
+    environment = dict(os.environ)
+    if mutant is not None:
+        environment["ASSUR_MUTANT"] = str(mutant)
+    if reached is not None:
+        environment["ASSUR_REACHED"] = reached
+
     def limit():
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+        resource.setrlimit(resource.RLIMIT_AS, (8 << 30, 8 << 30))
     try:
-        result = subprocess.run(command, capture_output=True, text=True, preexec_fn=limit,
-                                timeout=10 * seconds)
+        status = subprocess.run(command, env=environment, preexec_fn=limit, timeout=20 * seconds,
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode
     except subprocess.TimeoutExpired:
         return None
-    return None if result.returncode in (-signal.SIGXCPU, -signal.SIGKILL) else result
+    return None if status in (-signal.SIGXCPU, -signal.SIGKILL) else status
 
 
-def verdict_of(build, killers, originals=None):
-    """How a mutant fares: `stillborn`, `same` where no program changes, or what killed it, or
-    `survives`. Without the originals' contents programs are run in any case, and remembered."""
-    changed = originals is None
-    contents = {}
-    for target, path, calls in killers:
-        made = run(["cmake", "--build", str(build), "--target", target], 900)
-        if made is None or made.returncode != 0:
-            return "stillborn", contents
-        contents[target] = hashlib.sha256((build / path).read_bytes()).digest()
-        if originals is not None and contents[target] == originals[target]:
-            continue
-        changed = True
-        for call in calls:
-            words = [str(build / path)] + [word.format(source=SOURCE) for word in call]
-            result = run(words, 120)
-            if result is None:
-                return "killed: takes too long: " + target, contents
-            if result.returncode != 0:
-                return "killed: " + " ".join([target, *call[:1]]), contents
-    return ("survives" if changed else "same"), contents
+@dataclasses.dataclass
+class Killer:
+    """A call of a program, the mutants that it reaches, and what it takes as it is."""
+    name: str
+    command: list
+    reaches: set
+    seconds: float
+
+
+def measured(name, command):
+    with tempfile.NamedTemporaryFile() as file:
+        before = resource.getrusage(resource.RUSAGE_CHILDREN)
+        status = run(command, 900, reached=file.name)
+        after = resource.getrusage(resource.RUSAGE_CHILDREN)
+        if status != 0:
+            sys.exit(f"without a mutant {name} has the status {status}; nothing was judged")
+        reaches = {int(line) for line in pathlib.Path(file.name).read_text().split()}
+    return Killer(name, command, reaches, after.ru_utime - before.ru_utime)
+
+
+def verdict_of(number, killers):
+    """How a mutant fares: what killed it, `survives`, or `unreached`."""
+    reaching = [killer for killer in killers if number in killer.reaches]
+    for killer in reaching:
+        status = run(killer.command, int(5 * killer.seconds) + 20, mutant=number)
+        if status is None:
+            return f"killed: {killer.name} takes too long"
+        if status != 0:
+            return f"killed: {killer.name}"
+    return "survives" if reaching else "unreached"
 
 
 def harmless_of(file):
@@ -125,55 +314,86 @@ def harmless_of(file):
     return entries
 
 
+def chosen(all_mutants, count, seed):
+    """As many mutants at random, none within another."""
+    order = list(all_mutants)
+    random.Random(seed).shuffle(order)
+    taken = collections.defaultdict(list)
+    result = {}
+    for mutant in order:
+        if all(mutant.end <= begin or end <= mutant.begin for begin, end in taken[mutant.path]):
+            taken[mutant.path].append((mutant.begin, mutant.end))
+            result[len(result)] = mutant
+        if len(result) == count:
+            break
+    return result
+
+
+def judge(options, build, patterns, calls):
+    began = time.monotonic()
+    all_mutants = mutants_of(patterns, build)
+    originals = {mutant.path: mutant.path.read_bytes() for mutant in all_mutants}
+    # Some do not compile, and some no test reaches.
+    mutants = chosen(all_mutants, 2 * options.count, options.seed)
+    switch = build / "mutant.hpp"
+    switch.write_text(SWITCH % (len(mutants), len(mutants)))
+    targets = sorted({target for target, _, _ in calls})
+    lines = []
+    counts = collections.Counter()
+    try:
+        planted_count = len(mutants)
+        subprocess.run(["cmake", "-B", str(build), f"-DCMAKE_CXX_FLAGS=-include {switch}"],
+                       check=True, stdout=subprocess.DEVNULL, cwd=SOURCE)
+        mutants = without_errors(mutants, originals, build, targets, options.jobs)
+        subprocess.run(["cmake", "--build", str(build), "--target", *targets, "-j",
+                        str(options.jobs)], check=True, stdout=subprocess.DEVNULL)
+        write(originals)
+        killers = [measured(target, [str(build / path)] +
+                            [word.format(source=SOURCE) for word in words])
+                   for target, path, words in calls]
+        killers.sort(key=lambda killer: killer.seconds)
+        print(f"# {planted_count} planted, {len(mutants)} compile; built and measured after "
+              f"{(time.monotonic() - began) / 60:.0f} minutes", flush=True)
+        harmless = harmless_of(options.harmless)
+        with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+            for number, verdict in zip(mutants, pool.map(lambda one: verdict_of(one, killers),
+                                                         mutants)):
+                mutant = mutants[number]
+                path = str(mutant.path.relative_to(SOURCE))
+                place, line, mutated = mutant.lines(originals[mutant.path])
+                if verdict == "survives" and (path, line, mutated) in harmless:
+                    verdict = "harmless"
+                counts[verdict.split(":")[0]] += 1
+                lines.append(f"{verdict}\t{path}:{place}\t{line}\t{mutated}")
+                print(lines[-1], flush=True)
+                if counts["killed"] + counts["survives"] + counts["harmless"] == options.count:
+                    pool.shutdown(wait=False, cancel_futures=True)
+                    break
+    finally:
+        write(originals)
+    lines.append(f"# {options.subject}, seed {options.seed}, {len(all_mutants)} mutants in all: "
+                 f"{counts['killed']} killed, {counts['harmless']} harmless, "
+                 f"{counts['survives']} survive, {planted_count - len(mutants)} of "
+                 f"{planted_count} do not compile, {counts['unreached']} are not reached; "
+                 f"{(time.monotonic() - began) / 60:.0f} minutes")
+    print(lines[-1])
+    return lines, counts["survives"]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("subject", choices=SUBJECTS)
     parser.add_argument("--count", type=int, default=150)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--harmless", type=pathlib.Path)
     parser.add_argument("--output", type=pathlib.Path)
     options = parser.parse_args()
-    patterns, killers = SUBJECTS[options.subject]
-    build = options.build.resolve()
-    verdict, originals = verdict_of(build, killers)
-    if verdict != "survives":
-        sys.exit("the sources as they are do not build and pass; nothing was mutated")
-    harmless = harmless_of(options.harmless)
-    sites = sites_of(patterns)
-    random.Random(options.seed).shuffle(sites)
-    counts = {"killed": 0, "survives": 0, "harmless": 0, "stillborn": 0, "same": 0}
-    began = time.monotonic()
-    lines = []
-    for path, number, (begin, end), by in sites:
-        if counts["killed"] + counts["survives"] + counts["harmless"] == options.count:
-            break
-        text = path.read_text()
-        mutated = text.split("\n")
-        line = mutated[number]
-        mutated[number] = line[:begin] + by + line[end:]
-        try:
-            path.write_text("\n".join(mutated))
-            verdict, _ = verdict_of(build, killers, originals)
-        finally:
-            path.write_text(text)
-        own = str(path.relative_to(SOURCE))
-        if verdict == "survives" and (own, line.strip(), mutated[number].strip()) in harmless:
-            verdict = "harmless"
-        counts[verdict.split(":")[0]] += 1
-        place = f"{own}:{number + 1}"
-        lines.append(f"{verdict}\t{place}\t{line.strip()}\t{mutated[number].strip()}")
-        print(lines[-1], flush=True)
-    minutes = (time.monotonic() - began) / 60
-    lines.append(f"# {options.subject}, seed {options.seed}, {len(sites)} places: "
-                 f"{counts['killed']} killed, {counts['harmless']} harmless, "
-                 f"{counts['survives']} survive, {counts['stillborn']} do not compile, "
-                 f"{counts['same']} change no program; "
-                 f"{minutes:.0f} minutes")
-    print(lines[-1])
+    lines, survivors = judge(options, options.build.resolve(), *SUBJECTS[options.subject])
     if options.output:
         options.output.write_text("\n".join(lines) + "\n")
-    return 1 if counts["survives"] else 0
+    return 1 if survivors else 0
 
 
 if __name__ == "__main__":

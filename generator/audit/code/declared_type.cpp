@@ -102,7 +102,7 @@ void TypeNames::define(const std::string& name, Tokens type) { named_[name] = so
 
 const char* why_not_read(ValueSort sort) {
   return sort == ValueSort::rounded ? "its type does not keep every number as it is; write double"
-                                    : "its type may be one of any numbers; write double";
+                                    : "its type is not known; write double";
 }
 
 }  // namespace assur::generator::audit::code

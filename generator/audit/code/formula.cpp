@@ -51,8 +51,8 @@ std::string plain_number(const Token& token) {
   std::string text = token.spelling;
   if (text.find_first_of("fFuU") != text.npos && text.find_first_of("xX") == text.npos) {
     throw CodeError(
-        "a number of type float or unsigned rounds or wraps round what it meets; write "
-        "it without its suffix",
+        "a number of type float or unsigned makes the result round or wrap around; write it "
+        "without its suffix",
         token.place);
   }
   const bool octal = text.size() > 1 && text[0] == '0' && text.find('.') == text.npos &&

@@ -23,7 +23,8 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
                        plan.obstacle(plan.values()));
   }
   for (const mechanism::Family& family : solution.families) {
-    const std::string warning = "degenerate at the scene's own numbers: " + family.reason;
+    const std::string warning =
+        "the solution at the scene's own numbers has a family: " + family.reason;
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end()) {
       warnings.push_back(warning);
     }

@@ -87,6 +87,22 @@ std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
   return text::listed(solver.plan.structure().names_of(solver.group(group).links));
 }
 
+/// The models have derivatives to their dimensions alone, and none says how a point moves across
+/// an axis that is held.
+void expect_followed(const SolverScene& solver,
+                     const mechanism::GroupGeometry<SceneNumber>& geometry) {
+  const mechanism::Structure& structure = solver.plan.structure();
+  for (const mechanism::HeldAxis<SceneNumber>& axis : geometry.held_axes) {
+    if (!solver.parameters.gradient(axis.across.number()).isZero(0)) {
+      const mechanism::LinkIndex link = geometry.roles->links[static_cast<std::size_t>(axis.link)];
+      throw mechanism::MechanismError(
+          "links." + structure.linkage.links[link],
+          "two of its joints coincide at the scene's own numbers, and parameters move them apart, "
+          "so that an emitted solver has no sensitivities to these; give the scene other numbers");
+    }
+  }
+}
+
 bool varies(const SolverScene& solver, const DimensionValue<SceneNumber>& value) {
   return value.is_angle ? solver.numbers.varies(value.angle) : solver.numbers.varies(value.length);
 }
@@ -119,6 +135,7 @@ const mechanism::GroupGeometry<SceneNumber>& normal_group(const SolverScene& sol
   if (geometry.roles == nullptr) {
     throw mechanism::MechanismError(part, "the group is degenerate: " + geometry.obstacle);
   }
+  expect_followed(solver, geometry);
   return geometry;
 }
 

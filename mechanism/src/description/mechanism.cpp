@@ -3,6 +3,8 @@
 #include <assur/text/suggestion.hpp>
 #include <set>
 
+#include "line_direction.hpp"
+
 namespace assur::mechanism::description {
 
 namespace {
@@ -15,6 +17,12 @@ void expect_new(bool is_known, const std::string& name, const std::string& part)
   if (is_known) {
     throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
   }
+}
+
+/// Whether a number is zero, whatever the parameters are: no parameter occurs in it.
+bool is_always_zero(const Number& number) {
+  return number.formula.parameters().empty() &&
+         number.formula.evaluate<double>([](ParameterIndex) { return 0.0; }) == 0;
 }
 
 }  // namespace
@@ -199,6 +207,9 @@ FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const 
   Number through_y = number(y, part + ".through[1]");
   Number sense_x = number(along_x, part + ".along[0]");
   Number sense_y = number(along_y, part + ".along[1]");
+  if (description::is_always_zero(sense_x) && description::is_always_zero(sense_y)) {
+    throw description::refusal_of_direction(part);
+  }
   feature.is_line = true;
   feature.x = numbers_.add(std::move(through_x));
   feature.y = numbers_.add(std::move(through_y));

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/scale.hpp>
 #include <assur/support/shared_search.hpp>
 #include <cmath>
 #include <limits>
 #include <tuple>
 #include <utility>
 
+#include "models/degenerate_functions.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism::models {
@@ -21,9 +23,6 @@ class ModelFunctions {
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  /// Derivatives divide by a product of as many lengths as there are unknowns. Where that leaves
-  /// the range of double, they are not known.
-  static constexpr double most_binary_digits = 1000;
 
  public:
   static void assemble(const FlatVariables& d, const FlatVariables& u,
@@ -64,9 +63,6 @@ class ModelFunctions {
     motion.standing = among.regularity(d, u, q);
     motion.size = among.size();
     motion.held = among.held();
-    if (!(std::abs(std::log2(motion.size)) * Model::unknown_count < most_binary_digits)) {
-      motion.standing = {};
-    }
     const bool solvable = is_solvable(motion.standing.status);
     Matrix<double, Model::unknown_count, Model::equation_count> inverse;
     if (solvable) {
@@ -156,20 +152,6 @@ class ModelFunctions {
     std::copy(poses.begin(), poses.end(), moving.poses.begin());
   }
 
-  static bool is_compatible(const FlatVariables& d, const FlatVariables& u) {
-    if constexpr (Model::compatibility_count > 0) {
-      Matrix<double, Model::compatibility_count, 2> c;
-      Model::compatibility(read<Dimensions>(d), read<Inputs>(u), c);
-      // Directions come from the scene's expressions, a few roundings each.
-      constexpr double tolerance = 1e-12;
-      return c.col(0).minCoeff() > 0 && c.col(1).cwiseAbs().maxCoeff() < tolerance;
-    } else {
-      (void)d;
-      (void)u;
-      return true;
-    }
-  }
-
  private:
   // Plain loops: Eigen's expressions would be compiled anew for the sizes of every model.
   static double largest(const double* numbers, int count) {
@@ -199,21 +181,21 @@ class ModelFunctions {
   }
 };
 
-/// The kernel of a model; a degenerate one can only be asked whether it is compatible.
+/// The kernel of a model; a degenerate one has no configuration that could be asked for its motion.
 template <typename Model>
 [[nodiscard]] const ModelKernel* kernel_of() {
-  using Functions = ModelFunctions<Model>;
   if constexpr (Model::rigid) {
     static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap,
-                                           &Functions::move,     &Functions::bend,
-                                           &Functions::expand,   &Functions::is_compatible};
+    using Functions = ModelFunctions<Model>;
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, &Functions::move,
+                                           &Functions::bend, &Functions::expand};
     return &kernel;
   } else {
-    static constexpr ModelKernel kernel = {nullptr, nullptr, nullptr,
-                                           nullptr, nullptr, &Functions::is_compatible};
+    using Functions = DegenerateFunctions<Model>;
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, nullptr, nullptr,
+                                           nullptr};
     return &kernel;
   }
 }
@@ -225,6 +207,13 @@ template <typename Model>
   } else {
     return 0;
   }
+}
+
+/// Whether each of a model's variables is an angle.
+template <typename Variables>
+[[nodiscard]] std::vector<bool> sorts_of() {
+  constexpr auto& angles = support::are_angles<Variables>;
+  return std::vector<bool>(angles.begin(), angles.end());
 }
 
 /// The row of a model, but for its group.
@@ -240,6 +229,8 @@ template <typename Model>
                  {Model::unknowns.begin(), Model::unknowns.end()},
                  static_cast<std::size_t>(Model::dimension_count),
                  static_cast<std::size_t>(Model::input_count),
+                 sorts_of<typename Model::template Dimensions<double>>(),
+                 sorts_of<typename Model::template Inputs<double>>(),
                  kernel_of<Model>()};
   for (const ModelJoint& joint : Model::joints) {
     row.prismatic.push_back(joint.prismatic);

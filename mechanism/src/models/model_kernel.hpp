@@ -34,6 +34,8 @@ struct GroupAssemblies {
   std::size_t count = 0;
   std::array<FlatVariables, most_configurations> configurations;
   std::array<Status, most_configurations> regularity{};
+  /// False where the angles that the prismatic joints of a degenerate model tie contradict.
+  bool is_compatible = true;
 };
 
 /// What is asked of one configuration, and how the group's neighbours move.
@@ -95,8 +97,6 @@ struct ModelKernel {
   /// The closures and poses of a group that moves, to the order of a series.
   void (*expand)(const models::FlatSeries& d, const models::FlatSeries& u,
                  const models::FlatSeries& q, models::MovingGroup& moving);
-  /// For a degenerate model, whether the angles that prismatic joints tie are compatible.
-  bool (*is_compatible)(const models::FlatVariables& d, const models::FlatVariables& u);
 };
 
 }  // namespace assur::mechanism

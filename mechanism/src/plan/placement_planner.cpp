@@ -241,11 +241,15 @@ class PlacementPlanner {
   static void expect_order(const Decomposition& decomposition) {
     const Imbalance& coupled = decomposition.coupled;
     if (!coupled.links.empty()) {
+      const bool is_one = coupled.joints.size() == 1;
       throw MechanismError(
-          "drivers", "what the laws of the joints " + text::listed(coupled.joints) +
-                         " read makes the links " + text::listed(coupled.links) +
-                         " wait for one another: they can only be solved together, as a group "
-                         "that is not known here; let a law read joints that are placed before");
+          "drivers",
+          (is_one ? "the law of the " : "the laws of the ") +
+              text::listed_as("joint", coupled.joints) + (is_one ? " reads" : " read") +
+              " joints of the " + text::listed_as("link", coupled.links) +
+              (is_one ? ", which this law moves" : ", which these laws move") +
+              ": the links can only be solved together, as a group that is not known here; let a "
+              "law read joints that are placed before the links that it moves");
     }
   }
 
@@ -322,26 +326,38 @@ class PlacementPlanner {
     });
   }
 
+  /// Which joints are too many, and for which links.
+  [[nodiscard]] std::string excess_of(const Imbalance& over) const {
+    const std::string ending = over.joints.size() == 1 ? "s" : "";
+    std::string fault;
+    if (over.links.empty()) {
+      fault = " join" + ending + " links that " +
+              (is_within_tied(over.joints) ? "drivers tie together" : "are placed already");
+    } else {
+      fault = " constrain" + ending + " the " + text::listed_as("link", over.links) +
+              " more than " + (over.links.size() == 1 ? "its" : "their") + " freedoms allow";
+    }
+    return "over-constrained by " + std::to_string(over.surplus) + ": the " +
+           text::listed_as("joint", over.joints) + fault + "; take a joint or a driver away";
+  }
+
+  /// Which links keep a freedom.
+  [[nodiscard]] static std::string lack_of(const Imbalance& under) {
+    return "under-constrained by " + std::to_string(under.surplus) + ": the " +
+           text::listed_as("link", under.links) + " can still move; drive one of " +
+           (under.links.size() == 1 ? "its" : "their") + " joints, or add a joint";
+  }
+
   void expect_balance(const Decomposition& decomposition) const {
     const Imbalance& over = decomposition.overloaded;
     const Imbalance& under = decomposition.free;
-    const std::string excess =
-        "over-constrained by " + std::to_string(over.surplus) + ": the joints " +
-        text::listed(over.joints) +
-        (over.links.empty() && is_within_tied(over.joints) ? " join links that drivers tie together"
-         : over.links.empty()
-             ? " join links that are placed already"
-             : " hold the links " + text::listed(over.links) + " more often than they can move") +
-        "; take a joint or a driver away";
-    const std::string lack = "under-constrained by " + std::to_string(under.surplus) +
-                             ": the links " + text::listed(under.links) +
-                             " keep a freedom; drive one of their joints, or add a joint";
     if (over.surplus > 0) {
-      throw OverConstrained("joints", excess + (under.surplus > 0 ? "; elsewhere " + lack : ""),
-                            over.surplus, over.joints, under.surplus);
+      const std::string lack = under.surplus > 0 ? "; elsewhere " + lack_of(under) : "";
+      throw OverConstrained("joints", excess_of(over) + lack, over.surplus, over.joints,
+                            under.surplus);
     }
     if (under.surplus > 0) {
-      throw MechanismError("links", lack);
+      throw MechanismError("links", lack_of(under));
     }
   }
 

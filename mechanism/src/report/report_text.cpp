@@ -236,7 +236,8 @@ std::string report_text(const Report& report) {
     text += "\n";
   }
   for (const RedundantJoint& joint : report.plan.redundant()) {
-    text += "redundant: the joint " + joint.name + " holds wherever the other joints do\n";
+    text += "redundant: constraints of the joint " + joint.name +
+            " are left out; configurations in which they do not hold are excluded\n";
   }
   for (const Family& family : solution.families) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +

@@ -177,13 +177,14 @@ class BranchWalk {
     }
     const models::FlatSeries u = inputs(numbers);
     const GroupModel& model = *structure_.groups[group].model;
+    const std::vector<AcrossOnTheMove> across = across_axes(numbers, *shape);
     const PlacedGroup& here = placed_.groups[group];
     const MotionTerms terms = motion_terms(model, numbers, shape->speed, shape->d, u, here.q);
     // A singular group was settled to rounding, so the group behind it is placed as accurately.
     // Behind other groups the displacement is smaller, or they would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
-         branches_through({model, shape->d, u, here.q, terms, displaced})) {
+         branches_through({model, shape->d, u, here.q, across, terms, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
         links_[numbers.links[link]] = composed(branch.poses[link], shape->own[link]);
       }
@@ -214,6 +215,18 @@ class BranchWalk {
       }
     }
     return u;
+  }
+
+  [[nodiscard]] std::vector<AcrossOnTheMove> across_axes(const Values::GroupNumbers& numbers,
+                                                         const MovingShape& shape) const {
+    std::vector<AcrossOnTheMove> across;
+    for (std::size_t place = 0; place < shape.across.size(); ++place) {
+      const values::AcrossAxis& axis = numbers.across[place];
+      models::Series moved = shape.across[place];
+      moved.c[0] = 0;
+      across.push_back({axis.dimension, axis.angle, moved});
+    }
+    return across;
   }
 
   /// The shape of a group on this branch: what earlier groups and drivers carry moves as they do

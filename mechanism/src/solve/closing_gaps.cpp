@@ -103,7 +103,8 @@ std::string ClosingGaps::reason() const {
         ", in " + std::to_string(least->failed.size()) + " of " +
         std::to_string(least->met.size()) + " configurations of " +
         (holders.size() == 1 ? "group " : "the groups ") + text::listed(holders) +
-        (least->holders.empty() ? "" : " (by so little with " + text::listed(least->holders) + ")");
+        (least->holders.empty() ? ""
+                                : " (the gap is least with " + text::listed(least->holders) + ")");
   }
   if (const std::string& flaw = placement_.values().group(group).flaw; !flaw.empty()) {
     reason += "; " + flaw;

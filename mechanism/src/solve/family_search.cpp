@@ -64,6 +64,8 @@ void FamilySearch::find_behind(std::size_t depth, Unplaced unplaced) {
   gaps_.meet(group);
   if (found.mobility > 0) {
     add(group, found.mobility, reason_of_freedom(placement_.values(), group), unplaced);
+  } else if (!found.is_compatible) {
+    add(group, 0, reason_of_conflict(placement_.values(), group), unplaced);
   }
   for (std::size_t index = 0; index < found.count; ++index) {
     placement_.place(group, index);
@@ -93,7 +95,7 @@ bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
     }
   }
   const bool is_in_doubt = found.count == 0 && gaps_.is_in_doubt(group);
-  if (found.mobility > 0 || is_in_doubt) {
+  if (found.mobility > 0 || !found.is_compatible || is_in_doubt) {
     leave_out(group, unplaced);
     return rest_assembles(depth + 1, std::move(unplaced));
   }

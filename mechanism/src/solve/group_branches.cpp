@@ -87,6 +87,7 @@ class BranchExpansion {
   /// The motion of a group's dimensions and inputs.
   struct Moving {
     models::FlatSeries d, u;
+    std::vector<AcrossOnTheMove> across;
   };
   [[nodiscard]] Moving at_rest() const {
     Moving still;
@@ -126,7 +127,7 @@ class BranchExpansion {
   /// The coefficient of the closures at an order.
   [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order, const Moving& from) const {
     models::MovingGroup moving;
-    group_.model.kernel->expand(from.d, from.u, unknowns(), moving);
+    expand(group_.model, from.d, from.u, unknowns(), from.across, moving);
     Eigen::VectorXd coefficients(count_);
     for (Eigen::Index row = 0; row < count_; ++row) {
       coefficients(row) =
@@ -135,7 +136,7 @@ class BranchExpansion {
     return coefficients;
   }
   [[nodiscard]] Eigen::VectorXd closures(Eigen::Index order) const {
-    return closures(order, {group_.d, group_.u});
+    return closures(order, {group_.d, group_.u, group_.across});
   }
 
   /// Sets the unknowns' coefficient of an order, the shortest one where J lacks a rank.
@@ -170,6 +171,11 @@ class BranchExpansion {
     };
     include(group_.terms.d, &Moving::d);
     include(group_.terms.u, &Moving::u);
+    for (const AcrossOnTheMove& one : group_.across) {
+      Moving one_moves = still;
+      one_moves.across = {one};
+      size = std::max(size, (closures(order, one_moves) - of_unknowns).norm());
+    }
     return size;
   }
   /// The larger of two sizes, in units of v: that of the unknowns' coefficient at an order, and
@@ -294,7 +300,7 @@ class BranchExpansion {
       branch.unknowns[static_cast<std::size_t>(row)] = part_of(row);
     }
     models::MovingGroup moving;
-    group_.model.kernel->expand(group_.d, group_.u, unknowns(), moving);
+    expand(group_.model, group_.d, group_.u, unknowns(), group_.across, moving);
     branch.poses = moving.poses;
   }
 

@@ -5,6 +5,7 @@
 #include <assur/mechanism/group_model.hpp>
 #include <vector>
 
+#include "across_axis.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism::solve {
@@ -27,6 +28,7 @@ struct GroupOnTheMove {
   const models::FlatSeries& d;
   const models::FlatSeries& u;
   const models::FlatVariables& q;
+  const std::vector<AcrossOnTheMove>& across;
   const MotionTerms& terms;
   /// How far rounding may have moved the configuration and its neighbours, in parts of their size.
   double displaced;

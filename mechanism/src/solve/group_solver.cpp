@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "models/scaled_motion.hpp"
 #include "plan/plan_data.hpp"
 #include "solve/precision.hpp"
 
@@ -99,8 +100,8 @@ void GroupSolver::hold(const PlacedLinks& placed) {
     query_.displaced = query_.displaced.worst_of(displaced);
     if (joint.prismatic) {
       compose(base, feature, line_);
-      *to++ = line_.pose.x;
-      *to++ = line_.pose.y;
+      *to++ = line_.pose.x + joint.offset * line_.pose.direction.sin;
+      *to++ = line_.pose.y - joint.offset * line_.pose.direction.cos;
       *to++ = line_.pose.direction.cos;
       *to++ = line_.pose.direction.sin;
       for (Eigen::Index from = 0; from < 3; ++from) {
@@ -136,13 +137,12 @@ double GroupSolver::determinant() const {
   return 1 / determinant_of(inverse);
 }
 
-bool GroupSolver::is_compatible() const { return model_.kernel->is_compatible(numbers().d, u_); }
-
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {
   const models::FlatVariables& q = found_.configurations[configuration];
   const bool links_change = numbers().d_rate.size() > 0;
   query_.derivatives = of_u_.first.cols() > 0 || links_change;
-  model_.kernel->move(numbers().d, u_, q, query_, motion_);
+  models::move_in_any_unit(model_, numbers().d, u_, q, query_, motion_);
+  find_across(q);
   if (links_change) {
     add_rates_of_links(q);
   }
@@ -168,21 +168,61 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   }
 }
 
+void GroupSolver::find_across(const models::FlatVariables& q) {
+  across_.resize(numbers().across.size());
+  for (std::size_t place = 0; place < across_.size(); ++place) {
+    const values::AcrossAxis& axis = numbers().across[place];
+    if (axis.moves() || axis.follows_parameters()) {
+      across_[place] = across_columns(model_, numbers().d, u_, q, motion_.inverse, axis);
+    }
+  }
+}
+
+/// Calls `add(axis, columns, value)` for each held axis across which a value is not zero, one of
+/// `value_of(axis)`.
+template <typename ValueOf, typename Add>
+void GroupSolver::across(const ValueOf& value_of, const Add& add) const {
+  for (std::size_t place = 0; place < across_.size(); ++place) {
+    const values::AcrossAxis& axis = numbers().across[place];
+    if (const double value = value_of(axis); value != 0) {
+      add(axis, across_[place], value);
+    }
+  }
+}
+
 /// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'): q' =
-/// q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p.
+/// q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p. A point (x + i y)
+/// e^(i theta) that moves across its axis, y = 0, adds i y' to the first of these and i y'' - 2
+/// theta' y' to the second: x'' is then smaller by 2 theta' y'.
 void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
   const auto& d_rate = numbers().d_rate;
-  const auto& d_second_rate = numbers().d_second_rate;
+  models::SmallVector d_second_rate = numbers().d_second_rate;
   models::GroupMotion& motion = motion_;
+  models::SmallVector poses_across = models::SmallVector::Zero(motion.p_q.rows());
+  const auto rate_of = [](const values::AcrossAxis& axis) { return axis.rate; };
   motion.rate = motion.q_u * query_.input_rate + motion.q_d * d_rate;
-  models::SmallVector velocities =
-      motion.p_q * motion.rate + motion.p_d * d_rate + motion.p_u * query_.input_rate;
+  across(rate_of, [&](const auto&, const AcrossColumns& columns, double rate) {
+    motion.rate += rate * columns.q;
+    poses_across += rate * columns.p;
+  });
+  models::SmallVector velocities = motion.p_q * motion.rate + motion.p_d * d_rate +
+                                   motion.p_u * query_.input_rate + poses_across;
   models::Curvature curvature;
   model_.kernel->bend(numbers().d, u_, q, motion.rate, d_rate, query_.input_rate, curvature);
+  across(rate_of, [&](const values::AcrossAxis& axis, const auto&, double rate) {
+    d_second_rate(axis.dimension_row) -= 2 * motion.rate(axis.angle_row) * rate;
+  });
   motion.second_rate = motion.inverse * curvature.closures + motion.q_u * query_.input_second_rate +
                        motion.q_d * d_second_rate;
+  poses_across.setZero();
+  across([](const values::AcrossAxis& axis) { return axis.second_rate; },
+         [&](const auto&, const AcrossColumns& columns, double second_rate) {
+           motion.second_rate += second_rate * columns.q;
+           poses_across += second_rate * columns.p;
+         });
   models::SmallVector accelerations = motion.p_q * motion.second_rate + motion.p_d * d_second_rate +
-                                      motion.p_u * query_.input_second_rate + curvature.poses;
+                                      motion.p_u * query_.input_second_rate + curvature.poses +
+                                      poses_across;
   for (Eigen::Index link = 0; link < motion.velocities.rows(); ++link) {
     motion.velocities.row(link) = velocities.segment<3>(3 * link).transpose();
     motion.accelerations.row(link) = accelerations.segment<3>(3 * link).transpose();
@@ -190,7 +230,7 @@ void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
 }
 
 /// Sets the first derivatives q_a = q_d d_a + q_u u_a and p_a = p_q q_a + p_d d_a + p_u u_a for
-/// every parameter a.
+/// every parameter a. A point that moves across a held axis adds its part.
 void GroupSolver::follow() {
   of_q_.first.setZero(motion_.rate.size(), of_u_.first.cols());
   of_p_.first.setZero(3 * static_cast<Eigen::Index>(model_.group->link_count()),
@@ -198,6 +238,13 @@ void GroupSolver::follow() {
   if (of_u_.first.cols() > 0) {
     add_product(motion_.q_d, numbers().nonzero_of_d, of_q_.first);
     add_product(motion_.q_u, of_u_.first, of_q_.first);
+    for (Eigen::Index column = 0; column < of_u_.first.cols(); ++column) {
+      across([column](const values::AcrossAxis& axis) { return axis.first(column); },
+             [&](const auto&, const AcrossColumns& columns, double value) {
+               of_q_.first.col(column) += value * columns.q;
+               of_p_.first.col(column) += value * columns.p;
+             });
+    }
     add_product(motion_.p_q, of_q_.first, of_p_.first);
     add_product(motion_.p_d, numbers().nonzero_of_d, of_p_.first);
     add_product(motion_.p_u, of_u_.first, of_p_.first);
@@ -235,10 +282,19 @@ void GroupSolver::follow_twice(const models::FlatVariables& q) {
   };
   for (Eigen::Index i = 0; i < count; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j) {
-      const models::SmallVector d_ab = numbers().of_d.mixed(i, j);
+      models::SmallVector d_ab = numbers().of_d.mixed(i, j);
+      for (const values::AcrossAxis& axis : numbers().across) {  // as in the second rates
+        d_ab(axis.dimension_row) -=
+            q_a(axis.angle_row, i) * axis.first(j) + q_a(axis.angle_row, j) * axis.first(i);
+      }
       const models::SmallVector u_ab = of_u_.mixed(i, j);
       models::SmallVector q_ab = motion_.q_d * d_ab + motion_.q_u * u_ab;
       models::SmallVector p_ab = motion_.p_d * d_ab + motion_.p_u * u_ab;
+      across([i, j](const values::AcrossAxis& axis) { return axis.second(i, j); },
+             [&](const auto&, const AcrossColumns& columns, double value) {
+               q_ab += value * columns.q;
+               p_ab += value * columns.p;
+             });
       const double length_i = length(i);
       const double length_j = length(j);
       if (length_i > 0 && length_j > 0) {

@@ -7,6 +7,7 @@
 #include <assur/support/displaced_frame.hpp>
 #include <cmath>
 
+#include "across_axis.hpp"
 #include "models/model_kernel.hpp"
 #include "values/group_numbers.hpp"
 
@@ -69,13 +70,14 @@ class GroupSolver {
   /// The determinant of the loop Jacobian where the group was placed last; NaN where it has no
   /// inverse.
   [[nodiscard]] double determinant() const;
-  /// Whether the angles of a degenerate model are compatible where the group is held.
-  [[nodiscard]] bool is_compatible() const;
 
   [[nodiscard]] bool has_normal_form() const { return values_.group(group_).roles != nullptr; }
 
  private:
   [[nodiscard]] const Values::GroupNumbers& numbers() const { return values_.numbers_of(group_); }
+  void find_across(const models::FlatVariables& q);
+  template <typename ValueOf, typename Add>
+  void across(const ValueOf& value_of, const Add& add) const;
   void add_rates_of_links(const models::FlatVariables& q);
   void follow();
   void follow_twice(const models::FlatVariables& q);
@@ -91,6 +93,7 @@ class GroupSolver {
   models::MotionQuery query_;
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
+  std::vector<AcrossColumns> across_;  ///< of each held axis; empty where nothing moves across it
   values::ParameterDerivatives of_q_, of_p_;  ///< of the unknowns, and of the link poses
   Point point_;                               ///< kept for their memory, for what holds the group
   Frame line_, frame_;

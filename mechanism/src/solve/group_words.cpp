@@ -30,21 +30,33 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
   return names;
 }
 
+namespace {
+
+/// The reason why no group of its model has a single position.
+std::string reason_of_model(const Values& values, GroupIndex group, const std::string& what) {
+  return "prismatic joints close a loop and over-determine its angles (among the joints " +
+         text::listed(joint_names(values, group, true)) + "); " + what;
+}
+
+}  // namespace
+
 std::string reason_of_freedom(const Values& values, GroupIndex group) {
+  if (!values.plan().structure.groups[group].model->rigid) {
+    return reason_of_model(values, group, "they are compatible here, and the group moves");
+  }
   return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
          " leaves an angle or a displacement free: infinitely many positions";
 }
 
 std::string reason_of_doubt(const Values& values, GroupIndex group) {
   return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
-         " depends on the last digit: two configurations of what holds them are one up to rounding";
+         " depends on the last digit: rounding cannot separate two configurations of the links "
+         "that hold their group";
 }
 
-std::string reason_of_model(const Values& values, GroupIndex group, bool compatible) {
-  return "prismatic joints close a loop and over-determine its angles (among the joints " +
-         text::listed(joint_names(values, group, true)) + "); " +
-         (compatible ? "they are compatible here, and the group moves"
-                     : "they are not compatible here, and the group cannot be assembled");
+std::string reason_of_conflict(const Values& values, GroupIndex group) {
+  return reason_of_model(values, group,
+                         "they are not compatible here, and the group cannot be assembled");
 }
 
 }  // namespace assur::mechanism::solve

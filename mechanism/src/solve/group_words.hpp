@@ -17,8 +17,7 @@ namespace assur::mechanism::solve {
 [[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
 /// The reason why nobody knows whether a group closes.
 [[nodiscard]] std::string reason_of_doubt(const Values& values, GroupIndex group);
-/// The reason why no group of this degenerate model has a single position; it depends on whether
-/// the angles are compatible where the group is held.
-[[nodiscard]] std::string reason_of_model(const Values& values, GroupIndex group, bool compatible);
+/// The reason why a group cannot be assembled whose angles prismatic joints over-determine.
+[[nodiscard]] std::string reason_of_conflict(const Values& values, GroupIndex group);
 
 }  // namespace assur::mechanism::solve

@@ -29,6 +29,10 @@ class ShapeWriter {
     include_turn(form.frame.direction);
     std::ranges::for_each(form.shift, [this](const Series& shift) { include_length(shift); });
   }
+  void add_across(const Series& across) {
+    shape_.across.push_back(across);
+    include_length(across);
+  }
   void add_shift(const Series& shift) { shape_.shifts.push_back(shift); }
   [[nodiscard]] MovingShape shape() { return std::move(shape_); }
 
@@ -56,6 +60,7 @@ bool is_finite(const Series& number) {
 
 bool MovingShape::is_known() const {
   return std::ranges::all_of(d, is_finite) && std::ranges::all_of(shifts, is_finite) &&
+         std::ranges::all_of(across, is_finite) &&
          std::ranges::all_of(own, [](const Pose<Series>& pose) {
            return is_finite(pose.x) && is_finite(pose.y) && is_finite(pose.direction.cos) &&
                   is_finite(pose.direction.sin);
@@ -79,6 +84,9 @@ std::optional<MovingShape> moving_shape(const Values& values, GroupIndex index,
   }
   for (const NormalForm<Series>& form : geometry.links) {
     writer.add_frame(form);
+  }
+  for (const HeldAxis<Series>& held : geometry.held_axes) {
+    writer.add_across(held.across);
   }
   for (const ModelUnknown& unknown : group.model->unknowns) {
     if (!unknown.is_angle) {

@@ -23,6 +23,7 @@ struct MovingShape {
   models::FlatSeries d;
   std::vector<Pose<models::Series>> own;  ///< the links' own frames, each in its normal frame
   std::vector<models::Series> shifts;     ///< of the group's slides
+  std::vector<models::Series> across;     ///< of the points that held axes pass, in their order
   ShapeSpeed speed;
 
   /// Whether its rates and second rates are known.

@@ -25,7 +25,7 @@ std::string reason_without(const std::string& reason, const PlanData& plan) {
     names.push_back(joint.name);
   }
   return reason + " without constraints of " + text::listed(names) +
-         "; in which of them these hold is not known";
+         "; it is not known in which positions these constraints hold";
 }
 
 /// Whether all constraints leave the families of some values; if so, their mobilities are those

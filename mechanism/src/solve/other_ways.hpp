@@ -14,8 +14,8 @@ namespace assur::mechanism::solve {
 class MechanismSolver;
 
 /// Every configuration of a mechanism is one of the mechanism without some of its constraints,
-/// whichever these are. Where the rest moves freely in one way to leave them out, it need not in
-/// another, and lists what is left of the family there.
+/// whichever these are. If the rest moves freely for one choice of the constraints left out, it may
+/// have isolated configurations for another choice, and these are listed.
 class OtherWays {
  public:
   using Question = std::function<void(MechanismSolver&, Solution&)>;
@@ -23,13 +23,13 @@ class OtherWays {
   /// The values must outlive it.
   explicit OtherWays(const Values& values) : values_(values) {}
 
-  /// Puts the answer to a question by the first way of which all constraints leave all families in
-  /// place of `result`, the answer by the mechanism's own way. Where they leave some of none,
-  /// families that they do not leave have no mobility, and say why. Returns whether `result` is of
-  /// another way, of which the question was asked last. Throws OverConstrained where the
-  /// constraints hold in no configuration of that.
+  /// Replaces `result`, the answer by the mechanism's own choice of constraints to leave out, by
+  /// that of the first choice whose families all remain under all constraints. If there is no such
+  /// choice, families that do not remain have mobility zero and a reason. Returns whether `result`
+  /// is of another choice, for which the question was then asked last. Throws OverConstrained where
+  /// the constraints hold in no configuration of that choice.
   bool settle(const Question& ask, Solution& result);
-  /// Whether answers are to stay as they are: other ways do not count angles on from elsewhere.
+  /// Whether answers stay as they are, since other choices do not continue the counts of turns.
   void stay_away(bool stays) { stays_away_ = stays; }
 
  private:

@@ -268,7 +268,7 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
              carried_by_base_[group],
              [&](std::size_t place) { return is_loose(structure_.carried[place]); }) &&
          !is_any_unplaced(structure_.groups[group].links) && solvers_[group].has_normal_form() &&
-         structure_.groups[group].model->rigid && !values_.numbers_of(group).is_held_by(unplaced);
+         !values_.numbers_of(group).is_held_by(unplaced);
 }
 
 const models::GroupAssemblies& Placement::assemble(GroupIndex group) {

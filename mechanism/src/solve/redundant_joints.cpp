@@ -141,7 +141,7 @@ OverConstrained refused(const PlanData& plan, const std::string& without) {
   }
   return {"",
           std::string(plan.excess->what()) + "; without constraints of " + text::listed(names) +
-              " it " + without,
+              " the mechanism " + without,
           plan.excess->surplus, plan.excess->joints};
 }
 
@@ -177,18 +177,19 @@ OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
   if (gap == 0) {
     return refusal_where_driven_on(plan, true);
   }
-  OverConstrained refusal = refused(
-      plan, "can be assembled, and they fail to hold by " + short_number(gap) + " at least");
+  OverConstrained refusal =
+      refused(plan, "can be assembled, but then these constraints are violated by " +
+                        short_number(gap) + " at least");
   refusal.gap = gap;
   return refusal;
 }
 
 OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
   OverConstrained refusal =
-      refused(plan, assembles ? "can be assembled, and they hold there, but not where the drivers "
-                                "go on"
-                              : "can be assembled, and they hold there, but where the drivers go "
-                                "on, or back, it cannot be assembled");
+      refused(plan, std::string("can be assembled, and these constraints hold in this position, ") +
+                        (assembles ? "but not after the drivers advance"
+                                   : "but after the drivers advance, or go back, the mechanism "
+                                     "cannot be assembled"));
   refusal.gap = 0;
   return refusal;
 }

@@ -28,10 +28,10 @@ namespace assur::mechanism::solve {
                                       Status regularity);
 
 /// The error for a mechanism whose redundant joints fail to close by `gap` at least; if that is
-/// zero, they close, but not where the drivers move on.
+/// zero, they close, but not after the drivers advance.
 [[nodiscard]] OverConstrained refusal_of_redundant(const PlanData& plan, double gap);
 
-/// The error where the redundant joints hold, but not once the drivers have moved on. If the
+/// The error where the redundant joints hold, but not after the drivers advance. If the
 /// mechanism `assembles` there without them, they lock it.
 [[nodiscard]] OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles);
 

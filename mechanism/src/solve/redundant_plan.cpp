@@ -27,7 +27,7 @@ std::vector<std::string> reported_joints(const Mechanism& mechanism, const Reque
   return names;
 }
 
-/// What is requested of a mechanism of which a part has some joints less.
+/// The request for a part of a mechanism that lacks some joints.
 Request request_of_part(const Mechanism& mechanism, const Request& request, const Mechanism& part) {
   Request result = request;
   if (result.reported.joints) {
@@ -95,7 +95,7 @@ Trial tried(const std::shared_ptr<const PlanData>& plan) {
   }
 }
 
-/// What a mechanism has too many; none where it has groups, or what else stands against these.
+/// The excess of constraints of a mechanism; empty where it has groups, or another fault.
 std::optional<OverConstrained> excess_of(const Mechanism& mechanism) {
   try {
     (void)structure_of(mechanism);
@@ -107,7 +107,7 @@ std::optional<OverConstrained> excess_of(const Mechanism& mechanism) {
   return std::nullopt;
 }
 
-/// Looks for a mechanism without the constraints that it has too many.
+/// Looks for the same mechanism without its redundant constraints.
 class Planner {
  public:
   Planner(const Mechanism& mechanism, const Request& request, const OverConstrained& excess)
@@ -153,8 +153,8 @@ class Planner {
   }
 
  private:
-  /// What is left out of each part that has constraints too many, by what the part does alone. Null
-  /// where there is one part alone, or what is found does not hold.
+  /// Plans with the constraints left out that each over-constrained part needs when it is alone.
+  /// Null where there is only one such part, or where these constraints do not hold.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_by_parts() {
     const Mechanism& mechanism = described_->mechanism;
     const auto parts = plan::overloaded_parts(mechanism, excess_);
@@ -169,7 +169,7 @@ class Planner {
       }
       return planned_without(plan::without_all(mechanism, std::move(redundant)), false);
     } catch (const MechanismError&) {
-      return nullptr;  // the whole is told of as one
+      return nullptr;  // the refusal describes the mechanism as a whole
     }
   }
 
@@ -187,15 +187,15 @@ class Planner {
                   : std::vector<RedundantJoint>();
   }
 
-  /// A mechanism without the constraints that it has too many, if these hold at its own numbers and
-  /// where the drivers have gone on: what holds at one instant alone locks the mechanism. Else
-  /// null, and the refusal is that of the way that fails by least, or of the first that says
-  /// anything. `moves`: the others may leave it free to move, as far as all other ways do.
+  /// A plan without the redundant constraints, if these hold at the mechanism's own numbers and
+  /// where the drivers have gone on: constraints that hold in one position alone lock it. Otherwise
+  /// null, and `refusal_` is that of the way that fails by least, or of the first with a reason.
+  /// `moves`: the remaining constraints may leave the mechanism free, if all other ways do.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                                 bool moves) {
     constexpr double on = 0.01;
-    constexpr double finer = 1e-4;     // where drivers have less room than that
-    constexpr double rounding = 1e-9;  // of ways that are alike the first is told
+    constexpr double finer = 1e-4;     // where drivers have less room than `on`
+    constexpr double rounding = 1e-9;  // of ways that fail alike, the first is reported
     const auto planned = [&](const Mechanism& own, std::shared_ptr<const plan::Described> whole) {
       PlanData data = planned_part(*described_, part, excess_, own);
       if (moves) {
@@ -260,8 +260,8 @@ std::shared_ptr<const PlanData> planned_with_redundancy(const Mechanism& mechani
   return Planner(mechanism, request, excess).plan();
 }
 
-// What is left out last is varied, what is left out before that is the best: in the next round
-// without the joints that were that in this one.
+// Among the constraints that are left out, the last one varies and the others are the best choice.
+// The next round keeps the joints whose constraints were such a choice in this round.
 std::vector<std::shared_ptr<const PlanData>> other_plans(const PlanData& plan) {
   constexpr int most_rounds = 6;
   std::set<std::string> kept;

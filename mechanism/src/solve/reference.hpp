@@ -12,7 +12,7 @@ namespace assur::mechanism::solve {
 inline void expect_reference(const Request& request) {
   if (request.reference.empty()) {
     throw MechanismError(
-        "reference", "there is no angle of a link to be near to; give the angles of some links");
+        "reference", "the nearest configuration needs a reference; give the angles of some links");
   }
 }
 

@@ -31,8 +31,8 @@ double most_configurations(const Structure& structure) {
 void refuse_search(const Structure& structure, const std::string& what) {
   throw MechanismError("", "there may be " + whole_number(most_configurations(structure)) +
                                " configurations, and " + what +
-                               "; give joints limits, or ask for one only: for the nearest to a "
-                               "reference of more links, or by a low number");
+                               "; give joints limits, or ask for one configuration only: the "
+                               "nearest to a reference of more links, or one with a low number");
 }
 
 void expect_room(const Values& values, std::size_t listed) {

@@ -144,18 +144,11 @@ class ConfigurationWalk {
       return;
     }
     const GroupIndex group(depth);
-    const GroupModel& model = *structure_.groups[group].model;
     if (!placement_.solver(group).has_normal_form()) {
       families_.add(group, 0, values_.group(group).obstacle);
       return;
     }
     placement_.hold(group);
-    if (!model.rigid) {
-      const bool compatible = placement_.solver(group).is_compatible();
-      families_.add(group, compatible ? model.mobility : 0,
-                    reason_of_model(values_, group, compatible));
-      return;
-    }
     const models::GroupAssemblies& found = placement_.assemble(group);
     gaps_.meet(group);
     if (found.status == AssemblyStatus::not_finite) {
@@ -172,6 +165,8 @@ class ConfigurationWalk {
       families_.add(group, found.mobility, reason_of_freedom(values_, group));
     } else if (found.count == 0 && gaps_.is_in_doubt(group)) {
       families_.add(group, 0, reason_of_doubt(values_, group));
+    } else if (!found.is_compatible) {
+      families_.add(group, 0, reason_of_conflict(values_, group));
     } else if (found.count == 0 && listed_ == 0) {
       gaps_.fail(group);
     }
@@ -264,7 +259,7 @@ class ConfigurationWalk {
     write_configuration(placement_, result);
   }
 
-  /// Of those listed leaves out what is none beside the one that is placed; whether that is one.
+  /// Removes listed configurations that the placed one rules out; false if it is itself ruled out.
   [[nodiscard]] bool is_told_apart() {
     using Comparison = SettledRedundancy::Comparison;
     std::vector<Configuration>& all = solution_->configurations;
@@ -286,7 +281,7 @@ class ConfigurationWalk {
     if (redundancy_ && !search_.within_limits) {
       redundancy_->mark_inconsistent(solution_->configurations);
     }
-    if (passed_ > listed_) {  // one was sought, and there are others
+    if (passed_ > listed_) {  // a single configuration was sought, and there are others
       return;
     }
     if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty() &&

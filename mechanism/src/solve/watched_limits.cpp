@@ -46,8 +46,8 @@ bool WatchedLimits::are_kept(std::vector<LimitBreach>& breaches) const {
 
 std::string reason_of_limits(std::size_t count, const std::string& breaches) {
   return (count == 1 ? "the one configuration is beyond the limits of joints: "
-                     : "of " + std::to_string(count) +
-                           " configurations each is beyond the limits of a joint: ") +
+                     : "each of the " + std::to_string(count) +
+                           " configurations is beyond the limits of a joint: ") +
          breaches;
 }
 

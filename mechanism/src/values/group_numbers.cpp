@@ -32,6 +32,42 @@ ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& qua
   return result;
 }
 
+namespace {
+
+/// How the points of links with held axes follow the parameters across these.
+std::vector<AcrossAxis> across_axes(const Values& values, const FoundGroup& group,
+                                    const GroupGeometry<Dual>& geometry,
+                                    const std::vector<bool>& is_angle) {
+  std::vector<AcrossAxis> axes;
+  for (const HeldAxis<Dual>& held : geometry.held_axes) {
+    AcrossAxis axis;
+    axis.dimension_row = static_cast<Eigen::Index>(held.dimension);
+    axis.dimension =
+        held.dimension + static_cast<std::size_t>(std::count(
+                             is_angle.begin(), is_angle.begin() + axis.dimension_row, true));
+    axis.angle = 0;
+    axis.angle_row = 0;
+    for (const ModelUnknown& unknown : group.model->unknowns) {
+      if (unknown.is_angle && unknown.owner == held.link) {
+        break;
+      }
+      axis.angle += unknown.is_angle ? 2 : 1;
+      ++axis.angle_row;
+    }
+    const auto count = static_cast<Eigen::Index>(values.columns().size());
+    axis.first = held.across.derivatives().size() > 0 ? held.across.derivatives()
+                                                      : Eigen::VectorXd::Zero(count);
+    if (values.second_order()) {
+      axis.second =
+          held.across.has_hessian() ? held.across.hessian() : Eigen::MatrixXd::Zero(count, count);
+    }
+    axes.push_back(std::move(axis));
+  }
+  return axes;
+}
+
+}  // namespace
+
 Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
   const Structure& structure = values.plan().structure;
   const FoundGroup& group = structure.groups[index];
@@ -57,6 +93,7 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
       }
     }
   }
+  numbers.across = across_axes(values, group, geometry, numbers.is_angle);
   numbers.links = geometry.roles->links;
   for (const NormalForm<Dual>& link : geometry.links) {
     numbers.own.push_back(Frame::at(inverse(link.frame)));
@@ -79,7 +116,8 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
     numbers.rounding = numbers.rounding.worst_of(values.rounding(at, inner));
     if (wanted.first == base_link) {
       const LinkIndex base = at.other(inner);
-      numbers.held.push_back({at.holder(base), at.on(base), at.prismatic});
+      numbers.held.push_back(
+          {at.holder(base), at.on(base), at.prismatic, geometry.offset_of(joint)});
     } else {
       const LinkIndex other = at.other(inner);
       numbers.rounding = numbers.rounding.worst_of(values.rounding(at, other));

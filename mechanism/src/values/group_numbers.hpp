@@ -32,12 +32,28 @@ struct HeldJoint {
   LinkIndex base;
   FeatureIndex feature;
   bool prismatic;
+  double offset;  ///< of a line: by how much it is moved back across itself (`GroupGeometry`)
 };
 
 /// One derivative of a dimension that is not zero. Most dimensions follow one parameter or none.
 struct DimensionDerivative {
   Eigen::Index dimension, parameter;
   double value;
+};
+
+/// A held axis of a link, and how the link's second point moves across it.
+struct AcrossAxis {
+  std::size_t dimension;                  ///< in the flat dimensions: its place along the axis
+  std::size_t angle;                      ///< in the flat unknowns: the link's direction
+  Eigen::Index dimension_row, angle_row;  ///< the same two among dimensions and unknowns
+  Eigen::VectorXd first;                  ///< derivatives to the parameters
+  Eigen::MatrixXd second;                 ///< empty where not carried
+  double rate = 0, second_rate = 0;       ///< in time
+
+  [[nodiscard]] bool moves() const { return rate != 0 || second_rate != 0; }
+  [[nodiscard]] bool follows_parameters() const {
+    return !first.isZero(0) || (second.size() > 0 && !second.isZero(0));
+  }
 };
 
 }  // namespace assur::mechanism::values
@@ -52,6 +68,7 @@ struct Values::GroupNumbers {
   models::SmallVector d_rate, d_second_rate;  ///< in time; empty where the links keep their shapes
   std::vector<LinkIndex> links;               ///< that play the model's
   std::vector<Frame> own;                     ///< their own frames, each in its normal frame
+  std::vector<values::AcrossAxis> across;
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;
   support::Displacement rounding;  ///< of features on its links, beyond that of their coordinates

@@ -31,6 +31,10 @@ void set_rates(const GroupGeometry<Dual>& geometry, const Structure& structure,
     numbers.d_second_rate(row) = second_rate_of(quantity);
     ++row;
   }
+  for (std::size_t axis = 0; axis < numbers.across.size(); ++axis) {
+    numbers.across[axis].rate = rate_of(geometry.held_axes[axis].across);
+    numbers.across[axis].second_rate = second_rate_of(geometry.held_axes[axis].across);
+  }
   for (std::size_t link = 0; link < numbers.own.size(); ++link) {
     numbers.own[link].move(inverse(geometry.links[link].frame));
   }

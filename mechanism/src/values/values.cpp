@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "covariance.hpp"
+#include "description/line_direction.hpp"
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 #include "rates.hpp"
@@ -300,8 +301,7 @@ void Values::evaluate_feature(FeatureIndex index) {
     const Dual& dy = numbers_[feature.along_y];
     if (dx.value() == 0 && dy.value() == 0) {
       const std::string link = plan_->mechanism.links()[feature.link].name;
-      throw MechanismError("links." + link + "." + feature.name + ".along",
-                           "[0, 0] has no direction; at least one of the numbers must not be zero");
+      throw description::refusal_of_direction("links." + link + "." + feature.name);
     }
     result.along = unit_direction(dx, dy);
   }

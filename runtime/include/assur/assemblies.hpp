@@ -9,14 +9,14 @@
 namespace assur {
 
 enum class AssemblyStatus : unsigned char {
-  ok,          ///< configurations are listed; none if the links cannot reach
-  degenerate,  ///< no configuration stands alone: the group moves
+  ok,          ///< the list is complete; it is empty if the links cannot reach
+  degenerate,  ///< no configuration is isolated: the group moves freely
   not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
   /// The program was compiled, or the processor is set, so that rounding has no bound (-ffast-math
   /// and its parts, x87; lengths that it flushes to zero): nothing is listed.
   unsound_arithmetic,
-  /// The precision does not tell how many configurations there are, and double was not to be
-  /// asked: nothing is listed.
+  /// The precision does not decide how many configurations there are, and the program chose not to
+  /// use double: nothing is listed.
   unresolved
 };
 
@@ -36,11 +36,11 @@ enum class AssemblyStatus : unsigned char {
   return "unknown";
 }
 
-/// What is to be done where float does not tell how many configurations there are. In double there
-/// is no such place: a search in special position settles the list.
+/// What is done where float does not decide how many configurations there are. In double this does
+/// not happen, because a search in special position settles the list.
 enum class Unresolved : unsigned char {
   ask_double,  ///< the same group is solved in double, and its configurations are rounded
-  refuse       ///< the status says so: no code in double is compiled
+  refuse       ///< the status is `unresolved`, and no code in double is compiled
 };
 
 /// The assembly configurations of a model, in an order that rigid motion, reflection and change of
@@ -56,7 +56,7 @@ struct Assemblies {
   /// double and three in float, or configurations meet so closely that rounding of the inputs
   /// decides whether they are two, one or none.
   std::array<Status, capacity> regularity{};
-  /// Mobility of the freest family of configurations beside those listed; zero without a family.
+  /// The greatest mobility of a family beside the listed configurations; zero without a family.
   int mobility = 0;
 };
 

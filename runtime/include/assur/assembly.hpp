@@ -27,8 +27,8 @@ void ask_double(const typename Model::template Dimensions<Scalar>& d,
                 const support::DisplacementOf<Scalar>& displaced,
                 Assemblies<Model, Scalar>& result);
 
-/// Every configuration, where the formula alone does not vouch for the list. What float does not
-/// tell, a word of two floats may; what that does not tell is unresolved.
+/// Every configuration, where the formula alone does not vouch for the list. Where float does not
+/// decide, a pair of floats may; where that does not decide either, the status is unresolved.
 template <typename Model, typename Scalar>
 [[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<Scalar>& dimensions,
@@ -58,7 +58,7 @@ template <typename Model, typename Scalar>
   const Scalar scale = support::scale_of(size);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  // Lengths are near one: a turn moves their ends by as much.
+  // Lengths are near one, so a turn by an angle moves their ends by about as much.
   const Scalar off = (std::max)(displaced.moved * scale, displaced.turned);
   const Scalar held =
       support::counted_displacement(off, (std::max)(Scalar(1), displaced.reach * scale));
@@ -97,15 +97,15 @@ template <typename Model, typename Scalar>
 /// A final polynomial of first or second degree is solved by formula where its discriminant is
 /// larger than all rounding, of the inputs too; of one of higher degree the real roots are isolated
 /// with such a bound. Where that does not settle the list, the group is searched as one in special
-/// position (see detail/special_search.hpp). What meets to within rounding is listed once and
-/// marked near_singular. Coordinates count as known to a rounding of
-/// their own, and verdicts on the derivatives with them: far from the origin, as on what rounding
-/// has displaced, fewer configurations are ok. Status: ok, also where the links cannot reach, with
-/// no configuration; degenerate; not_finite; unsound_arithmetic.
+/// position (see detail/special_search.hpp). Configurations that meet to within rounding are listed
+/// once and marked near_singular. Coordinates count as known to a rounding of their own, and so do
+/// the verdicts on the derivatives: far from the origin, or where rounding has displaced the
+/// inputs, fewer configurations are ok. Status: ok, also where the links cannot reach, with no
+/// configuration; degenerate; not_finite; unsound_arithmetic.
 ///
 /// In float, `assemblies<Model, float>`, everything counts in roundings of float, and there is no
-/// search in special position. `unresolved` tells what happens where one would be needed: the group
-/// is solved in double, and its configurations are rounded; or the status is `unresolved`.
+/// search in special position. `unresolved` chooses what happens where that search is needed: the
+/// group is solved in double, and its configurations are rounded; or the status is `unresolved`.
 template <typename Model, typename Scalar = double, Unresolved unresolved = Unresolved::ask_double>
 [[nodiscard]] Assemblies<Model, Scalar> assemblies(
     const typename Model::template Dimensions<Scalar>& dimensions,
@@ -150,8 +150,8 @@ template <typename Model, typename Scalar>
 }  // namespace detail
 
 /// The amount by which the loop closures fail at least, in the unit of the lengths, where the links
-/// cannot reach: the least |F(d, u, q)|, over all closures together, of the minima that a search
-/// from several places leads to. It is set if the status is ok; other statuses are not_finite and
+/// cannot reach: the least of the minima of |F(d, u, q)|, over all closures together, that a search
+/// from several places finds. It is set if the status is ok; other statuses are not_finite and
 /// unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,

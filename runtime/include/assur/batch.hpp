@@ -84,7 +84,7 @@ template <typename Model, std::size_t Lanes>
   return (!found.settled).bits();
 }
 
-/// Solves all groups in this way; the last pack overlaps the one before. Returns how many were
+/// Solves all groups pack by pack; the last pack overlaps the one before. Returns how many were
 /// solved by themselves.
 template <typename Model, std::size_t Lanes>
 [[nodiscard]] std::size_t solve_closed(const Batch<Model>& batch) {
@@ -102,13 +102,13 @@ template <typename Model, std::size_t Lanes>
   return alone;
 }
 
-/// Solves groups whose final polynomial has more roots in this way, block by block.
+/// Solves groups whose final polynomial has more than two roots, block by block.
 template <typename Model, std::size_t Lanes>
 [[nodiscard]] std::size_t solve_general(const Batch<Model>& batch) {
   batch::GeneralBlock<Model, Lanes> block;
   std::size_t alone = 0;
   for (std::size_t solved = 0; solved < batch.count;) {
-    // What does not fill its packs overlaps with what was solved before, if there is enough.
+    // A block that does not fill its packs overlaps with the one before, if that is possible.
     const std::size_t most = (std::min)(batch.count - solved, block.capacity);
     const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
     const std::size_t filled = (left + Lanes - 1) / Lanes * Lanes;
@@ -149,7 +149,7 @@ std::size_t assemblies(std::size_t count,
   static_assert(Model::rigid, "a degenerate model has no closed form");
   const detail::Batch<Model> batch{count, dimensions, inputs, result};
   if constexpr (!numeric::rounds_as_written<double>) {
-    // Every group says so.
+    // Each group is given that status.
   } else if constexpr (detail::has_closed_form<Model>) {
     if (count >= Lanes) {
       return detail::solve_closed<Model, Lanes>(batch);

@@ -23,12 +23,12 @@ namespace assur {
 /// determinant over the size that it could have, times the square of the smallest other pivot over
 /// the size of that: an unknown that a small pivot leaves loose is long and has a large rounding.
 /// That, and rounding in the determinant, change the derivatives by about eps/(firmness * kept),
-/// where kept is the determinant over the size of its terms. `derivative_error_constant` is what
-/// "about" hides, as measured. `displaced` is how far the inputs are off beforehand, in parts of
+/// where kept is the determinant over the size of its terms. `derivative_error_constant` is the
+/// measured factor of "about". `displaced` is how far the inputs are off beforehand, in parts of
 /// the group's longest length: in a chain, by the rounding of the groups that come first.
 ///
-/// `ok` promises six digits of the derivatives in double, three in float. In float, what the pivots
-/// do not call regular is looked at again (see detail/second_look.hpp).
+/// `ok` promises six digits of the derivatives in double, three in float. In float, configurations
+/// that are not regular by the pivots are examined again (see detail/second_look.hpp).
 template <typename Model, typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity(const typename Model::template Dimensions<Scalar>& d,
                                             const typename Model::template Inputs<Scalar>& u,

@@ -76,8 +76,8 @@ template <typename Model, typename Scalar>
     using std::abs;
     result.transversality = abs(factors.matrixU().col(last).dot(f_t)) / size;
   }
-  // At a fold the transversality stays while the distance vanishes; at a crossing it falls with the
-  // distance. Between the two lies its root.
+  // At a fold the transversality keeps its size while the distance vanishes; at a crossing it falls
+  // with the distance. The square root of the distance separates the two cases.
   const Scalar rounding = std::numeric_limits<Scalar>::epsilon();
   const bool falls = result.transversality <= sqrt(result.distance + rounding);
   result.type = falls ? SingularityType::crossing : SingularityType::fold;

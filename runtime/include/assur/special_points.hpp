@@ -42,8 +42,8 @@ class SpecialPointSystem {
   /// size over |n_1 x n_2|, and rounded in proportion. N turns that into a backward error of J, and
   /// with L^-1 = J^-1 N the forward error is of the order epsilon condition(L), where about
   ///   condition(L) <= 2 condition(J) / |n_1 x n_2|.
-  /// Tests find it below 64 epsilon condition(L) of the largest term that the rates are a sum of;
-  /// where that exceeds 1e-6 the status is near_singular.
+  /// In tests it is below 64 epsilon condition(L) times the largest term of the sums that give the
+  /// rates; where that exceeds 1e-6 the status is near_singular.
   SpecialPointSystem(const typename Model::template Dimensions<Scalar>& d,
                      const typename Model::template Inputs<Scalar>& u,
                      const typename Model::template Configuration<Scalar>& q) {

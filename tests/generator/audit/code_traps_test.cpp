@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         Trap{"WholeAlias", "a.cpp", tenth("using Real = int; Real k = 0.1;"), 2,
              "its value is rounded to a whole number"},
         Trap{"TypeFromElsewhere", "a.cpp", tenth("Angle k = 0.1;"), 2,
-             "its type may be one of any numbers; write double"},
+             "its type is not known; write double"},
         Trap{"Unsigned", "a.cpp", body("J(0, 0) = l*(1 - 2u) + l;" + rest), 2,
              "a number of type float or unsigned"},
         Trap{"UnsignedVariable", "a.cpp", tenth("unsigned k = 1;"), 2, type},

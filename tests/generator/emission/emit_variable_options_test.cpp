@@ -36,6 +36,17 @@ TEST_P(EmitVariableRefuses, InOneLine) {
   EXPECT_NE(result.messages.find(GetParam().message), std::string::npos) << result.messages;
 }
 
+/// A tetrad with C at B, which a parameter moves, and F at E.
+Json coinciding() {
+  SceneMaker scene;
+  scene.parameter("s", 0).parameter("t", 0);
+  scene.point("ground", "B", 0, 0).point("ground", "E", 5, 1);
+  scene.point("bcg", "B", 0, 0).point("bcg", "C", "s", "t").point("bcg", "G", 3, -1);
+  scene.point("edf", "E", 0, 0).point("edf", "D", -1, 2).point("edf", "F", 0, 0);
+  scene.bar("cd", {{"C", 0}, {"D", 3}}).bar("gf", {{"G", 0}, {"F", 3.5}});
+  return scene.scene();
+}
+
 std::vector<Refused> refused() {
   Json law = four_bar().json;
   law["parameters"]["phi"] = 0.7;
@@ -51,6 +62,8 @@ std::vector<Refused> refused() {
       {"Unused", "--variable spare", "nothing that is reported depends on it", unused},
       {"NoTruth", "", "parameters.crank.variable: expected true or false", word},
       {"NoLength", "--variable coupler", "is zero at the scene's own numbers", point},
+      {"NoAxis", "--want position,sensitivity", "links.bcg: two of its joints coincide",
+       coinciding()},
   };
 }
 

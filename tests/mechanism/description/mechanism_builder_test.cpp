@@ -193,6 +193,10 @@ INSTANTIATE_TEST_SUITE_P(
                 made.add_output("Q", "coupler.axis");
               },
               "outputs.Q: an output is a point, and this feature is a line"},
+        Fault{"LineWithoutADirection",
+              [](Mechanism& made) { made.add_line("coupler.axis", 0, 0, 0, "2 - 2"); },
+              "links.coupler.axis.along: [0, 0] has no direction; at least one of the numbers must "
+              "not be zero"},
         Fault{"ParameterTwice", [](Mechanism& made) { made.add_parameter("phi", 1); },
               "parameters: the name 'phi' is taken"},
         Fault{"ParameterOfAFunctionsName", [](Mechanism& made) { made.add_parameter("sin", 1); },
@@ -213,6 +217,7 @@ TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
   Mechanism made = four_bar();
   EXPECT_NE(message_of([&] { made.add_point("coupler.Q", "no_such", 0); }), "no error");
   EXPECT_NE(message_of([&] { made.add_line("coupler.R", 0, 0, 1, "no_such"); }), "no error");
+  EXPECT_NE(message_of([&] { made.add_line("coupler.S", 0, 0, 0, 0); }), "no error");
   EXPECT_NE(message_of([&] { made.add_parameter("fresh", "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.add_driver("B", 0, "no_such"); }), "no error");
   EXPECT_NE(message_of([&] { made.set_limits("C", 4, "no_such"); }), "no error");
@@ -290,8 +295,9 @@ TEST(MisusedLibrary, ANumberThatNoConfigurationHasIsRefused) {
   mechanism::Solution solution;
   EXPECT_EQ(message_of([&] { (void)plan.solve_one(plan.values(), 0, solution); }),
             "there is no configuration 0; they are numbered from 1");
-  EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
-            "reference: there is no angle of a link to be near to; give the angles of some links");
+  EXPECT_EQ(
+      message_of([&] { (void)mechanism::sweep_branch(plan, 0, {}); }),
+      "reference: the nearest configuration needs a reference; give the angles of some links");
   EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 1, {}); }), "no error");
 }
 

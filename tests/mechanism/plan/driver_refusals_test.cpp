@@ -89,9 +89,10 @@ TEST(Laws, ThatDoNotStandInAPositionAreNamed) {
 TEST(Laws, ThatMakeAGroupOfTheirOwnAreNamed) {
   for (const char* read : {"B", "C", "D"}) {
     EXPECT_EQ(message_with_law("A", "joint(" + std::string(read) + ")"),
-              "scene: drivers: what the laws of the joints A read makes the links crank, coupler, "
-              "rocker wait for one another: they can only be solved together, as a group that is "
-              "not known here; let a law read joints that are placed before");
+              "scene: drivers: the law of the joint A reads joints of the links crank, coupler, "
+              "rocker, which this law moves: the links can only be solved together, as a group "
+              "that is not known here; let a law read joints that are placed before the links "
+              "that it moves");
   }
 }
 
@@ -105,30 +106,30 @@ TEST(Drivers, TooManyAreNamed) {
   scene["drivers"]["D"]["position"] = 1;
   EXPECT_EQ(
       message_of(scene),
-      "scene: joints: over-constrained by 1: the joints B, C hold the links coupler more "
-      "often than they can move; take a joint or a driver away; without constraints of B it can be "
-      "assembled, and they fail to hold by 0.475 at least");
+      "scene: joints: over-constrained by 1: the joints B, C constrain the link coupler more than "
+      "its freedoms allow; take a joint or a driver away; without constraints of B the mechanism "
+      "can be assembled, but then these constraints are violated by 0.475 at least");
 }
 
 TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
   Json scene = robot();
   scene["joints"]["F"] = {{"type", "revolute"}, {"between", {"coupler.F", "arm.F"}}};
   EXPECT_EQ(message_of(scene),
-            "scene: joints: over-constrained by 2: the joints F join links that drivers tie "
-            "together; take a joint or a driver away; without constraints of F it can be "
-            "assembled, and they fail to hold by 1.71 at least");
+            "scene: joints: over-constrained by 2: the joint F joins links that drivers tie "
+            "together; take a joint or a driver away; without constraints of F the mechanism can "
+            "be assembled, but then these constraints are violated by 1.71 at least");
   scene = robot();
   scene["drivers"].erase("G");
   scene["joints"]["G"]["between"].push_back("coupler.F");
   EXPECT_EQ(
       message_of(scene),
-      "scene: joints: over-constrained by 2: the joints G join links that drivers tie "
-      "together; take a joint or a driver away; elsewhere under-constrained by 1: the links "
-      "hand keep a freedom; drive one of their joints, or add a joint; without constraints of G "
-      "it cannot be assembled either: group 2 (dyad RRP: hand, G of arm): the joints G, G of arm "
-      "fail to close by 0.148 at least, in 2 of 2 configurations of group 1 (by so little with "
-      "coupler at -57.8 deg, arm at -40.6 deg); link hand: its features at the joints G of arm, G "
-      "coincide");
+      "scene: joints: over-constrained by 2: the joint G joins links that drivers tie "
+      "together; take a joint or a driver away; elsewhere under-constrained by 1: the link hand "
+      "can still move; drive one of its joints, or add a joint; without constraints of G the "
+      "mechanism cannot be assembled either: group 2 (dyad RRP: hand, G of arm): the joints G, G "
+      "of arm fail to close by 0.148 at least, in 2 of 2 configurations of group 1 (the gap is "
+      "least with coupler at -57.8 deg, arm at -40.6 deg); link hand: its features at the joints G "
+      "of arm, G coincide");
 }
 
 TEST(Joints, WithBothEndsOnOneLinkAreNamed) {
@@ -178,7 +179,7 @@ TEST(References, ThatAreNoneAreNamed) {
     ADD_FAILURE() << "no error";
   } catch (const mechanism::MechanismError& error) {
     EXPECT_STREQ(error.what(),
-                 "reference: there is no angle of a link to be near to; give the angles of some "
+                 "reference: the nearest configuration needs a reference; give the angles of some "
                  "links");
   }
 }

@@ -16,24 +16,23 @@ TEST(Imbalance, NamesTheLinksAndJointsThatAreHeldTooOften) {
   bars.point("ground", "H", 1, -2).bar("left", "crank.B", "").bar("right", "ground.H", "");
   bars.join("T", {"left.Q", "right.Q"});
   EXPECT_EQ(message_of(bars.json()),
-            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q hold the "
-            "links coupler, rocker, strut more often than they can move; take a joint or a driver "
-            "away; without constraints of B it can be assembled, and they fail to hold by 0.217 at "
-            "least");
+            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q constrain "
+            "the links coupler, rocker, strut more than their freedoms allow; take a joint or a "
+            "driver away; without constraints of B the mechanism can be assembled, but then these "
+            "constraints are violated by 0.217 at least");
 }
 
 TEST(Imbalance, NamesTheLinksThatKeepAFreedom) {
   Bars bars;
   bars.four_bar().bar("left", "coupler.E", "").bar("right", "left.Q", "");
   EXPECT_EQ(message_of(bars.json()),
-            "scene: links: under-constrained by 2: the links left, right keep a freedom; drive one "
-            "of their joints, or add a joint");
+            "scene: links: under-constrained by 2: the links left, right can still move; drive "
+            "one of their joints, or add a joint");
   Bars undriven;
   undriven.four_bar().json().erase("drivers");
-  EXPECT_EQ(
-      message_of(undriven.json()),
-      "scene: links: under-constrained by 1: the links crank, coupler, rocker keep a freedom; "
-      "drive one of their joints, or add a joint");
+  EXPECT_EQ(message_of(undriven.json()),
+            "scene: links: under-constrained by 1: the links crank, coupler, rocker can still "
+            "move; drive one of their joints, or add a joint");
 }
 
 /// As many freedoms as constraints, and no structure all the same.
@@ -41,10 +40,10 @@ TEST(Imbalance, NamesBothAtOnce) {
   Bars bars;
   bars.four_bar().bar("strut", "coupler.E", "ground.A").bar("loose", "crank.B", "");
   EXPECT_EQ(message_of(bars.json()),
-            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q hold the "
-            "links coupler, rocker, strut more often than they can move; take a joint or a driver "
-            "away; elsewhere under-constrained by 1: the links loose keep a freedom; drive one of "
-            "their joints, or add a joint");
+            "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q constrain "
+            "the links coupler, rocker, strut more than their freedoms allow; take a joint or a "
+            "driver away; elsewhere under-constrained by 1: the link loose can still move; drive "
+            "one of its joints, or add a joint");
 }
 
 TEST(Coordinates, AreOfAUnitThatDoublesHold) {
@@ -73,9 +72,9 @@ TEST(Imbalance, OfDriversNamesTheJointBetweenPlacedLinks) {
   bars.json()["drivers"]["F"]["position"] = 0.1;
   EXPECT_EQ(
       message_of(bars.json()),
-      "scene: joints: over-constrained by 2: the joints G join links that are placed already; "
-      "take a joint or a driver away; without constraints of G it can be "
-      "assembled, and they fail to hold by 0.51 at least");
+      "scene: joints: over-constrained by 2: the joint G joins links that are placed already; "
+      "take a joint or a driver away; without constraints of G the mechanism can be assembled, but "
+      "then these constraints are violated by 0.51 at least");
 }
 
 TEST(Drivers, BetweenPlacedLinksAreNamed) {
@@ -92,9 +91,9 @@ TEST(Drivers, TooManyBetweenMovingLinksAreNamed) {
   bars.four_bar().json()["drivers"]["C"]["position"] = 0;
   EXPECT_EQ(
       message_of(bars.json()),
-      "scene: joints: over-constrained by 1: the joints B, D hold the links coupler more "
-      "often than they can move; take a joint or a driver away; without constraints of B it can be "
-      "assembled, and they fail to hold by 1.33 at least");
+      "scene: joints: over-constrained by 1: the joints B, D constrain the link coupler more than "
+      "its freedoms allow; take a joint or a driver away; without constraints of B the mechanism "
+      "can be assembled, but then these constraints are violated by 1.33 at least");
 }
 
 TEST(Drivers, InACircleBetweenMovingLinksAreNamed) {

@@ -63,7 +63,7 @@ TEST(Limits, OfADrivenJointHoldItsLaw) {
   const Solved none = with_limits("A", 1, 2);
   EXPECT_EQ(none.solution.status, SolutionStatus::no_assembly);
   EXPECT_EQ(none.solution.reason,
-            "of 2 configurations each is beyond the limits of a joint: A by 17.2 deg at least");
+            "each of the 2 configurations is beyond the limits of a joint: A by 17.2 deg at least");
 }
 
 TEST(Limits, LeaveOutRowsOfASweepWhoseBranchGoesOnBehindThem) {

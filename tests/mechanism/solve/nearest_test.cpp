@@ -127,9 +127,8 @@ std::string refusal_of(const Json& scene, bool nearest) {
 TEST(TooMany, AreRefusedWithAMend) {
   Json scene = many_dyads(29, [](int) { return 1.4; });
   const std::string mend =
-      "; give joints limits, or ask for one only: for the nearest to a reference of more links, "
-      "or "
-      "by a low number";
+      "; give joints limits, or ask for one configuration only: the nearest to a reference of more "
+      "links, or one with a low number";
   EXPECT_EQ(refusal_of(scene, false),
             "there may be 536870912 configurations, and no more than 20000 can be listed" + mend);
   scene["reference"] = {{"bar29", 1.4}};

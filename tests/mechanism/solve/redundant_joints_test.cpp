@@ -14,11 +14,12 @@ namespace assur::test {
 namespace {
 
 constexpr const char* too_many =
-    "scene: joints: over-constrained by 1: the joints B, C, D, F, G hold the links coupler, "
-    "rocker, third more often than they can move; take a joint or a driver away";
+    "scene: joints: over-constrained by 1: the joints B, C, D, F, G constrain the links coupler, "
+    "rocker, third more than their freedoms allow; take a joint or a driver away";
 
 std::string too_many_by(const std::string& gap) {
-  return too_many + ("; without constraints of F it can be assembled, and they fail to hold by " +
+  return too_many + ("; without constraints of F the mechanism can be assembled, but then these "
+                     "constraints are violated by " +
                      gap + " at least");
 }
 
@@ -203,8 +204,8 @@ TEST(RedundantJoints, ThatHoldAtOneInstantAreRefused) {
   bars.json()["parameters"]["phi"] = "pi/2";
   EXPECT_EQ(message_of(bars.json()),
             std::string(too_many) +
-                "; without constraints of C it can be assembled, and they hold "
-                "there, but not where the drivers go on");
+                "; without constraints of C the mechanism can be assembled, and these constraints "
+                "hold in this position, but not after the drivers advance");
 }
 
 /// Where the coupler cannot reach the second crank, nothing is known of the third.
@@ -212,10 +213,11 @@ TEST(RedundantJoints, SayWhereNothingCanBeAssembledWithoutThem) {
   Bars bars = five_bars(2, 1.5);
   bars.json()["links"]["ground"]["D"] = {40, 0};
   bars.json()["links"]["ground"]["F"] = {20, 0};
-  EXPECT_EQ(message_of(bars.json()),
-            std::string(too_many) +
-                "; without constraints of C it cannot be assembled either: group 1 (dyad RRR: "
-                "coupler, third): the joints B, F, G fail to close by 15.4 at least");
+  EXPECT_EQ(
+      message_of(bars.json()),
+      std::string(too_many) +
+          "; without constraints of C the mechanism cannot be assembled either: group 1 (dyad "
+          "RRR: coupler, third): the joints B, F, G fail to close by 15.4 at least");
 }
 
 /// The cranks hold one another; a dyad of length 3 on their coupler does not reach over 23.93.
@@ -227,8 +229,8 @@ TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
   bars.join("K", {"coupler.K", "arm.K"}).join("M", {"arm.M", "lever.M"});
   bars.join("H", {"ground.H", "lever.H"});
   EXPECT_NE(message_of(bars.json())
-                .find("it cannot be assembled either: group 3 (dyad RRR: arm, lever): the joints "
-                      "H, K, M fail to close by 20.9 at least"),
+                .find("the mechanism cannot be assembled either: group 3 (dyad RRR: arm, lever): "
+                      "the joints H, K, M fail to close by 20.9 at least"),
             std::string::npos);
 }
 

@@ -31,6 +31,7 @@ struct GroupModel {
   std::vector<std::string> kinds;  ///< the spellings of the kinds that it serves
   std::vector<ModelUnknown> unknowns;
   std::size_t dimension_count, input_count;
+  std::vector<bool> dimension_is_angle, input_is_angle;
   const ModelKernel* kernel;  ///< its functions
 };
 

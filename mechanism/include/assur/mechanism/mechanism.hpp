@@ -127,6 +127,7 @@ class Mechanism {
   LinkIndex add_link(const std::string& name);
   /// Adds a feature; `name` is `link.feature`.
   FeatureIndex add_point(const std::string& name, const Given& x, const Given& y);
+  /// A line through a point; `along` is its direction, of any length except zero.
   FeatureIndex add_line(const std::string& name, const Given& x, const Given& y,
                         const Given& along_x, const Given& along_y);
   JointIndex add_joint(const std::string& name, JointType type,

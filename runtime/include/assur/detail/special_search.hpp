@@ -68,7 +68,7 @@ class SpecialSearch {
   [[nodiscard]] SpecialAssemblies run();
 
   /// The amount by which the closures fail at least, as far as a search from some places tells.
-  [[nodiscard]] double least_miss() const;
+  [[nodiscard]] double least_miss();
 
  private:
   static constexpr int directions = 5;
@@ -141,9 +141,9 @@ class SpecialSearch {
     }
   }
 
-  /// Starts from places all over. Where the final polynomial vanishes, its unknown may be the one
-  /// that is free, which tells nothing of the others.
-  void try_anywhere() {
+  /// Starts from places all over, which do not depend on the elimination.
+  template <typename Use>
+  void for_each_place(const Use& use) {
     constexpr int starts = 48;
     const Closures& closures = group_.closures;
     for (int start = 0; start < starts; ++start) {
@@ -158,7 +158,7 @@ class SpecialSearch {
           q[place++] = 2 * next_random() * closures.longest;
         }
       }
-      add(q);
+      use(q);
     }
   }
 
@@ -248,8 +248,10 @@ SpecialAssemblies SpecialSearch<Group>::run() {
   try_all(d_, u_, exact);
   // A multiple root that rounding has made complex leaves no root behind.
   for_each_sample([this](const FlatVariables<double>& start) { add(start); });
+  // Where the final polynomial vanishes, its unknown may be the one that is free, which tells
+  // nothing of the others.
   if (exact.vanishing) {
-    try_anywhere();
+    for_each_place([this](const FlatVariables<double>& start) { add(start); });
   }
   for (int direction = 0; direction < directions; ++direction) {
     for (const double side : {1.0, -1.0}) {
@@ -266,16 +268,21 @@ SpecialAssemblies SpecialSearch<Group>::run() {
 }
 
 template <typename Group>
-double SpecialSearch<Group>::least_miss() const {
+double SpecialSearch<Group>::least_miss() {
   double least = std::numeric_limits<double>::infinity();
-  for_each_sample([&](const FlatVariables<double>& start) {
+  const auto try_near = [&](const FlatVariables<double>& start) {
     FlatVariables<double> q = start;
     if (longest_displacement(group_.closures, q) < farthest_configuration<double>) {
       group_.closures.straighten(q);
       close(group_.closures, q);
       least = (std::min)(least, least_miss_near(group_.closures, q));
     }
-  });
+  };
+  for_each_sample(try_near);
+  // No sample is completed where a link has no length, or slides are parallel.
+  if (!std::isfinite(least)) {
+    for_each_place(try_near);
+  }
   return least * group_.closures.longest;
 }
 

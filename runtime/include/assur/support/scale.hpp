@@ -20,6 +20,10 @@ namespace assur::support {
 
 using detail::ScalarOf;
 
+/// Whether each of a model's variables is an angle, in their order; the others are lengths.
+template <typename Variables>
+inline constexpr auto& are_angles = detail::SortsOf<Variables>::angles;
+
 /// Numbers in another scalar, lengths multiplied by `scale`.
 template <typename Scalar, typename Number, std::size_t Count>
 void scale_numbers(const void* from, const std::array<bool, Count>& is_length, Number scale,

@@ -13,21 +13,21 @@
 
 namespace assur::support {
 
-/// What an emitted solver says beside the configurations.
+/// What an emitted solver returns beside the configurations.
 struct Solution {
   /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
-  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic; unresolved in
-  /// float, where double was not to be asked, and where constraints that are too many may stop a
-  /// group that moves freely without them.
+  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic; unresolved in float,
+  /// where the program chose not to use double, and where redundant constraints may stop a group
+  /// that moves freely without them.
   AssemblyStatus status = AssemblyStatus::ok;
-  int count = 0;  ///< of the configurations
+  int count = 0;  ///< the number of configurations
   /// Choices of the groups that hold a group, directly or through others, for which it moves freely
   /// or is inconsistent, if what does not depend on it can be assembled.
   int families = 0;
-  int mobility = 0;  ///< of the freest of them
+  int mobility = 0;  ///< the greatest mobility of these families
 };
 
-/// What the solver of a scene with limits says.
+/// What the solver of a scene with limits returns.
 struct LimitedSolution : Solution {
   int left_out = 0;  ///< configurations beyond the limits of joints
 };
@@ -39,19 +39,19 @@ template <typename Solver>
 inline constexpr bool
     has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
 
-/// What a solver is given: where its drivers stand.
+/// The arguments of a solver: its drivers.
 template <typename Solver, typename Scalar, bool HasParameters = has_parameters<Solver>>
 struct GivenTo {
   using Type = typename Solver::template Drivers<Scalar>;
 };
-/// And its parameters.
+/// The arguments of a solver with parameters.
 template <typename Solver, typename Scalar>
 struct GivenTo<Solver, Scalar, true> {
   struct Type {
     typename Solver::template Drivers<Scalar> drivers;
     typename Solver::template Parameters<Scalar> parameters;
 
-    /// The positions of all that changes on a way; drivers that turn come first.
+    /// The positions of all arguments that change along a way; drivers that turn come first.
     [[nodiscard]] auto positions() {
       const auto of_drivers = drivers.positions();
       const auto values = parameters.values();
@@ -75,8 +75,8 @@ struct Access {
   static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
   using Key = std::array<Scalar, lengths_from + Solver::keyed_slides>;
   static constexpr bool in_packs = Solver::in_packs;  ///< whether a pack may be the scalar
-  /// Whether it is for the search to tell that something given is no number; groups tell it of
-  /// positions.
+  /// Whether the search has to check that arguments are numbers; groups check positions
+  /// themselves.
   static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
   static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
   template <typename Those>
@@ -84,13 +84,13 @@ struct Access {
       -> decltype(Those::redundant_gap(std::declval<const Placed&>()), std::true_type());
   template <typename Those>
   static std::false_type gaps_of(...);
-  /// Whether it tells by how much constraints miss that are too many.
+  /// Whether the solver computes by how much redundant constraints miss.
   static constexpr bool has_gaps = decltype(gaps_of<Parts>(0))::value;
   template <typename Those>
   static auto settles_of(int) -> decltype(Those::settle(std::declval<Placed&>()), std::true_type());
   template <typename Those>
   static std::false_type settles_of(...);
-  /// Whether it closes all constraints together, where those that are not too many hardly tell.
+  /// Whether it closes all constraints together where the others are nearly singular.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
   /// For each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {

@@ -28,4 +28,10 @@ template <typename Items, typename Text>
   return joined(names, ", ");
 }
 
+/// `joint A`, or `joints A, B`: the names after what they are names of.
+[[nodiscard]] inline std::string listed_as(const std::string& noun,
+                                           const std::vector<std::string>& names) {
+  return noun + (names.size() == 1 ? " " : "s ") + listed(names);
+}
+
 }  // namespace assur::text

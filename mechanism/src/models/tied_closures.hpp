@@ -1,0 +1,36 @@
+// Turns the loop closures of a degenerate model, in which prismatic joints fix the angles of all
+// links but one at most, into a verdict: whether they hold anywhere, and what moves there.
+#pragma once
+
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism::models {
+
+/// The closures of a group at given numbers, lengths near one: f(s, e) = slides s + turning e +
+/// fixed, for displacements s and the direction e of the angle that no slide fixes. Where the whole
+/// group turns by that angle, they are those seen from a link that turns with it.
+struct TiedClosures {
+  SmallMatrix slides;   ///< a column per displacement; two rows per loop, a unit vector or zeros
+  SmallMatrix turning;  ///< a column for the cosine, and one for the sine
+  SmallVector fixed;
+  bool turns = false;    ///< whether there is an angle
+  double farthest = 0;   ///< coordinate among the inputs
+  double displaced = 0;  ///< by rounding, what holds the group
+  double turned = 0;     ///< likewise; or the amount by which the tied angles miss each other
+};
+
+/// What the closures allow.
+struct TiedVerdict {
+  bool closes = false;
+  int mobility = 0;  ///< where they hold
+  double miss = 0;   ///< the least norm of the closures
+};
+
+/// In any direction e the closures are linear in the displacements. They hold for some
+/// displacements where what they are without these has no part along the directions that no slide
+/// reaches. So those are found first, by a decomposition with a bound on rounding, and then the
+/// angles at which the parts along them vanish. The displacements that are left move freely, and so
+/// does the angle if no part depends on it.
+[[nodiscard]] TiedVerdict verdict_on(const TiedClosures& closures);
+
+}  // namespace assur::mechanism::models
