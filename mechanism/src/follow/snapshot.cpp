@@ -5,7 +5,9 @@
 #include <limits>
 #include <utility>
 
+#include "solve/along_parameter.hpp"
 #include "solve/longest_on_links.hpp"
+#include "solve/moved_by_parameter.hpp"
 #include "solve/precision.hpp"
 #include "solve/slope_error.hpp"
 
@@ -42,6 +44,12 @@ bool lacks_signs(const Snapshot& snapshot) {
 /// What all constraints close from several configurations of the rest may be one.
 constexpr double closest_settled = 1e-9;
 
+/// How fast a number changes, in units per parameter. Where it stands still for a moment, what
+/// counts is how far the parameter goes until it has changed by a unit.
+double speed_of(const models::Series& number, double unit) {
+  return std::max(std::abs(number.c[1]) / unit, std::sqrt(std::abs(number.c[2]) / unit));
+}
+
 double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
   double square = std::numeric_limits<double>::infinity();
   for (const PointIndex one : points.keys()) {
@@ -63,6 +71,7 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
   from_ = values_.value_of(sweep().from);
   to_ = values_.value_of(sweep().to);
   sought_.length = solve::longest_on_links(values_at(from_));
+  moved_features_ = solve::features_moved_by(values_, sweep().parameter);
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {
@@ -70,17 +79,21 @@ const Values& SnapshotSolver::values_at(double parameter) {
   return values_;
 }
 
-double SnapshotSolver::speed_of_features(double parameter) {
+double SnapshotSolver::speed_on_links(double parameter) {
   const Values& values = values_at(parameter);
+  const Mechanism& mechanism = plan_.mechanism();
+  const solve::AlongParameter along(values, sweep().parameter);
   double fastest = 0;
-  for (const Link& link : plan_.mechanism().links()) {
-    for (const FeatureIndex feature : link.features) {
-      const auto& follows = values.frame(feature).follows.first;
-      if (follows.cols() > 0) {
-        const Eigen::Vector3d speed = follows.col(column_);
-        fastest = std::max({fastest, speed.head<2>().norm() / sought_.length, std::abs(speed(2))});
-      }
-    }
+  for (const FeatureIndex index : moved_features_) {
+    const Feature& feature = mechanism.features()[index];
+    const double turn = values.frame(index).follows.first(2, column_);
+    fastest = std::max({fastest, std::abs(turn), speed_of(along.number(feature.x), sought_.length),
+                        speed_of(along.number(feature.y), sought_.length)});
+  }
+  for (const DriverIndex driver : mechanism.drivers().keys()) {
+    const Joint& joint = mechanism.joints()[mechanism.drivers()[driver].joint];
+    fastest = std::max(fastest, speed_of(along.laws()[driver],
+                                         joint.type == JointType::revolute ? 1 : sought_.length));
   }
   return fastest;
 }
@@ -90,7 +103,7 @@ double SnapshotSolver::way_of_size(const Snapshot& set) {
     return 0;
   }
   const Table<LinkIndex, bool> is_driven = plan_.structure().placed_by_drivers();
-  double speed = speed_of_features(set.parameter);
+  double speed = speed_on_links(set.parameter);
   for (const LinkIndex link : is_driven.keys()) {
     if (is_driven[link]) {
       speed = std::max(speed, set.points[PointIndex(0)].slope.segment<4>(4 * link.row()).norm());

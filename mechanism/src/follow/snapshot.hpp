@@ -89,16 +89,17 @@ class SnapshotSolver {
   [[nodiscard]] double to() const { return to_; }
   /// A length of the mechanism, the unit of the points.
   [[nodiscard]] double length() const { return sought_.length; }
-  /// How far the parameter goes while it moves driven links, or features on their links, by the
-  /// mechanism's size. If it moves none, the parameter's own size; zero for an empty set.
+  /// How far the parameter goes while it moves driven links, driven joints, or features on their
+  /// links by the mechanism's size. If it moves none, the parameter's own size; zero for an empty
+  /// set.
   [[nodiscard]] double way_of_size(const Snapshot& set);
 
  private:
   using Spares = std::vector<std::unique_ptr<Snapshot>>;
 
-  /// The largest speed at which the parameter moves features on their own links, in units of the
-  /// points.
-  [[nodiscard]] double speed_of_features(double parameter);
+  /// The largest speed at which the parameter moves features on their own links, and at which
+  /// drivers move one link on another, in units of the points.
+  [[nodiscard]] double speed_on_links(double parameter);
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
   /// Whether a set has fewer configurations than one beside it, for families that the other lacks,
@@ -122,6 +123,7 @@ class SnapshotSolver {
   /// Snapshots that nobody holds any more, for their memory. Snapshots may outlive the solver.
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives with respect to the swept parameter
+  std::vector<FeatureIndex> moved_features_;  ///< by the swept parameter, on their links
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism

@@ -1,7 +1,6 @@
 #include "models/series.hpp"
 
 #include <assur/directions.hpp>
-#include <limits>
 
 namespace assur::mechanism::models {
 
@@ -60,17 +59,6 @@ Pose<Series> composed(const Pose<Series>& frame, const Pose<Series>& inner) {
   const auto& [cosine, sine] = frame.direction;
   return {frame.x + cosine * inner.x - sine * inner.y, frame.y + sine * inner.x + cosine * inner.y,
           turned(frame.direction, inner.direction)};
-}
-
-Series moving(double value, double rate, double second_rate) {
-  Series series(value);
-  if (rate != 0 || second_rate != 0) {
-    series.c.fill(std::numeric_limits<double>::quiet_NaN());
-    series.c[0] = value;
-    series.c[1] = rate;
-    series.c[2] = second_rate / 2;
-  }
-  return series;
 }
 
 Pose<Series> at_rest(const Pose<double>& pose) {

@@ -40,8 +40,5 @@ struct Series {
 [[nodiscard]] Pose<Series> composed(const Pose<Series>& frame, const Pose<Series>& inner);
 /// A frame at rest.
 [[nodiscard]] Pose<Series> at_rest(const Pose<double>& pose);
-/// A number with a rate and a second rate. If both are zero it is at rest; otherwise its higher
-/// orders are not known.
-[[nodiscard]] Series moving(double value, double rate, double second_rate);
 
 }  // namespace assur::mechanism::models

@@ -39,14 +39,25 @@ Series integral(double start, const Series& rate) {
 }  // namespace
 
 Series pow(const Series& base, double exponent) {
+  // Of a base in parts of its value the powers stay in range, whatever the unit.
+  const double unit = base.value() == 0 ? 1 : base.value();
+  Series part = base;
+  for (double& coefficient : part.c) {
+    coefficient /= unit;
+  }
   std::array<double, Series::order + 1> f{};
   double factor = 1;  // exponent over k
   for (std::size_t k = 0; k < f.size(); ++k) {
     const double left = exponent - static_cast<double>(k);
-    f[k] = factor == 0 ? 0 : factor * std::pow(base.value(), left);
+    f[k] = factor == 0 ? 0 : factor * std::pow(part.value(), left);
     factor *= left / static_cast<double>(k + 1);
   }
-  return taylor(f, base);
+  Series power = taylor(f, part);
+  const double scale = std::pow(unit, exponent);
+  for (double& coefficient : power.c) {
+    coefficient *= scale;
+  }
+  return power;
 }
 
 Series operator/(const Series& a, const Series& b) { return a * pow(b, -1); }

@@ -19,4 +19,14 @@ namespace assur::mechanism::models {
 [[nodiscard]] Series atan(const Series& a);
 [[nodiscard]] Series atan2(const Series& y, const Series& x);
 
+/// Series are compared by their values, as numbers with derivatives are.
+[[nodiscard]] inline bool operator==(const Series& a, const Series& b) {
+  return a.value() == b.value();
+}
+[[nodiscard]] inline bool operator>(const Series& a, const Series& b) {
+  return a.value() > b.value();
+}
+/// Whether the number stands for other values, too, as one with variable parameters does.
+[[nodiscard]] inline bool may_change(const Series&) { return false; }
+
 }  // namespace assur::mechanism::models

@@ -8,9 +8,11 @@
 #include <optional>
 
 #include "all_constraints.hpp"
+#include "along_parameter.hpp"
 #include "branch_order.hpp"
 #include "branch_walk.hpp"
 #include "moved_by_parameter.hpp"
+#include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
@@ -29,26 +31,37 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   configuration.rates_known = true;
 }
 
+/// The motions of the drivers. A law that reads links is evaluated once these move.
 Motions in_time(const Values& values) {
+  const PlanData& plan = values.plan();
   Motions motions{{}, true};
-  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
-    models::Series motion;
-    motion.c[1] = values.motion(driver).velocity;
-    motion.c[2] = values.motion(driver).acceleration / 2;
-    motions.drivers.add(motion);
+  motions.drivers.resize(plan.mechanism.drivers().size());
+  const auto coordinate = [&](JointIndex joint) {
+    const DriverIndex other = plan.mechanism.driver_of(joint);
+    models::Series moving = motions.drivers[other];
+    moving.c[0] = values.motion(other).position.value();
+    return moving;
+  };
+  for (const DriverIndex driver : plan.evaluation.drivers) {
+    if (!plan.evaluation.reads_links[driver]) {
+      motions.drivers[driver] = moving_law(values, driver, coordinate);
+      motions.drivers[driver].c[0] = 0;
+    }
   }
   return motions;
 }
 
-/// The motions of the drivers along the parameter of a column, to first order: higher rates of that
-/// parameter do not change the first rates of the motions through a configuration.
-Motions along_parameter(const Values& values, Eigen::Index column) {
-  Motions motions{{}, false};
-  for (const DriverIndex driver : values.plan().mechanism.drivers().keys()) {
-    const Dual& position = values.motion(driver).position;
-    models::Series motion;
-    motion.c[1] = position.derivatives().size() > 0 ? position.derivatives()(column) : 0;
-    motions.drivers.add(motion);
+/// The motions of the drivers along a parameter. Where motions meet, their first rates follow from
+/// second rates, so a law that bends counts with those. Of a law that reads links the first rate
+/// alone is known.
+Motions along_parameter(const Values& values, ParameterIndex parameter, Eigen::Index column) {
+  const AlongParameter along(values, parameter);
+  Motions motions{along.laws(), false};
+  for (const DriverIndex driver : motions.drivers.keys()) {
+    models::Series& motion = motions.drivers[driver];
+    const Eigen::VectorXd& follows = values.motion(driver).position.derivatives();
+    motion.c[0] = 0;
+    motion.c[1] = follows.size() > 0 ? follows(column) : 0;
   }
   return motions;
 }
@@ -93,14 +106,11 @@ bool is_motion_of_all(const Values& values, const Configuration& motion) {
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
                       Configuration& configuration) {
   const Eigen::Index column = values.plan().evaluation.column_of[parameter];
-  if (!moves_drivers_alone(values, column)) {
-    return;
-  }
-  if (reads_unknown(values, placed)) {
+  if (!moves_drivers_alone(values, parameter) || reads_unknown(values, placed)) {
     return;
   }
   const auto found =
-      motions_through(values, placed, configuration, along_parameter(values, column));
+      motions_through(values, placed, configuration, along_parameter(values, parameter, column));
   if (found && found->size() == 1) {
     take_derivatives(found->front(), column, configuration);
     configuration.path_known = true;

@@ -4,22 +4,16 @@
 #include <cmath>
 
 #include "group_branches.hpp"
+#include "models/series_functions.hpp"
+#include "motion_terms.hpp"
 #include "moving_laws.hpp"
+#include "moving_shape.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 
 namespace assur::mechanism::solve {
 
 namespace {
-
-/// The pose of a frame, with its rates, as a series in time.
-Pose<models::Series> as_it_moves(const Frame& frame) {
-  const auto coordinate = [&](double value, Eigen::Index row) {
-    return models::moving(value, frame.velocity(row), frame.acceleration(row));
-  };
-  return {coordinate(frame.pose.x, 0), coordinate(frame.pose.y, 1),
-          turning(frame.pose.direction, coordinate(0, 2))};
-}
 
 /// Walks depth first through the motions of the groups, as solving walks through configurations.
 class BranchWalk {
@@ -91,16 +85,6 @@ class BranchWalk {
   static bool is_finite(const models::Series& motion) {
     return std::isfinite(motion.c[1]) && std::isfinite(motion.c[2]);
   }
-  /// The change of a group's shape is not known where a singular group causes it, nor where a
-  /// driver moves features that hardly define the frame of their link.
-  [[nodiscard]] static bool is_known(const Values::GroupNumbers& numbers) {
-    return precision_of_shape(numbers.firmness).second_rates_known && numbers.d_rate.allFinite() &&
-           numbers.d_second_rate.allFinite() &&
-           std::ranges::all_of(numbers.across, [](const values::AcrossAxis& axis) {
-             return std::isfinite(axis.rate) && std::isfinite(axis.second_rate);
-           });
-  }
-
   void move_carried_link(std::size_t place) {
     const CarriedLink& link = structure_.carried[place];
     if (link.group.exists()) {
@@ -111,8 +95,7 @@ class BranchWalk {
     const models::Series& motion = motions_.drivers[link.driver];
     const models::Series moved = joint.first == link.from ? motion : -motion;
     // The joint's frame moves with the placed link, and the moved link turns or slides in it.
-    const Pose<models::Series> base =
-        composed(links_[link.from], placed_in(values_.frame(joint.on(link.from))));
+    const Pose<models::Series> base = composed(links_[link.from], place_of(joint.on(link.from)));
     const Pose<models::Series> step = joint.prismatic
                                           ? Pose<models::Series>{moved, 0, {1, 0}}
                                           : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
@@ -121,7 +104,7 @@ class BranchWalk {
     links_[link.to] =
         has_relative_groups_ || (motions_.in_time && is_moving(values_.carried_frame(place)))
             ? composed(composed(composed(base, standing(link, joint)), step),
-                       placed_in(values_.carried_frame(place)))
+                       inverse(place_of(joint.on(link.to))))
             : composed(composed(base, step), seen_from(base, placed_.links[link.to].pose));
   }
 
@@ -142,8 +125,17 @@ class BranchWalk {
     }
   }
 
-  [[nodiscard]] Pose<models::Series> placed_in(const Frame& frame) const {
-    return motions_.in_time ? as_it_moves(frame) : models::at_rest(frame.pose);
+  /// A feature as it moves on its link.
+  [[nodiscard]] LinkFeature<models::Series> own_feature(FeatureIndex index, bool is_line) const {
+    if (motions_.in_time) {
+      return moving_feature(values_, index, is_line);
+    }
+    const Pose<double>& pose = values_.frame(index).pose;
+    return {is_line, pose.x, pose.y, {pose.direction.cos, pose.direction.sin}};
+  }
+  [[nodiscard]] Pose<models::Series> place_of(FeatureIndex index) const {
+    const LinkFeature<models::Series> feature = own_feature(index, true);
+    return {feature.x, feature.y, feature.along};
   }
   static bool is_moving(const Frame& frame) {
     return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
@@ -175,30 +167,35 @@ class BranchWalk {
     }
     const GroupIndex group(depth);
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
-    is_known_ = is_known_ && is_known(numbers);
+    put_base(group);
+    const std::optional<MovingShape> shape = shape_of(group, numbers);
+    // Nothing is known where features that hardly define the frame of their link move.
+    is_known_ = is_known_ && shape && shape->is_known() &&
+                precision_of_shape(numbers.firmness).second_rates_known;
     if (!is_known_) {
       return;
     }
-    put_base(group);
     const models::FlatSeries u = inputs(numbers);
-    const models::FlatSeries d = dimensions(*structure_.groups[group].model, numbers);
-    const std::vector<AcrossOnTheMove> across = across_axes(numbers);
+    const GroupModel& model = *structure_.groups[group].model;
+    const std::vector<AcrossOnTheMove> across = across_axes(numbers, *shape);
     const PlacedGroup& here = placed_.groups[group];
+    const MotionTerms terms = motion_terms(model, numbers, shape->speed, shape->d, u, here.q);
     // A singular group was settled to rounding, so the group behind it is placed as accurately.
     // Behind other groups the displacement is smaller, or they would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
-         branches_through({*structure_.groups[group].model, d, u, here.q, across, displaced})) {
+         branches_through({model, shape->d, u, here.q, across, terms, displaced})) {
       for (std::size_t link = 0; link < numbers.links.size(); ++link) {
-        links_[numbers.links[link]] = composed(branch.poses[link], placed_in(numbers.own[link]));
+        links_[numbers.links[link]] = composed(branch.poses[link], shape->own[link]);
       }
       keep_carried(group);
       const std::size_t before = slides_.size();
-      for (const values::MeasuredSlide& slide : numbers.slides) {
-        const models::Series& moved = branch.unknowns[static_cast<std::size_t>(slide.unknown)];
-        const models::Series shift =
-            motions_.in_time ? models::moving(0, slide.shift_rate, slide.shift_second_rate) : 0;
-        slides_.push_back({slide.joint, slide.sense * (moved + shift)});
+      for (std::size_t slide = 0; slide < numbers.slides.size(); ++slide) {
+        const values::MeasuredSlide& measured = numbers.slides[slide];
+        const models::Series& moved = branch.unknowns[static_cast<std::size_t>(measured.unknown)];
+        models::Series shift = shape->shifts[slide];
+        shift.c[0] = 0;
+        slides_.push_back({measured.joint, measured.sense * (moved + shift)});
       }
       descend(depth + 1);
       slides_.resize(before);
@@ -209,8 +206,7 @@ class BranchWalk {
     models::FlatSeries u;
     auto* to = u.data();
     for (const values::HeldJoint& joint : numbers.held) {
-      const Pose<models::Series> place =
-          composed(links_[joint.base], placed_in(values_.frame(joint.feature)));
+      const Pose<models::Series> place = composed(links_[joint.base], place_of(joint.feature));
       *to++ = place.x;
       *to++ = place.y;
       if (joint.prismatic) {
@@ -221,44 +217,49 @@ class BranchWalk {
     return u;
   }
 
-  [[nodiscard]] std::vector<AcrossOnTheMove> across_axes(
-      const Values::GroupNumbers& numbers) const {
+  [[nodiscard]] std::vector<AcrossOnTheMove> across_axes(const Values::GroupNumbers& numbers,
+                                                         const MovingShape& shape) const {
     std::vector<AcrossOnTheMove> across;
-    for (const values::AcrossAxis& axis : numbers.across) {
-      if (motions_.in_time && axis.moves()) {
-        across.push_back(
-            {axis.dimension, axis.angle, models::moving(0, axis.rate, axis.second_rate)});
-      }
+    for (std::size_t place = 0; place < shape.across.size(); ++place) {
+      const values::AcrossAxis& axis = numbers.across[place];
+      models::Series moved = shape.across[place];
+      moved.c[0] = 0;
+      across.push_back({axis.dimension, axis.angle, moved});
     }
     return across;
   }
 
-  [[nodiscard]] models::FlatSeries dimensions(const GroupModel& model,
-                                              const Values::GroupNumbers& numbers) const {
-    models::FlatSeries d;
-    for (std::size_t place = 0; place < d.size(); ++place) {
-      d[place] = numbers.d[place];
+  /// The shape of a group on this branch: what earlier groups and drivers carry moves as they do
+  /// here. Along a parameter that moves drivers alone, shapes keep still.
+  [[nodiscard]] std::optional<MovingShape> shape_of(GroupIndex group,
+                                                    const Values::GroupNumbers& numbers) const {
+    if (motions_.in_time && numbers.d_rate.size() > 0) {
+      return moving_shape(
+          values_, group,
+          {[this](FeatureIndex feature, bool is_line) { return own_feature(feature, is_line); },
+           [this](const auto& feature, const CarriedLink& link) {
+             return carried_feature(feature, link);
+           }});
     }
-    if (!motions_.in_time || numbers.d_rate.size() == 0) {
-      return d;
+    MovingShape shape;
+    std::ranges::copy(numbers.d, shape.d.begin());
+    for (const Frame& own : numbers.own) {
+      shape.own.push_back(models::at_rest(own.pose));
     }
-    std::size_t place = 0;
-    for (std::size_t row = 0; row < model.dimension_count; ++row) {
-      const auto at = static_cast<Eigen::Index>(row);
-      const auto part = [&](double value) {
-        return models::moving(value, numbers.d_rate(at), numbers.d_second_rate(at));
-      };
-      if (numbers.is_angle[row]) {
-        const Direction<models::Series> direction =
-            turning({numbers.d[place], numbers.d[place + 1]}, part(0));
-        d[place++] = direction.cos;
-        d[place++] = direction.sin;
-      } else {
-        d[place] = part(numbers.d[place]);
-        ++place;
-      }
+    shape.shifts.resize(numbers.slides.size());
+    return shape;
+  }
+
+  [[nodiscard]] LinkFeature<models::Series> carried_feature(
+      const LinkFeature<models::Series>& feature, const CarriedLink& link) const {
+    if (link.group.exists()) {
+      return placed_feature(feature,
+                            carried_[static_cast<std::size_t>(&link - structure_.carried.data())]);
     }
-    return d;
+    return moved_feature(
+        feature, structure_, link,
+        [this](FeatureIndex of, bool is_line) { return own_feature(of, is_line); },
+        values_.motion(link.driver).position.value() + motions_.drivers[link.driver]);
   }
 
   void list() {
@@ -274,7 +275,7 @@ class BranchWalk {
     for (const OutputIndex output : mechanism.outputs().keys()) {
       const FeatureIndex point = mechanism.outputs()[output].point;
       const Pose<models::Series> place =
-          composed(links_[mechanism.features()[point].link], placed_in(values_.frame(point)));
+          composed(links_[mechanism.features()[point].link], place_of(point));
       result.outputs[output].velocity << place.x.rate(), place.y.rate();
       result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
     }

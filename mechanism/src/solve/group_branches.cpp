@@ -154,7 +154,8 @@ class BranchExpansion {
     return std::abs(blocked_.dot(f)) <= negligible_part * size_of(order, f);
   }
   /// The size of the terms in a coefficient of the closures: those of each dimension and each input
-  /// when it moves alone, and those of the unknowns.
+  /// when it moves alone, and those of the unknowns. What moves counts as the terms of its
+  /// motion do, which may leave rounding alone.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
     const Moving still = at_rest();
@@ -168,8 +169,8 @@ class BranchExpansion {
         }
       }
     };
-    include(group_.d, &Moving::d);
-    include(group_.u, &Moving::u);
+    include(group_.terms.d, &Moving::d);
+    include(group_.terms.u, &Moving::u);
     for (const AcrossOnTheMove& one : group_.across) {
       Moving one_moves = still;
       one_moves.across = {one};

@@ -15,6 +15,12 @@ namespace assur::mechanism::solve {
 /// this, second rates where noise / s^3 is.
 inline constexpr double two_digits_lost = 1e-3;
 
+/// The dimensions and inputs of a group, with first and second coefficients as large as the terms
+/// of which theirs are made.
+struct MotionTerms {
+  models::FlatSeries d, u;
+};
+
 /// A configuration of a group whose inputs move, and whose links may change their shapes; series of
 /// the dimensions d and the inputs u, and the unknowns q at t = 0.
 struct GroupOnTheMove {
@@ -23,6 +29,7 @@ struct GroupOnTheMove {
   const models::FlatSeries& u;
   const models::FlatVariables& q;
   const std::vector<AcrossOnTheMove>& across;
+  const MotionTerms& terms;
   /// How far rounding may have moved the configuration and its neighbours, in parts of their size.
   double displaced;
 };

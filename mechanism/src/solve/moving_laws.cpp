@@ -9,6 +9,23 @@
 
 namespace assur::mechanism::solve {
 
+namespace {
+
+models::Series moving_number(const Values& values, NumberIndex index,
+                             const std::function<models::Series(JointIndex)>& coordinate_of) {
+  const auto in_time = [&](ParameterIndex parameter) {
+    const Dual& number = values.in_time(parameter);
+    models::Series moving(number.value());
+    moving.c[1] = values::rate_of(number);
+    moving.c[2] = values::second_rate_of(number) / 2;
+    return moving;
+  };
+  return values.plan().mechanism.numbers()[index].formula.evaluate<models::Series>(in_time,
+                                                                                   coordinate_of);
+}
+
+}  // namespace
+
 models::Series moving_coordinate(const MovingParts& parts, JointIndex index) {
   const Mechanism& mechanism = parts.configuration.plan->mechanism;
   const Joint& joint = mechanism.joints()[index];
@@ -31,18 +48,33 @@ models::Series moving_coordinate(const MovingParts& parts, JointIndex index) {
   return angle;
 }
 
+LinkFeature<models::Series> moving_feature(const Values& values, FeatureIndex index, bool is_line) {
+  const Frame& frame = values.frame(index);
+  const auto& [cosine, sine] = frame.pose.direction;
+  LinkFeature<models::Series> result{is_line, frame.pose.x, frame.pose.y, {cosine, sine}};
+  if (!index.exists()) {  // of a block
+    return result;
+  }
+  const Feature& feature = values.plan().mechanism.features()[index];
+  const auto move = [](const models::Series& by, models::Series& number) {
+    std::copy(by.c.begin() + 1, by.c.end(), number.c.begin() + 1);
+  };
+  move(moving_number(values, feature.x, nullptr), result.x);
+  move(moving_number(values, feature.y, nullptr), result.y);
+  if (feature.is_line) {
+    const Direction<models::Series> along =
+        unit_direction(moving_number(values, feature.along_x, nullptr),
+                       moving_number(values, feature.along_y, nullptr));
+    move(along.cos, result.along.cos);
+    move(along.sin, result.along.sin);
+  }
+  return result;
+}
+
 models::Series moving_law(const Values& values, DriverIndex index,
                           const std::function<models::Series(JointIndex)>& coordinate_of) {
   const Driver& driver = values.plan().mechanism.drivers()[index];
-  const auto in_time = [&](ParameterIndex parameter) {
-    const Dual& number = values.in_time(parameter);
-    models::Series moving(number.value());
-    moving.c[1] = values::rate_of(number);
-    moving.c[2] = values::second_rate_of(number) / 2;
-    return moving;
-  };
-  auto law = values.plan().mechanism.numbers()[driver.position].formula.evaluate<models::Series>(
-      in_time, coordinate_of);
+  models::Series law = moving_number(values, driver.position, coordinate_of);
   if (driver.velocity.exists() || driver.acceleration.exists()) {
     law.c[1] = driver.velocity.exists() ? values.number(driver.velocity).value() : law.c[1];
     law.c[2] =

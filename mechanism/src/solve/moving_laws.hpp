@@ -1,4 +1,5 @@
-// Turns links that move along a branch into the motions of drivers whose laws read their joints.
+// Turns parameters, and links that move along a branch, into the motions of features on their links
+// and of drivers.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -27,6 +28,11 @@ struct MovingParts {
 /// The coordinate of a joint without a driver between moving links; an angle includes the whole
 /// turns that the configuration counts.
 [[nodiscard]] models::Series moving_coordinate(const MovingParts& parts, JointIndex index);
+
+/// A feature on its link, whose coordinates move as the parameters in them do. The third and fourth
+/// orders of parameters are zero.
+[[nodiscard]] LinkFeature<models::Series> moving_feature(const Values& values, FeatureIndex index,
+                                                         bool is_line);
 
 /// The value of a law that reads coordinates of joints, as a series. Rates that the driver states
 /// replace those that follow from the law; then the third and fourth orders are zero, as those of

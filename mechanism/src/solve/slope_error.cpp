@@ -15,7 +15,8 @@ double slope_error(const Values& values, const Configuration& configuration, Eig
   constexpr double short_step = 1e-5;  // halves the digits that a difference of J keeps
   const PlanData& plan = values.plan();
   if (!plan.redundant.empty() || !plan.structure.reading.empty() ||
-      plan.mechanism.links().size() > most_tried_links || !moves_drivers_alone(values, column)) {
+      plan.mechanism.links().size() > most_tried_links ||
+      !moves_drivers_alone(values, plan.evaluation.columns[static_cast<std::size_t>(column)])) {
     return unknown;
   }
   AllConstraints constraints(values);
