@@ -90,13 +90,15 @@ void add_options(const CLI::App& command, std::vector<std::string>& names) {
 std::string missing_choices(const CLI::App& command) {
   std::string text;
   for (const CLI::App* group : command.get_subcommands(nullptr)) {
-    const std::vector<const CLI::Option*> options = group->get_options();
-    if (std::all_of(options.begin(), options.end(),
-                    [](const CLI::Option* option) { return option->count() == 0; })) {
-      std::vector<std::string> names;
-      add_options(*group, names);
-      text += ", and exactly one of " + assur::text::listed(names);
+    std::vector<std::string> names;
+    bool is_chosen = false;
+    for (const CLI::Option* option : group->get_options()) {
+      if (option != group->get_help_ptr()) {
+        names.push_back("--" + option->get_lnames().front());
+        is_chosen = is_chosen || option->count() > 0;
+      }
     }
+    text += is_chosen ? "" : ", and exactly one of " + assur::text::listed(names);
   }
   return text;
 }
