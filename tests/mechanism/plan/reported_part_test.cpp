@@ -43,8 +43,8 @@ Numbers of_link(const Solved& solved, const std::string& name) {
                                  link.pose.direction.sin};
     entry.insert(entry.end(), link.velocity.begin(), link.velocity.end());
     entry.insert(entry.end(), link.acceleration.begin(), link.acceleration.end());
-    entry.insert(entry.end(), link.follows.first.reshaped().begin(),
-                 link.follows.first.reshaped().end());
+    const auto derivatives = link.follows.first.reshaped();
+    entry.insert(entry.end(), derivatives.begin(), derivatives.end());
     add_once(numbers, entry);
   }
   return numbers;
