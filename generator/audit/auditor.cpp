@@ -125,7 +125,8 @@ const structure::Group& Auditor::group_by_name(const closures::PlacedText& name)
       return group;
     }
   }
-  reader_.fail(name.place, "no group named '" + name.text + "'; there are dyad, triad and tetrad");
+  reader_.fail(name.place,
+               "no group named '" + name.text + "'; the groups are dyad, triad and tetrad");
 }
 
 void Auditor::read_given(const closures::PlacedText& rest) {

@@ -46,7 +46,7 @@ Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
     finding.note = turned_round;
   }
   if (!finding.agrees() && !points.system().follows_closures(read)) {
-    finding.note = "printed less derived: " + closures::formula_text((read - derived).expand());
+    finding.note = "printed minus derived: " + closures::formula_text((read - derived).expand());
   }
   return finding;
 }
@@ -116,7 +116,9 @@ Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
 Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
                        const GiNaC::ex& left, const GiNaC::ex& right, const Printed& printed) {
   Finding finding{item, printed.place, compare(points, left, right, true), printed.text, "", ""};
-  finding.note = finding.comparison.difference.empty() ? "" : "the difference is left less right";
+  finding.note = finding.comparison.difference.empty()
+                     ? ""
+                     : "the difference is the left side minus the right side";
   return finding;
 }
 

@@ -56,12 +56,13 @@ std::vector<Finding> audit_kinds(const structure::Group& group,
     for (const closures::PlacedText& kind_text : closures::split(parts[1], ',')) {
       const std::optional<structure::Kind> kind = structure::parse_kind(group, kind_text.text);
       if (!kind) {
-        findings.push_back({title + kind_text.text,
-                            kind_text.place,
-                            {Verdict::unreadable, "no kind of the " + group.name(), "", ""},
-                            kind_text.text,
-                            "",
-                            ""});
+        findings.push_back(
+            {title + kind_text.text,
+             kind_text.place,
+             {Verdict::unreadable, "it is not a kind of the " + group.name(), "", ""},
+             kind_text.text,
+             "",
+             ""});
         continue;
       }
       printed.insert(kind_text.text);

@@ -136,7 +136,7 @@ class Guesser {
       if (holds(derived_ - term)) return "the term " + text + " is missing";
       if (holds(derived_ - 2 * term)) return "the term " + text + " has the wrong sign";
       if (holds(derived_ + term)) return "the term " + text + " occurs twice";
-      if (holds(derived_ - term / 2)) return "the term " + text + " lacks a factor 2";
+      if (holds(derived_ - term / 2)) return "the term " + text + " lacks a factor of 2";
     }
     return "";
   }
@@ -171,8 +171,8 @@ class Guesser {
   [[nodiscard]] std::string degrees() const {
     GiNaC::exmap all;
     for (const auto& [factor, what] : std::initializer_list<std::pair<GiNaC::ex, const char*>>{
-             {GiNaC::Pi / 180, " is taken as degrees where it is radians"},
-             {180 / GiNaC::Pi, " is taken as radians where it is made degrees"}}) {
+             {GiNaC::Pi / 180, " is taken to be in degrees where it is in radians"},
+             {180 / GiNaC::Pi, " is taken to be in radians where it is converted to degrees"}}) {
       for (const GiNaC::symbol& angle : used(true)) {
         all[angle] = angle * factor;
         if (holds(derived_.subs(angle == angle * factor)) ||

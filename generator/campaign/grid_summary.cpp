@@ -124,16 +124,16 @@ std::uint64_t GridSummary::first_refused() const {
 std::string grid_text(const GridSummary& summary) {
   const Description& description = summary.description();
   std::string text =
-      description.text_of("name") + "\n" + std::to_string(summary.cells().size()) + " cells" +
+      description.text_of("name") + "\n" + with_noun(summary.cells().size(), "cell") +
       (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) + "\n";
   for (const NamedAxis& axis : summary.axes()) {
-    text += "  " + axis.name + " from " + label(axis.from) + " to " + label(axis.to) + " by " +
-            std::to_string(axis.count) + " values\n";
+    text += "  " + axis.name + " from " + label(axis.from) + " to " + label(axis.to) + " in " +
+            with_noun(axis.count, "value") + "\n";
   }
   text += "\n";
   for (const auto& [configurations, cells] : summary.counts()) {
-    text += "  " + std::to_string(cells) + " cells with " + std::to_string(configurations) +
-            (configurations == 1 ? " configuration\n" : " configurations\n");
+    text += "  " + with_noun(cells, "cell") + " with " +
+            with_noun(configurations, "configuration") + "\n";
   }
   text += "  " + std::to_string(summary.changes()) +
           " pairs of neighbours between which the number of configurations changes\n";

@@ -111,9 +111,9 @@ class Panel {
 }  // namespace
 
 std::string histogram_picture(const SampleSummary& summary) {
-  std::string body = words(
-      margin, 20, "start",
-      summary.description().text_of("name") + ": " + std::to_string(summary.count()) + " samples");
+  std::string body =
+      words(margin, 20, "start",
+            summary.description().text_of("name") + ": " + with_noun(summary.count(), "sample"));
   body += words(margin, 38, "start",
                 "red: worst case; green: rss / sqrt(3); blue: normal law of the sample's mean and "
                 "deviation");

@@ -49,7 +49,7 @@ std::vector<Statement> parse_statements(const std::string& text, const std::stri
     if (!indented) {
       statements.push_back({content, {}});
     } else if (statements.empty()) {
-      throw AuditSyntaxError(file, content.place, "an indented line continues no statement");
+      throw AuditSyntaxError(file, content.place, "this indented line continues no statement");
     } else {
       statements.back().rows.push_back(content);
     }

@@ -86,13 +86,14 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
 
 bool run_emit(const EmitOptions& options) {
   if (!options.variables.empty() && options.scene.empty()) {
-    throw InputError("--variable: parameters are a scene's; give it with --scene");
+    throw InputError("--variable: only scenes have parameters; give it with --scene");
   }
   if (!options.wants.empty() && options.scene.empty()) {
-    throw InputError("--want: results are a scene's; give it with --scene");
+    throw InputError("--want: only solvers of scenes give results; give it with --scene");
   }
   if (options.interface != "cpp" && options.scene.empty()) {
-    throw InputError("--interface: solvers of scenes have one; give it with --scene");
+    throw InputError(
+        "--interface: only solvers of scenes have a C interface; give it with --scene");
   }
   std::vector<EmittedFile> files;
   if (options.all) {

@@ -195,7 +195,7 @@ int run(int argc, char** argv) {
   what->add_flag("--all", emit.all, "every model of every group");
   what->add_option("--model", emit.model, "one model of a group, by its number");
   what->add_option("--scene", emit.scene, "a solver for one scene file (JSON)")->check(not_empty);
-  what->add_option("--closures", emit.closures, "the closures that an audit file types")
+  what->add_option("--closures", emit.closures, "the closures that are typed in an audit file")
       ->check(not_empty);
   what->require_option(1);
   command

@@ -87,7 +87,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
     settings = " --set " + axis->name + "=" + campaign::number_text(value) + settings;
     rest /= axis->count;
   }
-  remarks() << refused << (refused == 1 ? " cell is" : " cells are")
+  remarks() << campaign::with_noun(refused, "cell") << (refused == 1 ? " is" : " are")
             << " refused; `assur solve SCENE" << settings << "` tells the reason"
             << (refused == 1 ? "" : " for the first") << '\n';
 }

@@ -43,7 +43,8 @@ void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::S
       settings += " --set " + mechanism.parameters()[sampling.deviations()[place].parameter].name +
                   "=" + campaign::number_text(numbers[place]);
     }
-    remarks() << summary.count_of(outcome) << " samples are "
+    remarks() << campaign::with_noun(summary.count_of(outcome), "sample")
+              << (summary.count_of(outcome) == 1 ? " is " : " are ")
               << mechanism::outcome_words[static_cast<std::size_t>(outcome)] << "; sample "
               << sample << ": " << sampling.reason_of(sample) << " (" << settings.substr(1)
               << ")\n";

@@ -20,8 +20,9 @@ namespace {
 /// `--branch` must name one of `count` configurations or branches.
 void expect_branch(const SolveOptions& options, std::ptrdiff_t count, const std::string& what) {
   if (options.branch > count) {
-    throw text::InputError(options.scene + ": --branch: no " + what + " " +
-                           std::to_string(options.branch) + "; there are " + std::to_string(count));
+    throw text::InputError(options.scene + ": --branch: there is no " + what + " " +
+                           std::to_string(options.branch) + "; the highest number is " +
+                           std::to_string(count));
   }
 }
 

@@ -78,7 +78,8 @@ class DocumentBuilder {
 
   void relabelling() {
     const std::string asked = structure::spell(group_, from_.kind);
-    prose("Asked for was " + asked + ": read its joints as the model's by this relabelling.");
+    prose("The kind that was asked for is " + asked +
+          "; its joints play these joints of the model.");
     Table table{{{"joint of " + asked, false}, {"plays joint", false}}, {}};
     for (const structure::JointIndex joint : from_.roles.keys()) {
       table.rows.push_back({{group_.joints()[joint].name}, from_.roles[joint]});
@@ -132,7 +133,7 @@ class DocumentBuilder {
       }
     }
     if (!from_.compatibility.empty()) {
-      prose("Prismatic joints alone close a loop, so its angles must satisfy beside these:");
+      prose("Prismatic joints alone close a loop, so its angles must also satisfy:");
       for (const std::string& sum : from_.compatibility) {
         formula(sum + " = 0");
       }
@@ -142,9 +143,9 @@ class DocumentBuilder {
   void derivatives() {
     begin("Derivatives");
     prose(
-        "The Jacobian `J` of the closures `f` by the unknowns `q`, F_d by the dimensions `d` and "
-        "F_u by "
-        "the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` and `J*dq/du = -F_u`.");
+        "`J` is the Jacobian of the closures `f` by the unknowns `q`, F_d that by the dimensions "
+        "`d`, and F_u that by the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` "
+        "and `J*dq/du = -F_u`.");
     for (const DerivedMatrix* matrix :
          {&from_.jacobian, &from_.dimension_jacobian, &from_.input_jacobian}) {
       add_fitting(*matrix);
@@ -193,10 +194,9 @@ class DocumentBuilder {
   void singularities() {
     begin("Mobility and singularities");
     prose(std::string(from_.rigid ? "Rigid" : "Degenerate") + ": " + from_.reason +
-          (from_.rigid
-               ? "."
-               : ". Where it can be assembled its mobility is " + std::to_string(from_.mobility) +
-                     ". There is no polynomial to eliminate to."));
+          (from_.rigid ? "."
+                       : ". Where it can be assembled its mobility is " +
+                             std::to_string(from_.mobility) + ". There is no final polynomial."));
     if (!from_.determinant) {
       return;
     }

@@ -118,7 +118,7 @@ class AtomReader {
     ++at_;
     const std::string text = flat(take_argument(tokens_, at_));
     if (text.empty()) {
-      throw FormulaError(token.text + " has nothing to set", token.place);
+      throw FormulaError(token.text + " has an argument without a symbol", token.place);
     }
     atom_.name = accent ? token.text.substr(1) + "." + text : text;
     return true;

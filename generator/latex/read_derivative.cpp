@@ -40,7 +40,7 @@ Expression FormulaReader::time_derivative(const Tokens& above, const Tokens& bel
   const bool second = d->superscript == "2";
   if ((!second && !d->superscript.empty()) ||
       (second ? time != "t^2" && time != "t^{2}" : time != "t")) {
-    fail("only derivatives by the time t are read so", at);
+    fail("only derivatives by the time t are read in this form", at);
   }
   Expression of = read(slice(above, d->end, above.size()), at);
   return call(second ? "rate2" : "rate", Operation::other, {std::move(of)}, at);

@@ -27,8 +27,10 @@ Expression FormulaReader::raised(Expression base) {
 Expression FormulaReader::powered(Expression base, const Tokens& exponent, std::size_t at) {
   const bool bracketed = exponent.size() == 3 && exponent[0].is("(") && exponent[2].is(")");
   if (bracketed) {
-    fail("an index or a power? say in the map what this is, or write the power without brackets",
-         at);
+    fail(
+        "this may be an index or a power; say in the map what it is, or write the power without "
+        "brackets",
+        at);
   }
   return binary("^", Operation::power, std::move(base), read(exponent, at), at);
 }
@@ -107,7 +109,7 @@ Expression FormulaReader::number() {
     fail("expected a number", from);
   }
   if (digits.back() == '.') {
-    fail("a digit is missing behind the point", at_ - 1);
+    fail("a digit is missing after the point", at_ - 1);
   }
   Expression tree = number_tree(digits, from);
   if (at_ + 1 < tokens_.size() && tokens_[at_].is("^")) {

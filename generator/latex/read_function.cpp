@@ -101,7 +101,7 @@ std::pair<std::vector<Expression>, bool> FormulaReader::function_arguments(const
       }
     }
     if (arguments.size() != (function.operation == Operation::atan2 ? 2U : 1U)) {
-      fail(std::string(function.name) + " has another number of arguments", open);
+      fail(std::string(function.name) + " takes another number of arguments", open);
     }
     for (const Tokens& argument : arguments) {
       list.push_back(read(argument, open));

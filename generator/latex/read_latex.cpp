@@ -104,7 +104,7 @@ Expression FormulaReader::explicit_sum(const Tokens& tokens, std::size_t behind,
   Tokens bounds[2];
   for (const char* mark : {"_", "^"}) {
     if (behind >= tokens.size() || !tokens[behind].is(mark)) {
-      fail("a sum is read as \\sum_{i=1}^{4}", at);
+      fail("write a sum as \\sum_{i=1}^{4}", at);
     }
     bounds[*mark == '_' ? 0 : 1] = take_argument(tokens, ++behind);
   }
@@ -116,7 +116,7 @@ Expression FormulaReader::explicit_sum(const Tokens& tokens, std::size_t behind,
   };
   if (from.size() < 3 || from[1] != '=' || !bounds[0][0].is_letter() ||
       !is_number(from.substr(2)) || !is_number(to) || behind >= tokens.size()) {
-    fail("a sum is read as \\sum_{i=1}^{4}", at);
+    fail("write a sum as \\sum_{i=1}^{4}", at);
   }
   std::vector<std::string> values;
   for (int value = std::stoi(from.substr(2)); value <= std::stoi(to); ++value) {
@@ -191,23 +191,24 @@ void FormulaReader::expect_clear_product(const Factor& left, const Token& next, 
   }
   if (next.is_digit() || next.is(".")) {
     fail(
-        "a number stands directly behind a factor; write \\cdot, or braces around an index or "
+        "a number stands directly after a factor; write \\cdot, or braces around an index or "
         "a power of two digits",
         at_);
   }
   if (left.kind == FactorKind::number && !spaced && is_fraction_of_numbers(at_)) {
-    fail("a mixed number or a product? write \\cdot, or a sum in brackets", at_);
+    fail("this may be a mixed number or a product; write \\cdot, or a sum in brackets", at_);
   }
   const bool derivative =
       is_fraction(next) && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("\\partial");
   const bool ends_argument = derivative || find_function(at_) != nullptr;
   if (left.kind == FactorKind::bare_function && !spaced && !ends_argument) {
-    fail("does the function's argument go on here? write brackets, or \\, behind the argument",
-         at_);
+    fail("does the function's argument go on here? write brackets, or \\, after the argument", at_);
   }
   if (left.kind == FactorKind::symbol && opens(next) && !spaced && !reading_.brackets_multiply) {
-    fail("a product or a function's argument? write \\cdot, or 'brackets multiply' in the map",
-         at_);
+    fail(
+        "this may be a product or a function's argument; write \\cdot, or 'brackets multiply' in "
+        "the map",
+        at_);
   }
 }
 

@@ -75,8 +75,9 @@ std::optional<LatexMatrix> read_matrix(const Tokens& given) {
     throw FormulaError("a determinant is not read; write it out", begin->place);
   }
   if (!bracketed && !bare) {
-    throw FormulaError("a matrix can be compared alone, without factors, terms and superscripts",
-                       begin->place);
+    throw FormulaError(
+        "only a matrix by itself can be compared, without factors, terms and superscripts",
+        begin->place);
   }
   LatexMatrix matrix;
   matrix.place = begin->place;
@@ -86,13 +87,14 @@ std::optional<LatexMatrix> read_matrix(const Tokens& given) {
   for (const Tokens& row : rows_of(slice(inside, first, inside.size()))) {
     matrix.cells.push_back(cells_of(row));
     if (matrix.cells.back().size() != matrix.cells[0].size()) {
-      throw FormulaError("a row of " + std::to_string(matrix.cells.back().size()) +
-                             " entries in a matrix of " + std::to_string(matrix.cells[0].size()),
-                         row.empty() ? begin->place : row[0].place);
+      throw FormulaError(
+          "the number of entries in this row is " + std::to_string(matrix.cells.back().size()) +
+              ", and in the first row it is " + std::to_string(matrix.cells[0].size()),
+          row.empty() ? begin->place : row[0].place);
     }
   }
   if (matrix.cells.empty()) {
-    throw FormulaError("a matrix without entries", begin->place);
+    throw FormulaError("this matrix has no entries", begin->place);
   }
   if (titled) {
     matrix.column_titles.assign(matrix.cells[0].begin() + 1, matrix.cells[0].end());

@@ -20,8 +20,7 @@ std::string shape_of(const py::handle& array) {
 
 /// A whole number itself, of anything else its type.
 std::string shown(const py::handle& value) {
-  return PyLong_Check(value.ptr()) != 0 ? py::cast<std::string>(py::str(value))
-                                        : "a " + type_of(value);
+  return PyLong_Check(value.ptr()) != 0 ? py::cast<std::string>(py::str(value)) : type_of(value);
 }
 
 double number_of(const std::string& name, const py::handle& value) {
@@ -34,9 +33,13 @@ double number_of(const std::string& name, const py::handle& value) {
   }
   const double number = PyFloat_AsDouble(value.ptr());
   if (PyErr_Occurred() != nullptr) {
+    const bool is_too_large = PyErr_ExceptionMatches(PyExc_OverflowError) != 0;
     PyErr_Clear();
+    if (is_too_large) {
+      throw ShapeError(name + ": the number is too large for a double");
+    }
     throw ShapeError(
-        name + ": expected a number, not a " + type_of(value) +
+        name + ": expected a number, not " + type_of(value) +
         (PyUnicode_Check(value.ptr()) ? "; read_scene and parse_scene take expressions" : ""));
   }
   return number;
@@ -59,9 +62,9 @@ py::array_t<double> array_of(const std::string& name, const py::handle& value) {
   auto array = holds_numbers ? py::array_t<double>::ensure(given) : py::array_t<double>();
   if (!holds_numbers || !array) {
     PyErr_Clear();
-    throw ShapeError(name + ": expected an array of numbers, not " +
-                     (given ? "one of dtype " + py::cast<std::string>(py::str(given.dtype()))
-                            : "a " + type_of(value)));
+    throw ShapeError(
+        name + ": expected an array of numbers, not " +
+        (given ? "one of dtype " + py::cast<std::string>(py::str(given.dtype())) : type_of(value)));
   }
   if (array.ndim() > 1) {
     throw ShapeError(name + ": expected one dimension, not an array of shape " + shape_of(array) +
@@ -74,13 +77,13 @@ py::array_t<double> array_of(const std::string& name, const py::handle& value) {
 
 std::string utf8_of(const py::handle& value, const std::string& what) {
   if (PyUnicode_Check(value.ptr()) == 0) {
-    throw ShapeError(what + " is a text, not a " + type_of(value));
+    throw ShapeError(what + " must be a text, not " + type_of(value));
   }
   Py_ssize_t size = 0;
   const char* const text = PyUnicode_AsUTF8AndSize(value.ptr(), &size);
   if (text == nullptr) {
     PyErr_Clear();
-    throw ShapeError(what + " holds a surrogate, which is no character");
+    throw ShapeError(what + " holds a surrogate, which is not a character");
   }
   return {text, static_cast<std::size_t>(size)};
 }
@@ -98,7 +101,7 @@ std::uint64_t whole_number(const py::handle& value, const std::string& what) {
 int place_number(const py::handle& value, const std::string& what) {
   const std::uint64_t number = whole_number(value, what);
   if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-    throw ShapeError(what + ": there are not so many");
+    throw ShapeError(what + ": there are not that many");
   }
   return static_cast<int>(number);
 }
@@ -117,7 +120,7 @@ Given given(const py::object& mapping, const py::kwargs& keywords) {
   };
   if (!mapping.is_none()) {
     if (!py::hasattr(mapping, "items")) {
-      throw ShapeError("values: expected a mapping from parameters' names, not a " +
+      throw ShapeError("values: expected a mapping from parameters' names, not " +
                        type_of(mapping) + "; give {'phi': ...}, or the keyword phi=...");
     }
     for (const auto& [key, value] : py::dict(mapping)) {

@@ -34,7 +34,8 @@ struct Sampled {
 
 void expect_count(std::uint64_t count, std::size_t width) {
   if (count == 0 || count > std::vector<double>().max_size() / width) {
-    throw ShapeError("count: expected a number of samples from 1, that memory holds");
+    throw ShapeError(
+        "count: expected a whole number from 1, up to as many samples as memory holds");
   }
 }
 
@@ -112,7 +113,7 @@ py::array parameters_of_samples(const Sampled& samples) {
 std::string reason_of_sample(const Sampled& samples, const py::object& of) {
   const std::uint64_t sample = whole_number(of, "sample");
   if (sample >= samples.count) {
-    throw py::index_error("sample " + std::to_string(sample) + ": there are " +
+    throw py::index_error("sample " + std::to_string(sample) + ": the number of samples is " +
                           std::to_string(samples.count));
   }
   return samples.sampling.reason_of(sample);

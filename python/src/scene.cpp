@@ -37,7 +37,7 @@ std::string json_text_of(const py::object& scene) {
   }
   const py::cpp_function plain([](const py::object& value) -> py::object {
     if (!py::hasattr(value, "tolist")) {
-      throw ShapeError("scene: expected numbers, texts, lists and dictionaries, not a " +
+      throw ShapeError("scene: expected numbers, texts, lists and dictionaries, not " +
                        py::cast<std::string>(py::type::of(value).attr("__name__")));
     }
     return value.attr("tolist")();

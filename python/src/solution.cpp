@@ -46,8 +46,8 @@ SolvedConfiguration configuration_at(const SharedSolution& solved, py::ssize_t a
   const auto count = static_cast<py::ssize_t>(solved->rows->count());
   const py::ssize_t place = at < 0 ? at + count : at;
   if (place < 0 || place >= count) {
-    throw py::index_error("configuration " + std::to_string(at) + ": there are " +
-                          std::to_string(count));
+    throw py::index_error("configuration " + std::to_string(at) +
+                          ": the number of configurations is " + std::to_string(count));
   }
   return {{solved->rows, place}, solved, static_cast<std::size_t>(place)};
 }

@@ -90,7 +90,7 @@ class Page {
       `lengths in ${unit || "the scene's unit"}, angles in rad`;
     const tell = (obstacle, works) => {
       this.element("obstacle").textContent = obstacle && (works
-        ? `Not shown: ${obstacle}. The picture is that of the values before.`
+        ? `Not shown: ${obstacle}. The picture still shows the previous values.`
         : `This browser cannot solve the scene anew: ${obstacle}.`);
       this.element("view").classList.toggle("behind", works && obstacle !== "");
     };

@@ -19,7 +19,7 @@ TEST(BadArguments, UnknownSetting) {
 }
 TEST(BadArguments, SettingWithoutValue) {
   expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set A=3"),
-                  "--set: 'A' is a driver and no parameter; let its 'position' be a formula in a "
+                  "--set: 'A' is a driver, not a parameter; let its 'position' be a formula in a "
                   "parameter, and set that");
   expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB=50mm"),
                   "--set AB: expected an operator, found 'm' (a product is written with '*')");
@@ -74,9 +74,12 @@ TEST(BadArguments, SuggestWhatWasMeant) {
       {"solve --branch 0 " + scene, "--branch: expected a whole number from 1 on, found '0' (see"},
       {"solve --branch -1 " + scene,
        "--branch: expected a whole number from 1 on, found '-1' (see"},
-      {"emit --all --variable x --output .", "--variable: parameters are a scene's; give it with"},
-      {"emit --all --want position --output .", "--want: results are a scene's; give it with"},
-      {"emit --all --interface c --output .", "--interface: solvers of scenes have one; give it"},
+      {"emit --all --variable x --output .",
+       "--variable: only scenes have parameters; give it with"},
+      {"emit --all --want position --output .",
+       "--want: only solvers of scenes give results; give it with"},
+      {"emit --all --interface c --output .",
+       "--interface: only solvers of scenes have a C interface; give it"},
       {"draw --output a.SVG " + scene,
        "the extensions are .svg, .html, .dxf (did you mean '.svg'?)"},
       {"derive RXR", "derive: no kind 'RXR' (did you mean 'RRR'?); give a kind such as RRR or a"},
@@ -134,7 +137,8 @@ TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
   Json scene = cylinder("long");
   scene["sweep"] = {{"parameter", "long"}, {"from", 0}, {"to", 0}, {"count", 3}};
   const std::string file = directory.write("cylinder.json", scene.dump()).string();
-  expect_one_line(run_assur("solve --format csv --branch 3 " + file), "no branch 3; there are 0");
+  expect_one_line(run_assur("solve --format csv --branch 3 " + file),
+                  "there is no branch 3; the highest number is 0");
 }
 
 TEST(BadArguments, SettingThatASweepOverrides) {

@@ -107,11 +107,14 @@ TEST(BranchOption, NearestFollowsOneOfTheBranchesThatCrossAtTheFirstStep) {
 
 TEST(BranchOption, OutOfRangeIsOneLine) {
   const std::vector<std::pair<std::string, std::string>> calls = {
-      {"--format json --branch 9", "jansen_leg.json: --branch: no configuration 9; there are 8\n"},
-      {"--format csv --branch 13", "jansen_leg.json: --branch: no branch 13; there are 12\n"},
+      {"--format json --branch 9",
+       "jansen_leg.json: --branch: there is no configuration 9; the highest number is 8\n"},
+      {"--format csv --branch 13",
+       "jansen_leg.json: --branch: there is no branch 13; the highest number is 12\n"},
       {"--branch 0", "--branch: "},
       {"--branch two", "--branch"},
-      {"--set m=500 --branch 1", "--branch: no configuration 1; there are 0\n"}};
+      {"--set m=500 --branch 1",
+       "--branch: there is no configuration 1; the highest number is 0\n"}};
   for (const auto& [options, message] : calls) {
     const CommandResult result = run_assur("solve " + leg + " " + options);
     EXPECT_EQ(result.status, 2) << options;

@@ -190,7 +190,8 @@ TEST(Limits, LeaveBranchesThatAreBeyondThemThroughoutWithoutNumbers) {
   EXPECT_EQ(rows_of(first), 11);
   const CommandResult second = solved(scene, "csv --branch 2");
   EXPECT_EQ(second.status, 2);
-  EXPECT_NE(second.messages.find("no branch 2; there are 1\n"), std::string::npos)
+  EXPECT_NE(second.messages.find("there is no branch 2; the highest number is 1\n"),
+            std::string::npos)
       << second.messages;
 }
 

@@ -99,7 +99,7 @@ void CppScope::read_template(Tokens parameter) {
   } else {
     const auto value = std::find_if(parameter.begin(), parameter.end(),
                                     [](const Token& token) { return token.is("="); });
-    locals_.forget(name_of(*(value - 1)), "it is a number of the template");
+    locals_.forget(name_of(*(value - 1)), "it is a parameter of the template");
   }
 }
 
@@ -203,9 +203,9 @@ void CppScope::assign(Tokens part, Tokens statement) {
   }
   const Declared* const known = declared(name.name);
   if (known == nullptr && in_function_) {
-    throw CodeError("'" + name.name.spelled +
-                        "' is set, and what it is was not declared in this function" + by_running,
-                    name.name.place);
+    throw CodeError(
+        "'" + name.name.spelled + "' is set, but it is not declared in this function" + by_running,
+        name.name.place);
   }
   const bool whole = known != nullptr && known->name.spelled == name.name.spelled;
   if (known != nullptr && (known->shared || (known->shared_parts && !whole))) {

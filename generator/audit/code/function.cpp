@@ -75,7 +75,7 @@ class FileReader {
       ++at_;
     } else if (token.is("}")) {
       if (open_-- == 0) {
-        throw CodeError("this bracket closes none", token.place);
+        throw CodeError("this bracket closes nothing", token.place);
       }
       ++at_;
     } else if (token.is("namespace") || (token.is("extern") && at_ + 1 < tokens_.size() &&
@@ -293,7 +293,7 @@ class FileReader {
         continue;
       }
       if (!statements.empty() && statements.back()[0].is("return")) {
-        throw CodeError("nothing behind this 'return' runs" + by_running,
+        throw CodeError("nothing after this 'return' runs" + by_running,
                         statements.back()[0].place);
       }
       refuse_words(statement);

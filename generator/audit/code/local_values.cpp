@@ -111,7 +111,8 @@ void LocalValues::set(const CodeName& name, Tokens expression) {
     meaning = closures::read_formula(read.text, system_, names_);
     if (whole && GiNaC::is_a<GiNaC::numeric>(*meaning) &&
         GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(*meaning)) > largest_whole) {
-      throw CodeError("its value is larger than a whole number is sure to hold", read.text.place);
+      throw CodeError("its value is beyond 2147483647, which a whole number may not hold",
+                      read.text.place);
     }
   } catch (const closures::FormulaError& error) {
     reason = error.what();

@@ -177,7 +177,7 @@ class MatlabMatrix {
     });
     if (begun_ || !gives) {
       refuse(begun_ ? "a second function or statements before one cannot be followed"
-                    : "the function does not give " + array_,
+                    : "the function does not return " + array_,
              tokens[from]);
     }
     for (const Token& token : head.subspan(1)) {
@@ -195,7 +195,7 @@ class MatlabMatrix {
       return;
     }
     if (ended_ && !(statement.size() == 1 && statement[0].is("end"))) {
-      refuse("nothing behind this end or return runs", statement[0]);
+      refuse("nothing after this end or return runs", statement[0]);
     }
     begun_ = true;
     if (statement.size() == 1 &&

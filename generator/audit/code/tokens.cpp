@@ -230,7 +230,7 @@ std::size_t behind_closing(Tokens tokens, std::size_t open) {
       expected.emplace_back(tokens[at].is("(") ? ")" : tokens[at].is("[") ? "]" : "}");
     } else if (closes(tokens[at])) {
       if (expected.empty() || expected.back() != tokens[at].spelling) {
-        throw CodeError("this bracket closes none", tokens[at].place);
+        throw CodeError("this bracket closes nothing", tokens[at].place);
       }
       expected.pop_back();
       if (expected.empty()) {

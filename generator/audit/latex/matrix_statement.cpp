@@ -12,7 +12,8 @@ using generator::latex::Token;
 
 PrintedMatrix frame_of_titles(const PaperFormulas& formulas, const LatexMatrix& matrix) {
   if (matrix.row_titles.empty()) {
-    throw FormulaError("the matrix has no titles that are ruled off", matrix.place);
+    throw FormulaError("the matrix has no titles that rules separate from its entries",
+                       matrix.place);
   }
   PrintedMatrix frame;
   const auto name_of = [&](const Tokens& title) {
@@ -29,7 +30,7 @@ PrintedMatrix frame_of_titles(const PaperFormulas& formulas, const LatexMatrix& 
   for (const Tokens& title : matrix.column_titles) {
     frame.columns.push_back(name_of(title));
     if (formulas.map().system().symbol_named(frame.columns.back()) == nullptr) {
-      throw FormulaError("'" + frame.columns.back() + "' is nothing to differentiate by",
+      throw FormulaError("'" + frame.columns.back() + "' is not a symbol to differentiate by",
                          title[0].place);
     }
   }

@@ -69,7 +69,8 @@ ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& 
       return end;
     }
   }
-  throw ProgramError("'" + tools.front() + "' cannot be started here, so nothing was run");
+  throw ProgramError("'" + tools.front() +
+                     "' cannot be started here, so nothing was run; install it");
 }
 
 [[noreturn]] void fail_on_entry(const MatrixSize& size) {
@@ -81,7 +82,8 @@ ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& 
 void compile(const UserProgram& program, const MatrixSize& size, const WorkDirectory& work,
              const Driver& driver, const RunLimits& limits) {
   if (program.file.string().find_first_of("\"\\\n") != std::string::npos) {
-    throw ProgramError("no #include can name a path with a quotation mark or a backslash; move it");
+    throw ProgramError(
+        "no #include can name a path with a quotation mark or a backslash; move the file");
   }
   const bool cpp = program.language == Language::cpp;
   std::vector<std::string> arguments = {cpp ? "-std=c++20" : "-std=gnu11"};

@@ -230,7 +230,8 @@ void expect_listable(const mechanism::Plan& plan) {
   if (plan.structure().groups.size() > most_groups) {
     throw mechanism::MechanismError("", "there are " +
                                             std::to_string(plan.structure().groups.size()) +
-                                            " groups, and an emitted solver has 64 at most");
+                                            " groups, and an emitted solver has 64 at most; "
+                                            "'report' less of the mechanism, or emit parts of it");
   }
 }
 

@@ -128,7 +128,7 @@ const mechanism::GroupGeometry<SceneNumber>& normal_group(const SolverScene& sol
   if (!solver.group(group).model->rigid) {
     throw mechanism::MechanismError(
         part,
-        "the group is degenerate, prismatic joints over-determine its angles, so it has no "
+        "the group is degenerate: prismatic joints over-determine its angles, so it has no "
         "solver");
   }
   const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);

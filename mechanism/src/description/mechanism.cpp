@@ -15,7 +15,7 @@ constexpr std::size_t most_links = 1000;
 
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
   if (is_known) {
-    throw MechanismError(part, "the name " + in_quotes(name) + " is taken");
+    throw MechanismError(part, "the name " + in_quotes(name) + " is taken; choose another one");
   }
 }
 
@@ -56,7 +56,9 @@ JointIndex Mechanism::joint_named(const std::string& name, const std::string& pa
   }
   if (joints_[joint].between.size() != 2) {
     throw MechanismError(
-        part, "the joint " + in_quotes(name) + " joins more than two links and has no coordinate");
+        part,
+        "the joint " + in_quotes(name) +
+            " joins more than two links and has no coordinate; give each link a pin of its own");
   }
   return joint;
 }
@@ -69,7 +71,7 @@ Formula Mechanism::formula(const std::string& text, const std::string& part, Rea
              [&](const std::string& name) {
                if (reads == Reads::parameters) {
                  throw MechanismError(
-                     part, "joint(" + name + ") may stand in the position of a " + "driver alone");
+                     part, "joint(" + name + ") may stand only in the position of a driver");
                }
                return joint_named(name, part);
              }}};
@@ -97,11 +99,15 @@ void Mechanism::put_number(const Given& given, const std::string& part, NumberIn
 
 void Mechanism::expect_new_parameter(const std::string& name) const {
   if (!text::is_identifier(name)) {
-    throw MechanismError("parameters",
-                         in_quotes(name) + " is not a name (letters, digits, underscores)");
+    throw MechanismError(
+        "parameters",
+        in_quotes(name) +
+            " is not a name; use letters, digits and underscores, but no digit first");
   }
   if (text::is_reserved_name(name)) {
-    throw MechanismError("parameters", in_quotes(name) + " is the name of a function or constant");
+    throw MechanismError(
+        "parameters",
+        in_quotes(name) + " is the name of a function or constant; choose another one");
   }
   description::expect_new(parameter_of_name_.contains(name), name, "parameters");
 }
@@ -176,7 +182,8 @@ Feature Mechanism::new_feature(const std::string& name, const std::string& part)
   Feature feature = on_link(name, part);
   for (const FeatureIndex other : links_[feature.link].features) {
     if (features_[other].name == feature.name) {
-      throw MechanismError(part, "the name " + in_quotes(feature.name) + " is taken");
+      throw MechanismError(part,
+                           "the name " + in_quotes(feature.name) + " is taken; choose another one");
     }
   }
   return feature;
@@ -295,7 +302,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
   }
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {
-      throw MechanismError(part, "the joint has a driver already");
+      throw MechanismError(part, "the joint has a driver already; give it only one");
     }
   }
   Number law = number(position, part + ".position", Reads::joints);

@@ -46,7 +46,7 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   const std::size_t count = chosen.solution.configurations.size();
   if (count == 0) {
     if (chosen.solution.status == SolutionStatus::ok) {
-      throw MechanismError("", "no configuration " + std::to_string(choice.configuration));
+      throw MechanismError("", "there is no configuration " + std::to_string(choice.configuration));
     }
     refuse(plan, values, chosen.solution);
   }
@@ -56,8 +56,8 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   if (choice.configuration > 0) {
     const auto place = static_cast<std::size_t>(choice.configuration) - 1;
     if (place >= count) {
-      throw MechanismError("", "no configuration " + std::to_string(choice.configuration) +
-                                   "; there are " + std::to_string(count));
+      throw MechanismError("", "there is no configuration " + std::to_string(choice.configuration) +
+                                   "; the highest number is " + std::to_string(count));
     }
     chosen.drawn = {{choice.configuration, place}};
     return chosen;

@@ -25,7 +25,8 @@ const FilmedBranch& branch_of(const Film& film, int number) {
       return branch;
     }
   }
-  throw MechanismError("", "no branch " + std::to_string(number) + "; there are " +
+  throw MechanismError("", "there is no branch " + std::to_string(number) +
+                               "; the highest number is " +
                                std::to_string(film.branches.size() + film.left_out));
 }
 

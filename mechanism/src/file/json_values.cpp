@@ -45,7 +45,7 @@ SceneJson parsed(const std::string& text) {
     std::replace_if(
         what.begin(), what.end(),
         [](char letter) { return static_cast<unsigned char>(letter) < 0x20; }, ' ');
-    throw MechanismError("", "not JSON: " + what);
+    throw MechanismError("", "the text is not JSON: " + what);
   }
 }
 

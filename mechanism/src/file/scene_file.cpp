@@ -81,7 +81,7 @@ class SceneReader {
                            root_["drivers"].contains(name);
     if (is_driver && !index_of(mechanism_.parameters(), name).exists()) {
       throw MechanismError("--set", in_quotes(name) +
-                                        " is a driver and no parameter; let its 'position' be a "
+                                        " is a driver, not a parameter; let its 'position' be a "
                                         "formula in a parameter, and set that");
     }
   }

@@ -39,7 +39,8 @@ class BranchFollower {
       observer_.progress(step + 1);
     }
     if (current_ == nullptr) {
-      throw MechanismError("sweep", "no step has a configuration to begin with");
+      throw MechanismError(
+          "sweep", "there is no configuration at any step, so there is no branch to follow");
     }
     return std::nullopt;
   }

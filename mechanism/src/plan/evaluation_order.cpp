@@ -46,7 +46,7 @@ class OrderFinder {
       }
       const Parameter& entry = mechanism_.parameters()[parameter];
       if (!entry.value.exists()) {
-        throw MechanismError("parameters." + entry.name, "the parameter has no value");
+        throw MechanismError("parameters." + entry.name, "the parameter has no value; give it one");
       }
       marks_[parameter] = Mark::open;
       bool waits = false;

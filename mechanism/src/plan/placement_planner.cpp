@@ -30,7 +30,9 @@ class PlacementPlanner {
   Structure run() {
     (void)laws_in_order(mechanism_);  // what follows walks through laws that have an order
     if (!structure_.linkage.ground.exists()) {
-      throw MechanismError("links", "no link is named 'ground', so nothing holds the mechanism");
+      throw MechanismError("links",
+                           "no link is named 'ground', so nothing holds the mechanism; give the "
+                           "fixed link this name");
     }
     tie_driven_links();
     find_groups();

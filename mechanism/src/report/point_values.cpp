@@ -9,8 +9,8 @@ namespace {
 void expect_derivatives(const Point& point, const Spread& spread) {
   if (point.follows.first.cols() != spread.tolerances.size()) {
     throw MechanismError("",
-                         "the point has no derivative for every parameter: sensitivities are "
-                         "not wanted");
+                         "the point has no derivatives with respect to the parameters; let the "
+                         "request want sensitivities");
   }
 }
 
@@ -33,7 +33,7 @@ Eigen::Vector2d root_sum_square(const Point& point, const Spread& spread) {
 PointSpread spread_of(const Point& point, const Spread& spread) {
   report::expect_derivatives(point, spread);
   if (!point.follows.has_second() || spread.covariance.size() == 0) {
-    throw MechanismError("", "the point has no second derivatives: no covariance is wanted");
+    throw MechanismError("", "the point has no second derivatives; give the request a covariance");
   }
   const auto& sensitivity = point.follows.first;
   const Eigen::Matrix2d product = sensitivity * spread.covariance * sensitivity.transpose();

@@ -42,10 +42,10 @@ std::string reason_of_model(const Values& values, GroupIndex group, const std::s
 
 std::string reason_of_freedom(const Values& values, GroupIndex group) {
   if (!values.plan().structure.groups[group].model->rigid) {
-    return reason_of_model(values, group, "they are compatible here, and the group moves");
+    return reason_of_model(values, group, "these angles are compatible here, and the group moves");
   }
   return "the closure of the joints " + text::listed(joint_names(values, group, false)) +
-         " leaves an angle or a displacement free: infinitely many positions";
+         " leaves an angle or a displacement free, so there are infinitely many positions";
 }
 
 std::string reason_of_doubt(const Values& values, GroupIndex group) {
@@ -56,7 +56,7 @@ std::string reason_of_doubt(const Values& values, GroupIndex group) {
 
 std::string reason_of_conflict(const Values& values, GroupIndex group) {
   return reason_of_model(values, group,
-                         "they are not compatible here, and the group cannot be assembled");
+                         "these angles are not compatible here, and the group cannot be assembled");
 }
 
 }  // namespace assur::mechanism::solve

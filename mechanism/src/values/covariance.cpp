@@ -88,7 +88,7 @@ Eigen::MatrixXd covariance_matrix(const Covariance& given, const Values& values,
   if (!is_semi_definite(related, static_cast<double>(size) * entry_rounding)) {
     throw MechanismError("covariance.matrix",
                          "no parameters can vary like this: the matrix is not positive "
-                         "semi-definite, for that of correlations has the eigenvalue " +
+                         "semi-definite, since the matrix of correlations has the eigenvalue " +
                              shown(smallest_eigenvalue(related)));
   }
   const auto count = static_cast<Eigen::Index>(parameter_count);

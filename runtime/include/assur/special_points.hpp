@@ -32,7 +32,7 @@ class SpecialPointSystem {
   static constexpr int points = Model::closure_link_count;
   static constexpr int sides = 2 * points;
   static constexpr int size = Model::unknown_count;
-  static_assert(sides == size, "two equations a closure link");
+  static_assert(sides == size, "there are two equations per closure link");
 
   /// status(): ok, near_singular (the rates may keep fewer than six digits), singular,
   /// point_at_infinity (|n_1 x n_2| <= 4 epsilon, or a side has no line, or the point is so far

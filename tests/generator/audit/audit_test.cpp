@@ -60,7 +60,7 @@ TEST(Audit, ADifferenceIsShownAtAPointThatCanBeChecked) {
   const Finding finding =
       only_finding(slider_crank + "printed matrix J of f1 by phi\n  -2*r*sin(phi)\n");
   ASSERT_EQ(finding.comparison.verdict, Verdict::differs);
-  // The text tells r, cos and sin of phi, and printed less derived: -r sin(phi).
+  // The text tells r, cos and sin of phi, and printed minus derived: -r sin(phi).
   long r_above = 0;
   long r_below = 1;
   long s_above = 0;
@@ -230,7 +230,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"FormulaOfALet", "let a = 2 + b*3\n", "f.audit:1:13: no symbol named 'b'"},
         Fault{"UnfinishedLet", "let a = (2\n", "f.audit:1:11: expected ')'"},
         Fault{"EmptyLet", "let a =\n", "f.audit:1:8: a formula is missing"},
-        Fault{"Indented", "  length a\n", "f.audit:1:3: an indented line continues no statement"},
+        Fault{"Indented", "  length a\n", "f.audit:1:3: this indented line continues no statement"},
         Fault{"VectorOfNumbers", "length a\nloop x y = a\n",
               "f.audit:2:12: expected a sum of point(x, y) and polar(length, angle)"},
         Fault{"Rows", "length a\nclosure f = a\nprinted matrix J of f by a\n",
@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoKind", "model RRR-RRX\n",
               "f.audit:1:7: no group has a kind 'RRR-RRX'; a tetrad's is spelled like RRP-RRR"},
         Fault{"NoGroup", "printed kinds T of tertad\n",
-              "f.audit:1:20: no group named 'tertad'; there are dyad, triad and tetrad"},
+              "f.audit:1:20: no group named 'tertad'; the groups are dyad, triad and tetrad"},
         Fault{"NoRow", "printed kinds T of tetrad\n  25 : RRR-RRR\n",
               "f.audit:2:3: expected the number of a model, 1 to 24, found '25'"},
         Fault{"NoNumber", "given a = b\n", "f.audit:1:11: expected a number, found 'b'"},

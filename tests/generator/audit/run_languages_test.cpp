@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"OctaveCell", "f.m", "function J = f(l, theta)\nJ = {1, 2; 3, 4};\nend\n", CALL, 2,
                  "f.m cannot be audited: ended with "},
          Program{"OctaveText", "f.m", "function J = f(l, theta)\nJ = ['ab'; 'cd'];\nend\n", CALL, 2,
-                 "ended with a result that is no matrix of numbers"},
+                 "ended with a result that is not a matrix of numbers"},
          Program{"OctaveThirdDimension", "f.m",
                  "function J = f(l, theta)\nJ = [-l*sin(theta), -1; l*cos(theta), 0];\n"
                  "J(:, :, 2) = 1;\nend\n",

@@ -101,7 +101,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"Degrees", "a.cpp",
                  CPP("theta *= 3.14159265358979323846/180; return {{-l*sin(theta), -1}, "
                      "{l*cos(theta), 0}};"),
-                 CALL, 1, "theta is taken as degrees where it is radians"},
+                 CALL, 1, "theta is taken to be in degrees where it is in radians"},
          Program{"WrongRow", "a.cpp", CPP("return {{l*cos(theta), 0}, {l*cos(theta), 0}};"), CALL,
                  1, "row 1 is what row 2 should be"},
          Program{"Transposed", "a.cpp", CPP("return {{-l*sin(theta), l*cos(theta)}, {-1, 0}};"),
@@ -214,7 +214,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"NoSuchFunction", "a.cpp", CPP("return {};"), FRAME "  result g(l)", 2,
                  "'g' was not declared in this scope"},
          Program{"NoCompiler", "a.cpp", CPP("return {};"), CALL "\n  compiler no-such-compiler", 2,
-                 "'no-such-compiler' cannot be started here, so nothing was run"},
+                 "'no-such-compiler' cannot be started here, so nothing was run; install it"},
          Program{"UnknownRow", "a.cpp", "", FRAME "  reslt f(l)", 2,
                  "mine.audit:7:3: no row 'reslt' (did you mean 'result'?)"},
          Program{"NoResult", "a.cpp", "", FRAME "  points 5", 2, "say what is called"},

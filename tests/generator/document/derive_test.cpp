@@ -7,6 +7,7 @@
 #include <array>
 #include <assur/text/expression.hpp>
 #include <cmath>
+#include <complex>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -222,6 +223,81 @@ void expect_formulas(const Json& step, const Json& elimination, Values values) {
   }
 }
 
+/// The values at the assembled group of the series that a resultant is written in, by name.
+std::map<std::string, std::complex<double>> series_values(const Json& step, const Json& elimination,
+                                                          const Values& values) {
+  const double unknown = values.at(elimination["unknown"].get<std::string>());
+  std::map<std::string, std::complex<double>> result;
+  for (const Json& series : step["series"]) {
+    const std::complex<double> base =
+        series["base"] == "w" ? std::polar(1.0, unknown) : std::complex<double>(unknown);
+    std::complex<double>& value = result[series["name"].get<std::string>()];
+    for (const Json& term : series["terms"]) {
+      value += std::complex(value_of(term["re"], values), value_of(term["im"], values)) *
+               std::pow(base, term["power"].get<int>());
+    }
+  }
+  return result;
+}
+
+/// The two equations whose resultant is taken hold at its root, and the series are what their
+/// formulas say. The only series of a single equation vanishes. Returns whether there are series.
+bool expect_series(const Json& step, const Json& elimination, const Values& values) {
+  if (step["series"].empty()) {
+    return false;
+  }
+  const auto series = series_values(step, elimination, values);
+  double size = 1;
+  for (const auto& [name, value] : series) {
+    size += std::norm(value);
+  }
+  if (step["eliminated"].empty()) {
+    EXPECT_EQ(series.size(), 1U);
+    EXPECT_LE(std::abs(series.at("T")), tolerance * size) << step;
+    return true;
+  }
+  const std::string name = step["eliminated"][0];
+  const double root = values.at(name);
+  if (series.contains("P1")) {
+    const std::complex<double> p1 = series.at("P1");
+    const std::complex<double> p2 = series.at("P2");
+    const std::complex<double> c1 = series.at("C1");
+    const std::complex<double> c2 = series.at("C2");
+    EXPECT_NEAR((p1 * std::polar(1.0, root)).real() + c1.real(), 0, tolerance * size) << step;
+    EXPECT_NEAR((p2 * std::polar(1.0, root)).real() + c2.real(), 0, tolerance * size) << step;
+    EXPECT_LE(std::abs(series.at("U") - (p1 * c2 - p2 * c1)), tolerance * size) << step;
+    EXPECT_LE(std::abs(series.at("V") - std::imag(p1 * std::conj(p2))), tolerance * size) << step;
+    EXPECT_NEAR(std::norm(series.at("U")) - std::norm(series.at("V")), 0, tolerance * size * size)
+        << step;
+    return true;
+  }
+  Values reals;
+  for (const auto& [letter, value] : series) {
+    EXPECT_NEAR(value.imag(), 0, tolerance * size) << letter;
+    reals[letter] = value.real();
+  }
+  for (const std::string equation : {"a*z^2 + b*z + c", "d*z^2 + e*z + f"}) {
+    reals["z"] = root;
+    EXPECT_NEAR(value_of(equation, reals), 0, tolerance * size) << step;
+  }
+  for (const Json& one : step["series"]) {
+    const std::string formula = one["formula"];
+    if (formula.size() > 2) {
+      EXPECT_NEAR(value_of(formula, reals), reals.at(one["name"]), tolerance * size) << one;
+    }
+  }
+  const std::string resultant = step["formulas"][0];
+  const std::string back = step["formulas"][1];
+  EXPECT_TRUE(resultant.starts_with("T = ") && resultant.ends_with(" = 0")) << resultant;
+  EXPECT_TRUE(back.starts_with(name + " = ")) << back;
+  EXPECT_NEAR(value_of(resultant.substr(4, resultant.size() - 8), reals), 0,
+              tolerance * size * size)
+      << step;
+  EXPECT_NEAR(value_of(back.substr(name.size() + 3), reals), root, 1e-6 * (1 + std::abs(root)))
+      << step;
+  return true;
+}
+
 /// Steps lead to quantities that vanish, and every unknown is eliminated but the polynomial's.
 TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
   if constexpr (TypeParam::rigid) {
@@ -230,6 +306,7 @@ TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
     const Json& elimination = derivation["elimination"];
     std::set<std::string> eliminated = {elimination["unknown"].get<std::string>()};
     int vanishing = 0;
+    int steps_with_series = 0;
     double half_angle_sum = 0;
     for (const Json& step : elimination["steps"]) {
       define(step["quantities"], at.values);
@@ -246,11 +323,13 @@ TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
         }
       }
       expect_formulas(step, elimination, at.values);
+      steps_with_series += expect_series(step, elimination, at.values) ? 1 : 0;
       for (const Json& name : step["eliminated"]) {
         EXPECT_TRUE(eliminated.insert(name.get<std::string>()).second) << name;
       }
     }
     EXPECT_GE(vanishing, TypeParam::group == std::string("dyad") ? 0 : 1);
+    EXPECT_EQ(steps_with_series, 1);
     EXPECT_EQ(eliminated.size(), static_cast<std::size_t>(TypeParam::unknown_count));
     const auto [here, moved] = polynomial_values(elimination, at.values);
     EXPECT_LE(std::abs(here), tolerance * std::abs(moved));

@@ -43,13 +43,14 @@ TEST_P(Refusals, HaveTheirPlaceAndReason) {
 }
 
 const char* const argument =
-    "does the function's argument go on here? write brackets, or \\, behind the argument";
+    "does the function's argument go on here? write brackets, or \\, after the argument";
 const char* const number =
-    "a number stands directly behind a factor; write \\cdot, or braces around an index or a power "
+    "a number stands directly after a factor; write \\cdot, or braces around an index or a power "
     "of two digits";
 const char* const below = "what is below the '/' is not clear; write \\frac or brackets";
 const char* const call =
-    "a product or a function's argument? write \\cdot, or 'brackets multiply' in the map";
+    "this may be a product or a function's argument; write \\cdot, or 'brackets multiply' in the "
+    "map";
 
 const std::vector<Refusal> refusals = {
     {"\\sin 2\\theta a = b", 14, argument},
@@ -67,7 +68,7 @@ const std::vector<Refusal> refusals = {
     {"\\sin{\\theta + \\phi} = b", 5, "the function's argument is not clear; write brackets"},
     {"\\sin -\\theta = b", 1, "the function has no argument"},
     {"\\sin = b", 1, "the function has no argument"},
-    {"\\sin(\\theta, \\phi) = b", 5, "sin has another number of arguments"},
+    {"\\sin(\\theta, \\phi) = b", 5, "sin takes another number of arguments"},
     {"a/bc = c", 4, below},
     {"a/b/c = c", 4, below},
     {"a/b\\cdot c = c", 4, below},
@@ -79,9 +80,11 @@ const std::vector<Refusal> refusals = {
     {"a^12 = c", 4, number},
     {"\\frac12 3 = c", 9, number},
     {"a2 = c", 2, number},
-    {"2\\frac12 a = c", 2, "a mixed number or a product? write \\cdot, or a sum in brackets"},
+    {"2\\frac12 a = c", 2,
+     "this may be a mixed number or a product; write \\cdot, or a sum in brackets"},
     {"a^{(1)} = a", 1,
-     "an index or a power? say in the map what this is, or write the power without brackets"},
+     "this may be an index or a power; say in the map what it is, or write the power without "
+     "brackets"},
     {"ab = c", 1,
      "'ab' is a quantity, and may be a product here; set it as \\mathit{...} or say in the map "
      "what "
@@ -108,23 +111,25 @@ const std::vector<Refusal> refusals = {
     {"a_1_2 = c", 4, "this has two indices; write them as one"},
     {"\\sqrt[3]{a} = c", 1, "only square roots can be compared"},
     {"2,5 a = c", 2, "',' is not expected here"},
-    {"5. a = c", 2, "a digit is missing behind the point"},
+    {"5. a = c", 2, "a digit is missing after the point"},
     {"\\frac{\\partial^2 a}{\\partial b} = c", 1, "second partial derivatives are not read"},
     {"\\frac{\\partial a}{\\partial c} = b", 1,
      "D differentiates by a parameter, and 'c' is an unknown"},
-    {"\\frac{d a}{d b} = c", 1, "only derivatives by the time t are read so"},
+    {"\\frac{d a}{d b} = c", 1, "only derivatives by the time t are read in this form"},
     {"\\dot{a b} = c", 1, "dots stand above a single symbol"},
     {"\\dot{\\ddot{a}} = c", 1, "more than two dots are not read"},
-    {"\\sum_{i}^{3} a_i = c", 1, "a sum is read as \\sum_{i=1}^{4}"},
+    {"\\sum_{i}^{3} a_i = c", 1, "write a sum as \\sum_{i=1}^{4}"},
     {"a = w", 5, "the paper does not define 'w' in a way that can be read"},
     {"J = \\begin{vmatrix} 1 & 0 \\end{vmatrix}", 5, "a determinant is not read; write it out"},
     {"J = 2\\begin{pmatrix} 1 & 0 \\end{pmatrix}", 6,
-     "a matrix can be compared alone, without factors, terms and superscripts"},
+     "only a matrix by itself can be compared, without factors, terms and superscripts"},
     {"J = \\begin{pmatrix} 1 & 0 & 0 \\end{pmatrix}", 5,
      "the map says 1 by 2 entries, and these are 1 by 3"},
-    {"J = \\begin{pmatrix} 1 & 0 \\\\ 0 \\end{pmatrix}", 30, "a row of 1 entries in a matrix of 2"},
+    {"J = \\begin{pmatrix} 1 & 0 \\\\ 0 \\end{pmatrix}", 30,
+     "the number of entries in this row is 1, and in the first row it is 2"},
     {"J = a", 5, "a matrix is expected here"},
-    {"K = \\begin{pmatrix} 1 & 0 \\end{pmatrix}", 5, "the matrix has no titles that are ruled off"},
+    {"K = \\begin{pmatrix} 1 & 0 \\end{pmatrix}", 5,
+     "the matrix has no titles that rules separate from its entries"},
     {"a = \\begin{pmatrix} 1 & 0 \\end{pmatrix}", 5, "a matrix stands where a number is expected"},
     {"M = M^{\\mathrm{T}}", 8, "no quantity is known as 'T'"}};
 

@@ -175,18 +175,18 @@ INSTANTIATE_TEST_SUITE_P(
               },
               "joints.E.between: link 'crank' occurs twice in one joint"},
         Fault{"LinkTwice", [](Mechanism& made) { made.add_link("crank"); },
-              "links: the name 'crank' is taken"},
+              "links: the name 'crank' is taken; choose another one"},
         Fault{"LinkWithADot", [](Mechanism& made) { made.add_link("a.b"); },
               "links: 'a.b' is not a name: it is empty or has a dot"},
         Fault{"FeatureTwice", [](Mechanism& made) { made.add_point("crank.A", 1, 2); },
-              "links.crank.A: the name 'A' is taken"},
+              "links.crank.A: the name 'A' is taken; choose another one"},
         Fault{"JointTwice",
               [](Mechanism& made) {
                 made.add_joint("A", JointType::revolute, {"ground.A", "coupler.B"});
               },
-              "joints: the name 'A' is taken"},
+              "joints: the name 'A' is taken; choose another one"},
         Fault{"OutputTwice", [](Mechanism& made) { made.add_output("P", "coupler.B"); },
-              "outputs: the name 'P' is taken"},
+              "outputs: the name 'P' is taken; choose another one"},
         Fault{"OutputOfALine",
               [](Mechanism& made) {
                 made.add_line("coupler.axis", 0, 0, 1, 0);
@@ -198,13 +198,13 @@ INSTANTIATE_TEST_SUITE_P(
               "links.coupler.axis.along: [0, 0] has no direction; at least one of the numbers must "
               "not be zero"},
         Fault{"ParameterTwice", [](Mechanism& made) { made.add_parameter("phi", 1); },
-              "parameters: the name 'phi' is taken"},
+              "parameters: the name 'phi' is taken; choose another one"},
         Fault{"ParameterOfAFunctionsName", [](Mechanism& made) { made.add_parameter("sin", 1); },
-              "parameters: 'sin' is the name of a function or constant"},
+              "parameters: 'sin' is the name of a function or constant; choose another one"},
         Fault{"DriverOfAnUnknownJoint", [](Mechanism& made) { made.add_driver("crank", "phi"); },
               "drivers: no joint named 'crank'"},
         Fault{"DriverTwice", [](Mechanism& made) { made.add_driver("A", "phi"); },
-              "drivers.A: the joint has a driver already"},
+              "drivers.A: the joint has a driver already; give it only one"},
         Fault{"UnknownParameter", [](Mechanism& made) { made.add_point("crank.Q", "2*crnk", 0); },
               "links.crank.Q[0]: no parameter named 'crnk' (did you mean 'crank'?)"},
         Fault{"NoExpression", [](Mechanism& made) { made.add_point("crank.Q", 0, "2*"); },
@@ -228,7 +228,8 @@ TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
 TEST(MechanismBuilder, AParameterWithoutAValueIsNamed) {
   Mechanism made = four_bar();
   made.declare_parameter("later");
-  EXPECT_EQ(message_of([&] { (void)Plan(made); }), "parameters.later: the parameter has no value");
+  EXPECT_EQ(message_of([&] { (void)Plan(made); }),
+            "parameters.later: the parameter has no value; give it one");
 }
 
 mechanism::Mechanism turning_bar() {

@@ -63,11 +63,11 @@ TEST(Laws, ThatReadWhatIsNoCoordinateAreNamed) {
   scene["drivers"]["E"]["position"] = "joint(C)";
   EXPECT_EQ(message_of(scene),
             "scene: drivers.E.position: the joint 'C' joins more than two links and has no "
-            "coordinate");
+            "coordinate; give each link a pin of its own");
 }
 
 TEST(Laws, ThatDoNotStandInAPositionAreNamed) {
-  const std::string alone = ": joint(D) may stand in the position of a driver alone";
+  const std::string alone = ": joint(D) may stand only in the position of a driver";
   Json scene = robot();
   scene["drivers"]["E"]["velocity"] = "joint(D)";
   EXPECT_EQ(message_of(scene), "scene: drivers.E.velocity" + alone);
@@ -128,8 +128,8 @@ TEST(Joints, BetweenLinksThatDriversTieTogetherAreNamed) {
       "can still move; drive one of its joints, or add a joint; without constraints of G the "
       "mechanism cannot be assembled either: group 2 (dyad RRP: hand, G of arm): the joints G, G "
       "of arm fail to close by 0.148 at least, in 2 of 2 configurations of group 1 (the gap is "
-      "least with coupler at -57.8 deg, arm at -40.6 deg); link hand: its features at the joints G "
-      "of arm, G coincide");
+      "least with coupler at -57.8 deg, arm at -40.6 deg); the features of the link "
+      "hand at the joints G of arm, G coincide");
 }
 
 TEST(Joints, WithBothEndsOnOneLinkAreNamed) {
@@ -160,7 +160,7 @@ TEST(Limits, ThatAreNoneAreNamed) {
   scene["joints"]["C"]["limits"] = {0, 1};
   EXPECT_EQ(message_of(scene),
             "scene: joints.C.limits: the joint 'C' joins more than two links and has no "
-            "coordinate");
+            "coordinate; give each link a pin of its own");
 }
 
 TEST(References, ThatAreNoneAreNamed) {

@@ -91,7 +91,7 @@ def test_shapes(plan):
     assert isinstance(solution[0].regular, bool) and isinstance(solution[0].residual, float)
     assert solution.outputs["P"].position.dtype == np.float64
     assert [one.number for one in solution] == [1, 2]
-    with pytest.raises(IndexError, match="there are 2"):
+    with pytest.raises(IndexError, match="the number of configurations is 2"):
         solution[2]
 
 

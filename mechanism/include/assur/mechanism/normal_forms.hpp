@@ -137,8 +137,8 @@ class NormalForms {
                    feature.y.value() == features[0].y.value();
           });
       if (is_a_point) {
-        return "link " + structure_.linkage.links[roles_.links[link]] +
-               ": its features at the joints " + text::listed(joint_names(link)) + " coincide";
+        return "the features of the link " + structure_.linkage.links[roles_.links[link]] +
+               " at the joints " + text::listed(joint_names(link)) + " coincide";
       }
     }
     return "";
@@ -209,8 +209,8 @@ class NormalForms {
          normal_form(features, static_cast<int>(joints.size()), forms_[link]) == Status::ok);
     is_done_[link] = true;
     if (!brought) {
-      obstacle_ = "link " + structure_.linkage.links[roles_.links[link]] +
-                  ": its lines at the joints " + text::listed(joint_names(link)) + " are parallel";
+      obstacle_ = "the lines of the link " + structure_.linkage.links[roles_.links[link]] +
+                  " at the joints " + text::listed(joint_names(link)) + " are parallel";
     }
     return brought;
   }

@@ -40,7 +40,7 @@ class Search {
   static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
   /// A set of groups has a bit for each.
   using Set = std::uint64_t;
-  static_assert(group_count <= 64, "a set of groups is a word");
+  static_assert(group_count <= 64, "a set of groups fits into a word of 64 bits");
 
  public:
   using States = std::array<State, capacity>;

@@ -43,7 +43,7 @@ class GeneralBlock {
 
  public:
   static constexpr std::size_t capacity = 32;
-  static_assert(capacity % Lanes == 0, "a block is full of packs");
+  static_assert(capacity % Lanes == 0, "a block holds a whole number of packs");
 
   /// Searches so many groups from `first` on, as many as fill packs.
   void solve(const Columns<const Dimensions<double>>& dimensions,
