@@ -225,6 +225,13 @@ def syntax_commands(build, targets):
     return commands
 
 
+def write_headers(build, targets):
+    """Writes the headers that are made while targets are built, since checks of syntax read them."""
+    subprocess.run(["ninja", "-C", str(build)] +
+                   ["cmake_object_order_depends_target_" + target for target in targets],
+                   check=True, stdout=subprocess.DEVNULL)
+
+
 def without_errors(mutants, originals, build, targets, jobs):
     """The mutants that compile. The others are found by the lines of the compiler's errors."""
     commands = syntax_commands(build, targets)
@@ -344,6 +351,7 @@ def judge(options, build, patterns, calls):
         planted_count = len(mutants)
         subprocess.run(["cmake", "-B", str(build), f"-DCMAKE_CXX_FLAGS=-include {switch}"],
                        check=True, stdout=subprocess.DEVNULL, cwd=SOURCE)
+        write_headers(build, targets)
         mutants = without_errors(mutants, originals, build, targets, options.jobs)
         subprocess.run(["cmake", "--build", str(build), "--target", *targets, "-j",
                         str(options.jobs)], check=True, stdout=subprocess.DEVNULL)
