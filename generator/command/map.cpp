@@ -75,7 +75,8 @@ std::vector<mechanism::GridAxis> grid_axes(const std::vector<WrittenAxis>& writt
 }
 
 void tell_refused_cells(const campaign::GridSummary& summary) {
-  const auto refused = std::ranges::count_if(summary.cells(), &campaign::Cell::refused);
+  const auto refused =
+      static_cast<std::uint64_t>(std::ranges::count_if(summary.cells(), &campaign::Cell::refused));
   if (refused == 0) {
     return;
   }

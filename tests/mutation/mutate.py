@@ -47,11 +47,15 @@ SUBJECTS = {
     "runtime": (
         ["runtime/include/assur/*.hpp", "runtime/include/assur/detail/*.hpp",
          "runtime/include/assur/detail/batch/*.hpp", "runtime/include/assur/numeric/*.hpp"],
-        [(name, "tests/runtime/" + name, ["--gtest_brief=1"])
-         for name in ("trigonometric_roots_test", "special_points_test", "status_tests",
-                      "body_motion_tests", "closed_search_test", "matrix4_test", "batch_test",
-                      "batch_kinematics_test", "invariance_test", "configurations_test",
-                      "verdicts_test", "float_groups_test")]),
+        [(name, "tests/" + folder + "/" + name, ["--gtest_brief=1"])
+         for folder, names in (
+             ("runtime", ("trigonometric_roots_test", "special_points_test", "status_tests",
+                          "body_motion_tests", "closed_search_test", "matrix4_test", "batch_test",
+                          "batch_kinematics_test", "invariance_test", "configurations_test",
+                          "verdicts_test", "float_groups_test", "stability_tests")),
+             ("mechanism", ("regularity_test", "chain_regularity_test", "mechanism_tests",
+                            "sweep_and_lattice_tests", "named_mechanism_tests")))
+         for name in names]),
 }
 
 BINARY = {"+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "+=": ["-="], "-=": ["+="],

@@ -16,8 +16,9 @@ struct LibraryForEigenAlignment {
 template <>
 const bool LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
 
-/// Refers to it from every file that includes a header of the library.
-inline const bool eigen_alignments_agree =
+/// Refers to it from every file that includes a header of the library. Some compilers would leave
+/// out a variable that nothing uses, and with it the reference.
+[[gnu::used]] inline const bool eigen_alignments_agree =
     LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
 
 }  // namespace assur::mechanism
