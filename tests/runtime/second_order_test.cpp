@@ -172,6 +172,16 @@ TEST(RuntimeSecondOrderStatus, SaysWhereNothingWasComputed) {
   EXPECT_EQ(regular.first(no_number, curve.u_x, x), Status::not_finite);
   ASSERT_EQ(regular.first(curve.d_x, curve.u_x, x), Status::ok);
   EXPECT_EQ(regular.second(x, x, no_number, curve.u_xy, xy), Status::not_finite);
+  const auto expect_refusal = [&](auto FirstDerivative<Model, Real>::*part) {
+    FirstDerivative<Model, Real> spoilt = x;
+    (spoilt.*part)(0) = std::numeric_limits<Real>::quiet_NaN();
+    EXPECT_EQ(regular.second(spoilt, x, xy), Status::not_finite);
+    EXPECT_EQ(regular.second(x, spoilt, xy), Status::not_finite);
+  };
+  expect_refusal(&FirstDerivative<Model, Real>::d);
+  expect_refusal(&FirstDerivative<Model, Real>::u);
+  expect_refusal(&FirstDerivative<Model, Real>::q);
+  expect_refusal(&FirstDerivative<Model, Real>::p);
   curve.u.x_B = std::numeric_limits<Real>::quiet_NaN();
   const SecondOrder<Model, Real> unknown(curve.d, curve.u, curve.q);
   EXPECT_EQ(unknown.first(curve.d_x, curve.u_x, x), Status::not_finite);

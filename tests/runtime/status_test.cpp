@@ -204,6 +204,20 @@ TEST(NormalForm, RefusesWhatIsNoLink) {
   EXPECT_EQ(normal_form(features, 2, form), Status::singular);
 }
 
+TEST(NormalForm, RefusesAFeatureOfWhichANumberIsMissing) {
+  NormalForm<double> form;
+  const auto expect_refusal = [&form](const LinkFeature<double>& spoilt) {
+    EXPECT_EQ(normal_form({{{false, 0, 0, {}}, spoilt, {}}}, 2, form), Status::not_finite);
+    EXPECT_EQ(normal_form({{spoilt, {false, 0, 0, {}}, {}}}, 2, form), Status::not_finite);
+  };
+  for (const double spoilt : {nan, std::numeric_limits<double>::infinity()}) {
+    expect_refusal({false, spoilt, 1, {1, 0}});
+    expect_refusal({false, 1, spoilt, {1, 0}});
+    expect_refusal({true, 1, 1, {spoilt, 0}});
+    expect_refusal({true, 1, 1, {0, spoilt}});
+  }
+}
+
 TEST(NormalForm, RefusesPointsWhoseDistanceHasNoSquare) {
   NormalForm<double> form;
   for (const double far : {1e200, 1e-200}) {
