@@ -200,11 +200,10 @@ void compare(std::size_t count, Kind kind, Seen& seen) {
 /// alike, and the bound is wide, more discriminants are within it.
 template <typename Model>
 double most_alone() {
-  if constexpr (detail::has_closed_form<Model>) {
+  if constexpr (requires { Model::discriminant_error; }) {
     return Model::discriminant_error > 1e-6 ? 0.25 : 0.02;
-  } else {
-    return 0.02;
   }
+  return 0.02;
 }
 
 template <typename Model, std::size_t Lanes>
