@@ -50,7 +50,8 @@ SUBJECTS = {
         [(name, "tests/" + folder + "/" + name, ["--gtest_brief=1"])
          for folder, names in (
              ("runtime", ("trigonometric_roots_test", "special_points_test", "status_tests",
-                          "body_motion_tests", "closed_search_test", "matrix4_test", "batch_test",
+                          "body_motion_tests", "closed_search_test", "matrix4_test",
+                          "magnitude_test", "batch_test",
                           "batch_kinematics_test", "invariance_test", "configurations_test",
                           "verdicts_test", "float_groups_test", "stability_tests")),
              ("mechanism", ("regularity_test", "chain_regularity_test", "mechanism_tests",
