@@ -3,7 +3,9 @@
 
 #include <Eigen/LU>
 #include <assur/assur.hpp>
+#include <assur/dyad/model_01.hpp>
 #include <assur/tetrad/model_01.hpp>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
@@ -267,6 +269,27 @@ TEST(Version, IsThatOfTheProject) {
   EXPECT_EQ(std::to_string(ASSUR_VERSION_MAJOR) + "." + std::to_string(ASSUR_VERSION_MINOR) + "." +
                 std::to_string(ASSUR_VERSION_PATCH),
             version);
+}
+
+/// Where steps that are short enough are none among the parameters, a branch ends, too. A path that
+/// is asked without end loses its numbers.
+TEST(Track, EndsAtAFoldAmongParametersThatAreLong) {
+  using Dyad = dyad::Model01;
+  const Dyad::Dimensions<double> d{1, 1};
+  const double from = 0x1p50;  // a quarter apart from the next
+  int asked = 0;
+  const auto away = [&](double time) {
+    const double x = 1 + (time - from) / 64;  // beyond reach from 64 on
+    const double lost = ++asked < 10000 ? 0 : nan;
+    return InputMotion<Dyad>{{0, lost, x, 0}, {0, 0, 1.0 / 64, 0}, {0, 0, 0, 0}};
+  };
+  const Dyad::Configuration<double> q{{0.5, std::sqrt(0.75)}, {0.5, -std::sqrt(0.75)}};
+  const auto start = branch_point<Dyad>(d, away(from), q);
+  ASSERT_EQ(start.status, Status::ok);
+  const auto way = track<Dyad>(d, away, from, from + 100, start);
+  EXPECT_EQ(way.status, Status::no_convergence);
+  EXPECT_GT(way.reached, from + 60);
+  EXPECT_LE(way.reached, from + 64);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // double-double decides what double leaves open.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <assur/directions.hpp>
 #include <assur/numeric/double_double.hpp>
 #include <assur/numeric/trigonometric_roots.hpp>
 #include <iostream>
@@ -216,6 +218,85 @@ TEST(TrigonometricRoots, VerdictsOnWhatIsNoPolynomial) {
   EXPECT_EQ((trigonometric_roots<double, 3>(T, 0.0).root_count), 4U);
   T.sine[2] = 1e300;
   EXPECT_EQ((trigonometric_roots<double, 3>(T, 0.0).root_count), 4U);
+}
+
+/// T and dT/dx in double-double at a direction of no more digits.
+std::array<DoubleDouble, 2> value_and_slope(const Polynomial& T, const Direction<DoubleDouble>& x) {
+  Direction<DoubleDouble> multiple = x;
+  std::array<DoubleDouble, 2> result = {DoubleDouble(T.cosine[0]), DoubleDouble(0)};
+  for (std::size_t k = 1; k <= 3; ++k) {
+    const DoubleDouble cosine(T.cosine[k]);
+    const DoubleDouble sine(T.sine[k]);
+    result[0] += cosine * multiple.cos + sine * multiple.sin;
+    result[1] += DoubleDouble(static_cast<int>(k)) * (sine * multiple.cos - cosine * multiple.sin);
+    multiple = turned(multiple, x);
+  }
+  return result;
+}
+
+/// At the roots T is what rounding leaves of it, in parts of epsilon and the sum of coefficients.
+template <typename Scalar>
+double largest_left(const Polynomial& T) {
+  TrigonometricPolynomial<Scalar, 3> given;
+  double sum = 0;
+  for (std::size_t k = 0; k <= 3; ++k) {
+    given.cosine[k] = T.cosine[k];
+    given.sine[k] = T.sine[k];
+    sum += std::abs(T.cosine[k]) + std::abs(T.sine[k]);
+  }
+  const auto found = trigonometric_roots<Scalar, 3>(given, Scalar(0));
+  double left = 0;
+  double before = -1;
+  for (std::size_t root = 0; root < found.root_count; ++root) {
+    const auto& at = found.roots[root];
+    const auto [value, slope] =
+        value_and_slope(T, {DoubleDouble(at.cosine), DoubleDouble(at.sine)});
+    left = std::max(left, std::abs(static_cast<double>(value)));
+    EXPECT_NEAR(static_cast<double>(at.slope), static_cast<double>(slope), 1e-12 * sum);
+    EXPECT_LT(before, at.angle);  // by ascending angle
+    before = at.angle;
+  }
+  return left / (sum * static_cast<double>(std::numeric_limits<Scalar>::epsilon()));
+}
+
+TEST(TrigonometricRoots, AreKnownToAFewRoundings) {
+  RandomInputs random(seed + 6);
+  double in_double = 0;
+  double in_double_double = 0;
+  for (int sample = 0; sample < 2000; ++sample) {
+    Polynomial T;
+    for (std::size_t k = 0; k <= 3; ++k) {
+      T.cosine[k] = random.length();
+      T.sine[k] = k == 0 ? 0 : random.length();
+    }
+    in_double = std::max(in_double, largest_left<double>(T));
+    in_double_double = std::max(in_double_double, largest_left<DoubleDouble>(T));
+  }
+  std::cout << "random, seed " << seed + 6 << ": left of T " << in_double << " eps in double, "
+            << in_double_double << " in double-double\n";
+  EXPECT_LT(in_double, 8);
+  EXPECT_LT(in_double_double, 8);
+}
+
+/// A cluster tells where its multiple root is, much better than how far T is below its error.
+TEST(TrigonometricRoots, ClustersAreWhereTIsFlattest) {
+  RandomInputs random(seed + 7);
+  double farthest = 0;
+  int clusters = 0;
+  for (int sample = 0; sample < 200; ++sample) {
+    const double a = random.angle();
+    const Polynomial T = product_of({{a, 0}, {random.angle(), 0.5}, {random.angle(), 0.5}}, 0);
+    const auto found = trigonometric_roots<double, 3>(T, 0.0);
+    for (std::size_t cluster = 0; cluster < found.cluster_count; ++cluster) {
+      const double apart = found.clusters[cluster].angle - a;
+      farthest = std::max(farthest, std::abs(std::remainder(apart, 2 * std::acos(-1.0))));
+      ++clusters;
+    }
+  }
+  std::cout << "double roots, seed " << seed + 7 << ": " << clusters << " clusters, at most "
+            << farthest << " from them\n";
+  EXPECT_GT(clusters, 100);
+  EXPECT_LT(farthest, 1e-13);
 }
 
 }  // namespace
