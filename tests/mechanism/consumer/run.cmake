@@ -1,12 +1,17 @@
 # Installs the build tree, then configures, builds and runs the example project in C++ against the
 # install tree, with GiNaC out of reach; then asks for components that are not there.
-# cmake -DBUILD=... -DSOURCE=... -DEXAMPLE=... -DWORK=... -DCOMPILER=... -P run.cmake
+# cmake -DBUILD=... -DSOURCE=... -DEXAMPLE=... -DWORK=... -DCOMPILER=... [-DSANITIZE=...] -P run.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../../run_command.cmake)
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/install)
+# A program links a library that was built with sanitizers only if it has them, too.
+set(flags "")
+if(SANITIZE)
+  set(flags "-fsanitize=${SANITIZE}")
+endif()
 set(configure ${CMAKE_COMMAND} -DCMAKE_CXX_COMPILER=${COMPILER} -DCMAKE_BUILD_TYPE=Release
-  -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
+  -DCMAKE_CXX_FLAGS=${flags} -DCMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
 run(${configure} -S ${EXAMPLE} -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/install)
 run(${CMAKE_COMMAND} --build ${WORK}/build --verbose)
 string(TOLOWER "${output}" said)
@@ -29,7 +34,7 @@ execute_process(COMMAND ${COMPILER} -mavx -x c++ - -fsyntax-only INPUT_FILE /dev
   RESULT_VARIABLE no_avx ERROR_QUIET)
 if(no_avx EQUAL 0)
   execute_process(COMMAND ${configure} -S ${EXAMPLE} -B ${WORK}/avx
-    -DCMAKE_PREFIX_PATH=${WORK}/install -DCMAKE_CXX_FLAGS=-mavx -DCMAKE_BUILD_TYPE=Debug
+    -DCMAKE_PREFIX_PATH=${WORK}/install "-DCMAKE_CXX_FLAGS=${flags} -mavx" -DCMAKE_BUILD_TYPE=Debug
     OUTPUT_QUIET)
   execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/avx
     RESULT_VARIABLE status OUTPUT_VARIABLE messages ERROR_VARIABLE messages)
