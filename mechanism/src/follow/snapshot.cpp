@@ -16,8 +16,8 @@ namespace assur::mechanism::follow {
 namespace {
 
 /// The largest number of sets between two steps. One turn of a crank takes about a hundred, and the
-/// hardest sweeps that can be followed take two thousand. A sweep that needs more than the limit is
-/// refused within about a minute.
+/// hardest sweeps of the tests take two thousand. A sweep that needs more than the limit is
+/// refused, because it would not end in a time that anybody waits for.
 constexpr int most_between_steps = 10000;
 /// Whole turns of angles that laws read are counted at this many values of a sweep at least.
 constexpr double least_counts = 512;

@@ -50,8 +50,8 @@ class GeneralSearch : public testing::Test {};
 using GeneralModels = testing::Types<tetrad::Model01, tetrad::Model05>;
 TYPED_TEST_SUITE(GeneralSearch, GeneralModels, ModelNames);
 
-/// So are those whose final polynomial has more roots; a search in special position, which takes a
-/// hundred times as long, is the exception.
+/// Nearly all groups whose final polynomial has more roots are listed by the search in general
+/// position; a search in special position, which takes a hundred times as long, is the exception.
 TYPED_TEST(GeneralSearch, ListsNearlyAllGroups) {
   using Model = TypeParam;
   constexpr int groups = 500;
