@@ -73,7 +73,7 @@ text::Expression NumericExample::read_tree(const closures::PlacedText& formula) 
         names.push_back(known);
       }
       throw text::ExpressionError(
-          "no quantity named '" + node->name + "'" + text::suggestion(node->name, names),
+          "no quantity named '" + node->name + "'" + text::suggestion_or_choice(node->name, names),
           node->column);
     }
   }

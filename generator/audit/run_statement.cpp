@@ -92,7 +92,7 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
       for (const auto& [name, function] : readers) {
         known.push_back(name);
       }
-      throw FormulaError("no row '" + key.text + "'" + text::suggestion(key.text, known),
+      throw FormulaError("no row '" + key.text + "'" + text::suggestion_or_choice(key.text, known),
                          key.place);
     }
     if (rest.empty()) {

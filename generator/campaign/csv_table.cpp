@@ -59,7 +59,7 @@ class CsvReader : public TableReader {
   explicit CsvReader(const std::filesystem::path& file)
       : name_(file.string()), in_(file, std::ios::binary) {
     if (!in_) {
-      throw text::InputError(name_ + ": cannot be read");
+      throw text::InputError(name_ + ": cannot be read (does it exist, and is it a file?)");
     }
     std::vector<std::pair<std::string, std::string>> written;
     while (next_line() && line_.starts_with("# ")) {

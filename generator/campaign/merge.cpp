@@ -38,6 +38,11 @@ ShardFiles shard_files(const std::vector<std::filesystem::path>& files) {
   std::optional<Description> first;
   std::map<std::uint64_t, std::filesystem::path> found;
   for (const std::filesystem::path& file : files) {
+    if (file.extension() != ".csv" && file.extension() != ".h5") {
+      throw text::InputError(file.string() +
+                             ": its name does not end in .csv or .h5; give tables that sample or "
+                             "map has written");
+    }
     expect_table_name(file, "merge");
     const Description description = table_reader(file)->description();
     if (!first) {
@@ -53,6 +58,9 @@ ShardFiles shard_files(const std::vector<std::filesystem::path>& files) {
                              std::to_string(first->shard.count));
     }
     const auto [other, is_new] = found.emplace(description.shard.number, file);
+    if (!is_new && other->second == file) {
+      throw text::InputError(file.string() + ": it is given twice; leave one out");
+    }
     if (!is_new) {
       throw text::InputError(file.string() + ": it is shard " + description.shard.text() +
                              ", and so is " + other->second.string());

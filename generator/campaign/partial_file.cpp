@@ -86,6 +86,14 @@ void write_whole(const std::filesystem::path& file, const std::string& text) {
   partial.finish();
 }
 
+void expect_directory(const std::filesystem::path& file) {
+  std::error_code error;
+  if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), error)) {
+    throw text::InputError(file.string() + ": there is no directory " +
+                           file.parent_path().string() + "; make it, or name another one");
+  }
+}
+
 void expect_new(const std::filesystem::path& file, bool may_replace) {
   std::error_code error;
   if (!may_replace && std::filesystem::exists(std::filesystem::symlink_status(file, error))) {

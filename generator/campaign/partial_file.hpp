@@ -35,6 +35,9 @@ class PartialFile {
 /// Writes a whole text in this way.
 void write_whole(const std::filesystem::path& file, const std::string& text);
 
+/// Throws InputError where the directory of the file is missing: a mistyped one is not made.
+void expect_directory(const std::filesystem::path& file);
+
 /// Throws InputError where something has that name, unless it may be replaced.
 void expect_new(const std::filesystem::path& file, bool may_replace);
 

@@ -78,8 +78,8 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
     const bool known =
         symbols_only ? system_.symbol_named(name.text) != nullptr : system_.is_known(name.text);
     if (!known) {
-      fail(name.place,
-           "no symbol named '" + name.text + "'" + text::suggestion(name.text, system_.names()));
+      fail(name.place, "no symbol named '" + name.text + "'" +
+                           text::suggestion_or_choice(name.text, system_.names()));
     }
     names.push_back(name.text);
   }

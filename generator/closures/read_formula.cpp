@@ -152,7 +152,8 @@ class Reader {
     if (const std::optional<GiNaC::ex> meaning = system_.meaning_of(resolved(node.name))) {
       return *meaning;
     }
-    fail("no symbol named '" + node.name + "'" + text::suggestion(node.name, system_.names()),
+    fail("no symbol named '" + node.name + "'" +
+             text::suggestion_or_choice(node.name, system_.names()),
          node);
   }
 

@@ -81,6 +81,9 @@ CampaignFiles files_of(const CampaignOptions& options) {
     files.table = output;
     files.picture = plot;
   }
+  if (!files.table.empty()) {
+    campaign::expect_directory(files.table);
+  }
   if (files.picture.empty()) {
     return files;
   }
@@ -91,6 +94,7 @@ CampaignFiles files_of(const CampaignOptions& options) {
     throw text::InputError(files.picture.string() +
                            ": a single shard has no picture; draw it when the shards are merged");
   }
+  campaign::expect_directory(files.picture);
   campaign::expect_new(files.picture, options.force);
   return files;
 }

@@ -8,8 +8,8 @@
 #include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <filesystem>
-#include <system_error>
 
+#include "campaign/partial_file.hpp"
 #include "emission/cpp/files.hpp"
 
 namespace assur::generator::command {
@@ -84,21 +84,12 @@ const Form& form_of(const std::filesystem::path& file) {
   return *found;
 }
 
-/// A mistyped directory is not made.
-void expect_directory(const std::filesystem::path& file) {
-  std::error_code error;
-  if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), error)) {
-    throw text::InputError("--output: " + file.string() + ": there is no directory " +
-                           file.parent_path().string() + "; make it, or name another one");
-  }
-}
-
 }  // namespace
 
 void draw_scene(const DrawOptions& options) {
   const std::filesystem::path file = options.output;
   const Form& form = form_of(file);
-  expect_directory(file);
+  campaign::expect_directory(file);
   const std::string read = text::read_input_file(options.scene);
   const Source source = {read, mechanism::parse_scene(read, options.scene, options.settings)};
   try {

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -193,7 +194,8 @@ int run(int argc, char** argv) {
   command = app.add_subcommand("emit", "write C++ for one scene, models, or closures");
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
-  what->add_option("--model", emit.model, "one model of a group, by its number");
+  CLI::Option* const model =
+      what->add_option("--model", emit.model, "one model of a group, by its number");
   what->add_option("--scene", emit.scene, "a solver for one scene file (JSON)")->check(not_empty);
   what->add_option("--closures", emit.closures, "the closures that are typed in an audit file")
       ->check(not_empty);
@@ -215,6 +217,7 @@ int run(int argc, char** argv) {
       ->capture_default_str();
   command->add_option("--group", emit.group, "the group that --model refers to")
       ->check(one_of(group_names()))
+      ->needs(model)
       ->capture_default_str();
   command->add_option("--output", emit.output, "directory to write to")
       ->required()
@@ -255,8 +258,9 @@ int run(int argc, char** argv) {
       ->add_flag("--nearest", draw.nearest,
                  "draw only the configuration nearest to the\nscene's reference")
       ->excludes("--configuration");
-  command->add_flag("--moving", draw.moving,
-                    ".svg: draw a branch of the sweep in motion,\nnumbered by --configuration");
+  command->add_flag(
+      "--moving", draw.moving,
+      "draw one branch of the sweep in motion (.svg only);\n--configuration gives its number");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);
@@ -361,6 +365,8 @@ int main(int argc, char** argv) {
     return status;
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
+  } catch (const std::bad_alloc&) {
+    std::cerr << "error: the memory does not suffice; ask for less in one run\n";
   } catch (const OtherRankFailed&) {  // that one tells why
   } catch (const ClosedPipe&) {       // whoever closed it knows
   } catch (const std::exception& error) {

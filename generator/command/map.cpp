@@ -14,7 +14,7 @@ namespace assur::generator::command {
 
 namespace {
 
-constexpr std::uint64_t most_values = 1'000'000'000'000'000;
+constexpr std::uint64_t most_values = 100'000'000;  // as many as cells of a grid
 
 /// Parts of a text between separators that stand outside of all parentheses.
 std::vector<std::string> parts_between(const std::string& text, char separator) {
@@ -38,7 +38,9 @@ struct WrittenAxis {
   std::uint64_t count;
 };
 
-std::vector<WrittenAxis> written_axes(const std::string& over, mechanism::Mechanism& mechanism) {
+std::vector<WrittenAxis> written_axes(const std::string& over,
+                                      const std::vector<std::string>& settings,
+                                      mechanism::Mechanism& mechanism) {
   std::vector<WrittenAxis> axes;
   for (const std::string& part : parts_between(over, ',')) {
     const std::size_t equals = part.find('=');
@@ -52,6 +54,13 @@ std::vector<WrittenAxis> written_axes(const std::string& over, mechanism::Mechan
                                       "'" + part +
                                           "' is not an axis; expected NAME=FROM:TO:COUNT, "
                                           "such as phi=0:2*pi:361");
+    }
+    const auto is_given = [&name](const std::string& setting) {
+      return setting.substr(0, setting.find('=')) == name;
+    };
+    if (std::ranges::any_of(settings, is_given)) {
+      throw mechanism::MechanismError(
+          "--set " + name, "--over gives '" + name + "' its values; leave one of the two out");
     }
     axes.push_back({mechanism.parameter_named(name, "--over"),
                     mechanism.add_number(range[0], where), mechanism.add_number(range[1], where),
@@ -97,7 +106,7 @@ void map(const MapOptions& options, CampaignScene& scene) {
   const CampaignFiles files = files_of(options);
   mechanism::Mechanism& mechanism = scene.scene.mechanism;
   const mechanism::Request& request = scene.scene.request;
-  const std::vector<WrittenAxis> written = written_axes(options.over, mechanism);
+  const std::vector<WrittenAxis> written = written_axes(options.over, options.settings, mechanism);
   const mechanism::Plan plan(mechanism, request);
   const std::vector<mechanism::GridAxis> axes = grid_axes(written, plan);
   const mechanism::Campaign campaign = mechanism::grid_campaign(mechanism, request, axes);

@@ -45,7 +45,7 @@ class TextRenderer {
  public:
   std::string run(const Document& document) {
     text_ = comment(document.title);
-    text_ += "# An audit file: the statements are what is derived, the comments how.\n";
+    text_ += "# An audit file: statements are results, and comments are the steps to them.\n";
     text_ += "source assur derive " + document.kind + "\n";
     text_ += "model " + document.kind + "\n";
     int number = 0;

@@ -29,8 +29,8 @@ void raise(const py::object& exception) {
 
 UnknownName::UnknownName(const std::string& what, const std::string& name,
                          const std::vector<std::string>& known)
-    : InputError(mechanism::MechanismError(
-                     "", "no " + what + " named '" + name + "'" + text::suggestion(name, known))
+    : InputError(mechanism::MechanismError("", "no " + what + " named '" + name + "'" +
+                                                   text::suggestion_or_choice(name, known))
                      .what()) {}
 
 void translate_errors() {

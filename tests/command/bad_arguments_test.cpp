@@ -25,6 +25,12 @@ TEST(BadArguments, SettingWithoutValue) {
                   "--set AB: expected an operator, found 'm' (a product is written with '*')");
   expect_one_line(run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB"),
                   "--set: expected NAME=EXPR");
+  expect_one_line(
+      run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set AB=50 --set AB=60"),
+      "--set AB: it is given twice; leave one out");
+  expect_one_line(
+      run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set 'AB=6\u00b0'"),
+      "--set AB: expected an operator, found '\u00b0' (write '*deg')");
 }
 TEST(BadArguments, UnknownSubcommand) {
   const CommandResult result = run_assur("solv");
@@ -53,7 +59,9 @@ TEST(BadArguments, MissingOrRepeated) {
       {"emit --output .",
        "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"},
       {"emit --all --model 1 --output .",
-       "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"}};
+       "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"},
+      {"emit --all --group dyad --output .",
+       "error: emit: --group has an effect only with --model; add --model, or leave --group out"}};
   for (const auto& [call, message] : calls) {
     expect_one_line(run_assur(call), message);
   }

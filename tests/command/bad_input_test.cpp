@@ -93,7 +93,9 @@ constexpr std::array<Fault, 94> faults = {{
     {"UnknownDriver", "/drivers/AA", "{\"position\": 0}", "no joint named 'AA'"},
     {"DriverWithoutPosition", "/drivers/A/position", "", "the key 'position' is missing"},
     {"OutputOfLine", "/outputs/E", "\"rod.slide\"", "an output is a point"},
-    {"UnknownWant", "/want", "[\"speed\"]", "want[0]: no such result 'speed'"},
+    {"UnknownWant", "/want", "[\"speed\"]",
+     "want[0]: no such result 'speed' (choose from position, velocity, acceleration, "
+     "sensitivity)"},
     {"SweepCount", "/sweep", "{\"parameter\": \"phi\", \"from\": 0, \"to\": 1, \"count\": 0}",
      "sweep.count: expected a whole number"},
     {"SweepParameter", "/sweep", "{\"parameter\": \"psi\", \"from\": 0, \"to\": 1, \"count\": 2}",

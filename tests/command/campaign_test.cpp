@@ -128,6 +128,8 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
       {"map " + four_bar + " --over phi=0:1", "'phi=0:1' is not an axis"},
       {"map " + four_bar + " --over phi=0:1:0", "--over phi: expected a whole number from 1"},
       {"map " + four_bar + " --over ph=0:1:3", "no parameter named 'ph'"},
+      {"map " + four_bar + " --set phi=1 --over phi=0:1:3",
+       "--set phi: --over gives 'phi' its values; leave one of the two out"},
       {"map " + four_bar + " --over phi=-1e308:1e308:3", "the range from FROM to TO"}};
   for (const auto& [call, message] : cases) {
     EXPECT_NE(refusal(call, "x.csv").find(message), std::string::npos) << call;
@@ -135,7 +137,13 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
   EXPECT_NE(refusal(sample, "x.txt").find("end it in .csv or .h5"), std::string::npos);
   EXPECT_NE(refusal(sample, "x.svg", "--shard 1/2").find("a single shard has no picture"),
             std::string::npos);
-  EXPECT_NE(refusal(sample, "gone/x.csv").find("cannot be written"), std::string::npos);
+  for (const auto& [file, options] : std::vector<std::pair<std::string, std::string>>{
+           {"gone/x.csv", ""}, {"gone/x.svg", ""}, {"x.csv", "--plot gone/x.svg"}}) {
+    EXPECT_NE(refusal(sample, file, options).find("there is no directory "), std::string::npos);
+  }
+  EXPECT_NE(
+      refusal("merge " + four_bar, "x.csv").find("give tables that sample or map has written"),
+      std::string::npos);
   if (!has_hdf5()) {
     EXPECT_NE(refusal(sample, "x.h5").find("built without HDF5"), std::string::npos);
   }
@@ -164,7 +172,7 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
             "error: 1 of 3 shards are missing: 2/3; compute them with --shard\n");
   EXPECT_NE(merging({"1.csv", "other.csv", "3.csv"}).find("not a part of the same campaign"),
             std::string::npos);
-  EXPECT_NE(merging({"1.csv", "2.csv", "2.csv"}).find("it is shard 2/3, and so is"),
+  EXPECT_NE(merging({"1.csv", "2.csv", "2.csv"}).find("2.csv: it is given twice"),
             std::string::npos);
   EXPECT_NE(merging({"1.csv", "half.csv"}).find("it is shard 1/2, and"), std::string::npos);
   EXPECT_NE(merging({"1.csv", "cut.csv", "3.csv"}).find("ends within a line"), std::string::npos);

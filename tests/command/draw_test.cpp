@@ -66,7 +66,7 @@ TEST(Draw, RefusesADirectoryThatDoesNotExist) {
   const std::string file = (directory.path() / "gone" / "picture.svg").string();
   const CommandResult result = run_assur("draw " + four_bar + " --output " + file);
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.messages, "error: --output: " + file + ": there is no directory " +
+  EXPECT_EQ(result.messages, "error: " + file + ": there is no directory " +
                                  (directory.path() / "gone").string() +
                                  "; make it, or name another one\n");
   EXPECT_EQ(entries_in(directory.path()), 0U);

@@ -223,7 +223,8 @@ std::vector<std::string> PaperMap::names(const std::string& list, bool symbols_o
     for (const std::string& name : spread(word.text)) {
       if (symbols_only ? system().symbol_named(name) == nullptr : !system().is_known(name)) {
         throw closures::FormulaError(
-            "no symbol named '" + name + "'" + text::suggestion(name, system().names()), place);
+            "no symbol named '" + name + "'" + text::suggestion_or_choice(name, system().names()),
+            place);
       }
       all.push_back(name);
     }

@@ -43,7 +43,7 @@ ParameterIndex Mechanism::parameter_named(const std::string& name, const std::st
   const auto found = parameter_of_name_.find(name);
   if (found == parameter_of_name_.end()) {
     throw MechanismError(part, "no parameter named " + in_quotes(name) +
-                                   text::suggestion(name, names_of(parameters_)));
+                                   text::suggestion_or_choice(name, names_of(parameters_)));
   }
   return found->second;
 }
@@ -51,8 +51,8 @@ ParameterIndex Mechanism::parameter_named(const std::string& name, const std::st
 JointIndex Mechanism::joint_named(const std::string& name, const std::string& part) const {
   const JointIndex joint = index_of(joints_, name);
   if (!joint.exists()) {
-    throw MechanismError(
-        part, "no joint named " + in_quotes(name) + text::suggestion(name, names_of(joints_)));
+    throw MechanismError(part, "no joint named " + in_quotes(name) +
+                                   text::suggestion_or_choice(name, names_of(joints_)));
   }
   if (joints_[joint].between.size() != 2) {
     throw MechanismError(
@@ -152,12 +152,19 @@ ParameterIndex Mechanism::add(Parameter parameter) {
 }
 
 LinkIndex Mechanism::add_link(const std::string& name) {
-  if (name.empty() || name.find('.') != std::string::npos) {
-    throw MechanismError("links", in_quotes(name) + " is not a name: it is empty or has a dot");
+  if (name.empty()) {
+    throw MechanismError("links", "a name is empty; give each link a name");
+  }
+  if (name.find('.') != std::string::npos) {
+    throw MechanismError("links", in_quotes(name) +
+                                      " has a dot, which stands between the names of a link and "
+                                      "its feature; write another letter");
   }
   description::expect_new(index_of(links_, name).exists(), name, "links");
   if (links_.size() == description::most_links) {
-    throw MechanismError("links", "there are more than " + std::to_string(description::most_links));
+    throw MechanismError("links", "a mechanism has at most " +
+                                      std::to_string(description::most_links) +
+                                      " links; remove some");
   }
   return links_.add({name, {}});
 }
@@ -173,7 +180,7 @@ Feature Mechanism::on_link(const std::string& name, const std::string& part) con
   feature.link = index_of(links_, link_name);
   if (!feature.link.exists()) {
     throw MechanismError(part, "no link named " + in_quotes(link_name) +
-                                   text::suggestion(link_name, names_of(links_)));
+                                   text::suggestion_or_choice(link_name, names_of(links_)));
   }
   return feature;
 }
@@ -236,7 +243,7 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
     names.push_back(features_[feature].name);
   }
   throw MechanismError(part, "link '" + link.name + "' has no feature " + in_quotes(wanted.name) +
-                                 text::suggestion(wanted.name, names));
+                                 text::suggestion_or_choice(wanted.name, names));
 }
 
 JointIndex Mechanism::add_joint(const std::string& name, JointType type,
@@ -298,7 +305,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
   driver.joint = index_of(joints_, joint);
   if (!driver.joint.exists()) {
     throw MechanismError("drivers", "no joint named " + in_quotes(joint) +
-                                        text::suggestion(joint, names_of(joints_)));
+                                        text::suggestion_or_choice(joint, names_of(joints_)));
   }
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {

@@ -62,7 +62,8 @@ void expect_keys(const SceneJson& value, const std::string& part, std::span<cons
   }
   for (const auto& [key, ignored] : value.items()) {
     if (std::find(names.begin(), names.end(), key) == names.end()) {
-      throw MechanismError(part, "unknown key " + in_quotes(key) + text::suggestion(key, names));
+      throw MechanismError(
+          part, "unknown key " + in_quotes(key) + text::suggestion_or_choice(key, names));
     }
   }
 }

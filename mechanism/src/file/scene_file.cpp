@@ -3,6 +3,7 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/suggestion.hpp>
+#include <set>
 
 #include "json_values.hpp"
 #include "scene_keys.hpp"
@@ -87,6 +88,7 @@ class SceneReader {
   }
 
   void apply_settings() {
+    std::set<std::string> set;
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) {
@@ -94,6 +96,9 @@ class SceneReader {
       }
       const std::string name = setting.substr(0, equals);
       expect_no_driver(name);
+      if (!set.insert(name).second) {
+        throw MechanismError("--set " + name, "it is given twice; leave one out");
+      }
       (void)mechanism_.parameter_named(name, "--set");
       mechanism_.set_parameter(name, setting.substr(equals + 1), "--set " + name);
     }
@@ -172,8 +177,9 @@ class SceneReader {
     for (const auto& [name, value] : root_["drivers"].items()) {
       const std::string part = "drivers." + name;
       if (!index_of(mechanism_.joints(), name).exists()) {
-        throw MechanismError("drivers", "no joint named " + in_quotes(name) +
-                                            text::suggestion(name, names_of(mechanism_.joints())));
+        throw MechanismError("drivers",
+                             "no joint named " + in_quotes(name) +
+                                 text::suggestion_or_choice(name, names_of(mechanism_.joints())));
       }
       expect_object(value, part);
       expect_keys(value, part, driver_keys);
@@ -214,8 +220,8 @@ class SceneReader {
       const std::string wish = text_of(root_["want"][index], part);
       const auto found = std::find(known.begin(), known.end(), wish);
       if (found == known.end()) {
-        throw MechanismError(part,
-                             "no such result " + in_quotes(wish) + text::suggestion(wish, known));
+        throw MechanismError(
+            part, "no such result " + in_quotes(wish) + text::suggestion_or_choice(wish, known));
       }
       *flags[static_cast<std::size_t>(found - known.begin())] = true;
     }
@@ -242,8 +248,9 @@ class SceneReader {
       const std::string part = "reference." + name;
       const LinkIndex link = index_of(mechanism_.links(), name);
       if (!link.exists()) {
-        throw MechanismError("reference", "no link named " + in_quotes(name) +
-                                              text::suggestion(name, names_of(mechanism_.links())));
+        throw MechanismError("reference",
+                             "no link named " + in_quotes(name) +
+                                 text::suggestion_or_choice(name, names_of(mechanism_.links())));
       }
       request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
     }
@@ -280,7 +287,7 @@ class SceneReader {
       result.push_back(index_of(parts, name));
       if (!result.back().exists()) {
         throw MechanismError(part, "no " + what + " named " + in_quotes(name) +
-                                       text::suggestion(name, names_of(parts)));
+                                       text::suggestion_or_choice(name, names_of(parts)));
       }
     }
     return result;

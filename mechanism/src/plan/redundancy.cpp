@@ -11,8 +11,6 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// A search through more would take longer than what is found is worth.
-constexpr int most_surplus = 8;
 /// Of ways to leave out the last constraint: each is solved to see whether it holds.
 constexpr std::size_t most_ways = 32;
 

@@ -35,10 +35,14 @@ enum class LeftOut : unsigned char {
 [[nodiscard]] BalancedMechanism without_all(const Mechanism& mechanism,
                                             std::vector<RedundantJoint> redundant);
 
-/// The mechanism with as many constraints less as it has too many. The ways to leave the last one
-/// out come in order: those that keep the joints of the names in `kept` first, then those with the
-/// smallest groups, and then by the names of joints, those with slots on bars first; a group may
-/// move freely where it is small. Nothing where no way leaves a mechanism whose groups are known.
+/// A search through more would take longer than what is found is worth.
+inline constexpr int most_surplus = 8;
+
+/// The mechanism with as many constraints less as it has too many; nothing where these are more
+/// than `most_surplus`. The ways to leave the last one out come in order: those that keep the
+/// joints of the names in `kept` first, then those with the smallest groups, and then by the names
+/// of joints, those with slots on bars first; a group may move freely where it is small. Nothing
+/// where no way leaves a mechanism whose groups are known.
 [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
                                                       const OverConstrained& fault, LeftOut most,
                                                       const std::vector<std::string>& kept);

@@ -156,8 +156,8 @@ const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& it
                        const std::string& name, const std::string& what) {
   const Key key = index_of(parts, name);
   if (!key.exists()) {
-    throw MechanismError(
-        "", "no " + what + " named " + in_quotes(name) + text::suggestion(name, names_of(parts)));
+    throw MechanismError("", "no " + what + " named " + in_quotes(name) +
+                                 text::suggestion_or_choice(name, names_of(parts)));
   }
   return items[key];
 }

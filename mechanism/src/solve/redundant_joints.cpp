@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "group_words.hpp"
+#include "plan/redundancy.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -195,6 +196,12 @@ OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
 }
 
 OverConstrained refusal_without_groups(const OverConstrained& excess) {
+  if (excess.surplus > plan::most_surplus) {
+    return {"",
+            std::string(excess.what()) + "; at most " + std::to_string(plan::most_surplus) +
+                " can be left out to check whether they hold; remove some of the joints",
+            excess.surplus, excess.joints};
+  }
   const std::string constraints =
       excess.surplus == 1 ? "constraint was" : std::to_string(excess.surplus) + " constraints were";
   return {"",

@@ -52,8 +52,11 @@ class Parser {
     if (at_ < text_.size()) {
       const bool is_factor =
           std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '(';
-      fail("expected an operator, found '" + std::string(1, text_[at_]) + "'" +
-           (is_factor ? " (a product is written with '*')" : ""));
+      const std::string found = character();
+      fail("expected an operator, found '" + found + "'" +
+           (is_factor           ? " (a product is written with '*')"
+            : found == "\u00b0" ? " (write '*deg')"
+                                : ""));
     }
     return result;
   }
@@ -61,6 +64,14 @@ class Parser {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw ExpressionError(what, at_ + 1); }
 
+  /// The whole character here, of one or more bytes of UTF-8.
+  [[nodiscard]] std::string character() const {
+    std::size_t end = at_ + 1;
+    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) {
+      ++end;
+    }
+    return text_.substr(at_, end - at_);
+  }
   void skip_space() {
     while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
       ++at_;
@@ -160,7 +171,7 @@ class Parser {
     if (is_name_start(letter)) {
       return name_or_call();
     }
-    fail("expected a number, a name or '(', found '" + std::string(1, letter) + "'");
+    fail("expected a number, a name or '(', found '" + character() + "'");
   }
 
   Expression number() {

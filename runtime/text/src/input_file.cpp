@@ -24,7 +24,7 @@ std::string read_input_file(const std::filesystem::path& file) {
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_file) {
       throw InputError(file.string() + ": longer than " + std::to_string(largest_file >> 20) +
-                       " MiB, which no input file is");
+                       " MiB, the limit of input files");
     }
   }
   return text;

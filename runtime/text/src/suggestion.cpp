@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <cctype>
 #include <numeric>
@@ -44,6 +45,15 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
     }
   }
   return best == nullptr ? "" : " (did you mean '" + *best + "'?)";
+}
+
+std::string suggestion_or_choice(const std::string& name,
+                                 const std::vector<std::string>& candidates) {
+  constexpr std::size_t longest_list = 100;
+  const std::string near = suggestion(name, candidates);
+  const std::string all = listed(candidates);
+  return !near.empty() || all.empty() || all.size() > longest_list ? near
+                                                                   : " (choose from " + all + ")";
 }
 
 }  // namespace assur::text

@@ -125,6 +125,10 @@ void print_solver() {
     const auto way = Solver::track(drivers, branch, state);
     if (way.status == assur::Status::unsound_arithmetic) {
       std::printf("branch %d: unsound\n", number);
+    } else if (way.status == assur::Status::singular ||
+               way.status == assur::Status::no_convergence) {
+      // At a change point the last digit decides which of the two it is.
+      std::printf("branch %d: not followed, %ld\n", number, printed(way.reached));
     } else {
       std::printf("branch %d: %s, %ld\n", number, assur::to_string(way.status),
                   printed(way.reached));

@@ -11,4 +11,8 @@ namespace assur::text {
 [[nodiscard]] std::string suggestion(const std::string& name,
                                      const std::vector<std::string>& candidates);
 
+/// The same; where none is near and the candidates are few, ` (choose from A, B, C)`.
+[[nodiscard]] std::string suggestion_or_choice(const std::string& name,
+                                               const std::vector<std::string>& candidates);
+
 }  // namespace assur::text
