@@ -213,7 +213,7 @@ std::multiset<std::string> compiled_functions(const fs::path& object,
   const fs::path names = directory.path() / "names";
   EXPECT_EQ(std::system((ASSUR_NM " -C " + object.string() + " > " + names.string()).c_str()), 0);
   const std::regex function(
-      R"(\w+ \w (?:void |auto |assur::support::[\w:<>, ]+ )?assur::scenes::((?:\w+(?:<double>)?::)+\w+)(?:<.*>)?\(.*\)( const)?)");
+      R"(\w+ \w (?:void |auto |unsigned \w+ |assur::support::[\w:<>, ]+ )?assur::scenes::((?:\w+(?:<double>)?::)+\w+)(?:<.*>)?\(.*\)( const)?)");
   std::multiset<std::string> functions;
   std::istringstream in(read_file(names));
   for (std::string line; std::getline(in, line);) {
