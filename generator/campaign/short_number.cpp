@@ -69,7 +69,7 @@ Decimal shortest(std::uint64_t m, int e) {
     const int k = 16 - exponent;
     const int shift = 1 - (e + k);  // in halves of the last place of m
     const std::uint64_t half = powers_of_five[static_cast<std::size_t>(k)];
-    const Wide value = Wide{m} * Wide{2 * half};
+    const Wide value = Wide{m} * 2 * half;
     const auto whole = static_cast<std::uint64_t>(value >> shift);
     if (whole >= ten_to_the<17>) {
       continue;  // it was one less

@@ -40,7 +40,7 @@ struct MovingFeatures {
 
 /// The shape of a group whose features move. Nothing where its links would not play the roles in
 /// which the group was solved.
-[[nodiscard]] std::optional<MovingShape> moving_shape(const Values& values, GroupIndex group,
+[[nodiscard]] std::optional<MovingShape> moving_shape(const Values& values, GroupIndex index,
                                                       const MovingFeatures& features);
 
 }  // namespace assur::mechanism::solve

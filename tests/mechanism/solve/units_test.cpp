@@ -23,7 +23,7 @@ Json in_unit(const LatticeScene& group, int exponent) {
         coordinate.is_string() ? coordinate.get<std::string>() : coordinate.dump();
     coordinate = "((" + number + ")" + offset + ")*2^(" + std::to_string(exponent) + ")";
   };
-  for (auto& [name, link] : scene["links"].items()) {
+  for (const auto& [name, link] : scene["links"].items()) {
     std::string offset = name == "ground" ? " + w - 1" : "";
     for (Json& feature : link) {
       Json& place = feature.is_array() ? feature : feature["through"];
