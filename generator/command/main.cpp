@@ -260,7 +260,7 @@ int run(int argc, char** argv) {
       ->excludes("--configuration");
   command->add_flag(
       "--moving", draw.moving,
-      "draw one branch of the sweep in motion (.svg only);\n--configuration gives its number");
+      "draw one branch of the sweep in motion (.svg\nonly); --configuration gives its number");
   command->callback([&] {
     chosen = [&] {
       draw_scene(draw);

@@ -3,7 +3,6 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/suggestion.hpp>
-#include <set>
 
 #include "json_values.hpp"
 #include "scene_keys.hpp"
@@ -88,7 +87,6 @@ class SceneReader {
   }
 
   void apply_settings() {
-    std::set<std::string> set;
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) {
@@ -96,9 +94,6 @@ class SceneReader {
       }
       const std::string name = setting.substr(0, equals);
       expect_no_driver(name);
-      if (!set.insert(name).second) {
-        throw MechanismError("--set " + name, "it is given twice; leave one out");
-      }
       (void)mechanism_.parameter_named(name, "--set");
       mechanism_.set_parameter(name, setting.substr(equals + 1), "--set " + name);
     }

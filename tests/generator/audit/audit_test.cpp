@@ -254,7 +254,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NothingPrinted", "length a\n",
               "f.audit: nothing to audit; say what the source prints with 'printed'"},
         Fault{"BehindTheFirstLine", "length a\nlet b = a +\n   2*a +\n  (c + 2)\n",
-              "f.audit:4:4: no symbol named 'c'"},
+              "f.audit:4:4: no symbol named 'c' (choose from a)"},
         Fault{"NoConfiguration", "scene s.json branch 1a\n",
               "f.audit:1:21: expected the number of a configuration"},
         Fault{"NoCode", "length a\nclosure f = a\nprinted code J no.cpp J of f by a\n",

@@ -104,7 +104,8 @@ std::string message_of(const std::function<void()>& attempt) {
 TEST(MechanismBuilder, UnknownPartsOfAConfigurationAreNamed) {
   const Solved read(scene_of_file());
   const Configuration& configuration = read.configurations().at(0);
-  EXPECT_EQ(message_of([&] { (void)configuration.output("Q"); }), "no output named 'Q'");
+  EXPECT_EQ(message_of([&] { (void)configuration.output("Q"); }),
+            "no output named 'Q' (choose from P, C)");
   EXPECT_EQ(message_of([&] { (void)configuration.link("crnk"); }),
             "no link named 'crnk' (did you mean 'crank'?)");
   EXPECT_EQ(message_of([&] {
@@ -142,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
               [](Mechanism& made) {
                 made.add_joint("E", JointType::revolute, {"ground.A", "crank.Q"});
               },
-              "joints.E.between[1]: link 'crank' has no feature 'Q'"},
+              "joints.E.between[1]: link 'crank' has no feature 'Q' (choose from A, B)"},
         Fault{"NoDot",
               [](Mechanism& made) {
                 made.add_joint("E", JointType::revolute, {"ground.A", "crank"});
@@ -177,7 +178,9 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"LinkTwice", [](Mechanism& made) { made.add_link("crank"); },
               "links: the name 'crank' is taken; choose another one"},
         Fault{"LinkWithADot", [](Mechanism& made) { made.add_link("a.b"); },
-              "links: 'a.b' is not a name: it is empty or has a dot"},
+              "links: 'a.b' has a dot, which stands between the names of a link and its feature; "
+              "write "
+              "another letter"},
         Fault{"FeatureTwice", [](Mechanism& made) { made.add_point("crank.A", 1, 2); },
               "links.crank.A: the name 'A' is taken; choose another one"},
         Fault{"JointTwice",
@@ -202,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"ParameterOfAFunctionsName", [](Mechanism& made) { made.add_parameter("sin", 1); },
               "parameters: 'sin' is the name of a function or constant; choose another one"},
         Fault{"DriverOfAnUnknownJoint", [](Mechanism& made) { made.add_driver("crank", "phi"); },
-              "drivers: no joint named 'crank'"},
+              "drivers: no joint named 'crank' (choose from A, B, C, D)"},
         Fault{"DriverTwice", [](Mechanism& made) { made.add_driver("A", "phi"); },
               "drivers.A: the joint has a driver already; give it only one"},
         Fault{"UnknownParameter", [](Mechanism& made) { made.add_point("crank.Q", "2*crnk", 0); },

@@ -55,7 +55,8 @@ TEST(Laws, ThatReadOneAnotherInACircleAreNamed) {
 }
 
 TEST(Laws, ThatReadWhatIsNoCoordinateAreNamed) {
-  EXPECT_EQ(message_with_law("E", "joint(Q)"), "scene: drivers.E.position: no joint named 'Q'");
+  EXPECT_EQ(message_with_law("E", "joint(Q)"),
+            "scene: drivers.E.position: no joint named 'Q' (choose from A, B, C, D, E, G)");
   EXPECT_EQ(message_with_law("E", "joint(2)"),
             "scene: drivers.E.position: expected the name of a joint at column 7 of 'joint(2)'");
   Json scene = robot_with_pin_of_three();
