@@ -43,6 +43,12 @@ bool lacks_signs(const Snapshot& snapshot) {
       });
 }
 
+/// Whether laws read angles of some configuration, so that whole turns are counted.
+bool has_counted_angles(const Snapshot& snapshot) {
+  return std::ranges::any_of(snapshot.solution.configurations,
+                             [](const Configuration& one) { return !one.counted.empty(); });
+}
+
 /// What all constraints close from several configurations of the rest may be one.
 constexpr double closest_settled = 1e-9;
 
@@ -125,8 +131,13 @@ std::unique_ptr<Snapshot> SnapshotSolver::spare() const {
 
 SnapshotPointer SnapshotSolver::at_step(double parameter) {
   begin_step();
+  if (!counted_.empty()) {
+    counted_ = {nearest_counted(parameter)};
+  }
   SnapshotPointer set = solved(parameter);
-  count_from(set);
+  if (has_counted_angles(*set)) {
+    counted_.push_back(set);
+  }
   return set;
 }
 
@@ -143,30 +154,43 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
   return snapshot;
 }
 
-/// The set at a value. Where laws read angles, their turns are counted from the anchor in small
-/// steps.
+/// The set at a value. Where laws read angles, their turns are counted in small steps from the
+/// nearest set in which they are known.
 SnapshotPointer SnapshotSolver::solved(double parameter) {
-  if (anchor_ != nullptr) {
-    const SnapshotPointer anchor = anchor_;
-    const double way = parameter - anchor->parameter;
-    const double parts = to_ == from_ ? 1 : std::ceil(std::abs(way / (to_ - from_)) * least_counts);
-    for (double part = 1; part < parts; ++part) {
-      count_from(solved_here(anchor->parameter + way * part / parts));
-    }
-    SnapshotPointer set = solved_here(parameter);
-    count_from(anchor);
-    return set;
+  if (counted_.empty()) {
+    return solved_here(parameter);
   }
+  SnapshotPointer known = nearest_counted(parameter);
+  const double from = known->parameter;
+  const double way = parameter - from;
+  const int parts =
+      to_ == from_ ? 1 : static_cast<int>(std::ceil(std::abs(way / (to_ - from_)) * least_counts));
+  for (int part = 1; part < parts; ++part) {
+    const double next = from + way * part / parts;
+    count_turns_from(*known, next);
+    if (const SnapshotPointer set = solved_here(next); has_counted_angles(*set)) {
+      known = set;
+      counted_.push_back(set);
+    }
+  }
+  count_turns_from(*known, parameter);
   return solved_here(parameter);
 }
 
+const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
+  return *std::ranges::min_element(counted_, {}, [parameter](const SnapshotPointer& set) {
+    return std::abs(set->parameter - parameter);
+  });
+}
+
 void SnapshotSolver::count_from(const SnapshotPointer& set) {
-  const bool has_angles = std::ranges::any_of(
-      set->solution.configurations, [](const Configuration& one) { return !one.counted.empty(); });
-  if (has_angles) {
-    anchor_ = set;
-    solver_.count_from(&set->solution.configurations);
+  if (has_counted_angles(*set)) {
+    counted_ = {set};
   }
+}
+
+void SnapshotSolver::count_turns_from(const Snapshot& known, double parameter) {
+  solver_.count_from({&known.solution.configurations, column_, parameter - known.parameter});
 }
 
 SnapshotPointer SnapshotSolver::solved_here(double parameter) {
@@ -230,6 +254,9 @@ SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
 
 SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& point) {
   count_between_steps();
+  if (!counted_.empty()) {
+    count_turns_from(*nearest_counted(parameter), parameter);
+  }
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   sought_.at = point;
   const std::optional<Nearest> found = solver_.solve_near(sought_, snapshot->solution);

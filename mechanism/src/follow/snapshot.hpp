@@ -62,8 +62,8 @@ class SnapshotSolver {
   /// The set of the one configuration that is nearest to a point; all others are at least `closest`
   /// away. Throws as `at` does.
   [[nodiscard]] SnapshotPointer near(double parameter, const Eigen::VectorXd& point);
-  /// From now on, angles that laws read are counted by whole turns from those of a set. Solving a
-  /// step does this with the step's set.
+  /// From now on, angles that laws read are counted by whole turns from those of a set. Sets that
+  /// `at_step` and `at` solve are counted from the last step, or from nearer sets between.
   void count_from(const SnapshotPointer& set);
   /// While it lives, sets can be followed, too, whose slopes are known only from all constraints
   /// together, and not group by group. That takes longer, and crossings are located less precisely.
@@ -102,6 +102,8 @@ class SnapshotSolver {
   [[nodiscard]] double speed_on_links(double parameter);
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
+  [[nodiscard]] const SnapshotPointer& nearest_counted(double parameter) const;
+  void count_turns_from(const Snapshot& known, double parameter);
   /// Whether a set has fewer configurations than one beside it, for families that the other lacks,
   /// or since configurations of a mechanism without its redundant constraints meet in one that all
   /// constraints determine.
@@ -127,8 +129,9 @@ class SnapshotSolver {
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism
-  SnapshotPointer
-      anchor_;  ///< the set from whose angles turns are counted; null where laws read none
+  /// Sets from whose angles turns are counted: that of the last step, and those between steps on
+  /// the way to other sets. There are none where laws read no angles.
+  std::vector<SnapshotPointer> counted_;
   std::size_t families_ = 0;  ///< in the last set, of those that one beside it has, too
   int between_steps_ = 0;     ///< how many were asked for since the last step
   bool closely_ = false;

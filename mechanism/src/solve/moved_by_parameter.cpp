@@ -45,17 +45,14 @@ class MovedParts {
     const auto shapes = [this](const auto& what) {
       return !plan::groups_carried_by(what, plan_).empty();
     };
+    bool moved = false;
     for (const DriverIndex driver : drivers_.keys()) {
-      if (drivers_[driver] && shapes(driver)) {
-        return true;
-      }
+      moved = moved || (drivers_[driver] && shapes(driver));
     }
     for (const GroupIndex group : plan_.structure.groups.keys()) {
-      if (is_moved_on_base(group) && shapes(group)) {
-        return true;
-      }
+      moved = moved || (is_moved_on_base(group) && shapes(group));
     }
-    return false;
+    return moved;
   }
 
  private:

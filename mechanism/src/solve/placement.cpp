@@ -138,25 +138,26 @@ JointMotion Placement::counted_coordinate(JointIndex joint) {
 }
 
 /// The whole turns to add to an angle, from the configuration nearby in which the joint's links
-/// stand most nearly as here; zero if none stands so, since the mirror image of a branch has its
-/// own count.
+/// stand most nearly as here; zero if none has them within its reach, since what is no continuation
+/// of it, as the mirror image of a branch, has its own count.
 double Placement::turns_of(JointIndex joint, double angle) const {
-  if (nearby_ == nullptr) {
+  if (nearby_.configurations == nullptr) {
     return 0;
   }
   double turns = 0;
-  constexpr double alike = 1;  // the sum of two chords of unit circles
-  double nearest = alike;
-  for (const Configuration& other : *nearby_) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Configuration& other : *nearby_.configurations) {
     const auto counted = std::ranges::find(other.counted, joint, &CountedAngle::joint);
     double away = 0;
+    double reach = 0;
     for (const FeatureIndex feature : plan_->mechanism.joints()[joint].between) {
       const LinkIndex link = plan_->mechanism.features()[feature].link;
       const Direction<double>& here = placed_.links[link].pose.direction;
       const Direction<double>& there = other.links[link].pose.direction;
       away += std::hypot(here.cos - there.cos, here.sin - there.sin);
+      reach += nearby_.reach(other, link);
     }
-    if (counted != other.counted.end() && away < nearest) {
+    if (counted != other.counted.end() && away < std::min(nearest, reach)) {
       nearest = away;
       turns = std::round((counted->angle - angle) / (2 * std::numbers::pi));
     }

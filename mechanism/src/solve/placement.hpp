@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "group_solver.hpp"
+#include "nearby_configurations.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -30,8 +31,8 @@ class Placement {
                                         Table<LinkIndex, bool>* unplaced = nullptr);
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
   /// From now on, angles that laws read are counted by whole turns from those of configurations
-  /// nearby; with null they are in (-pi, pi].
-  void count_from(const std::vector<Configuration>* nearby) { nearby_ = nearby; }
+  /// nearby; where there are none of these, they are in (-pi, pi].
+  void count_from(const NearbyConfigurations& nearby) { nearby_ = nearby; }
   /// Whether a group has a normal form and all links that hold or shape it are placed, so that its
   /// configurations can be found.
   [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const;
@@ -76,7 +77,7 @@ class Placement {
   Table<GroupIndex, std::vector<std::size_t>> carried_by_base_;
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
-  const std::vector<Configuration>* nearby_ = nullptr;
+  NearbyConfigurations nearby_;
   std::string flaw_;
   std::size_t steps_ = 0;
   Frame joint_, motion_, moved_;  ///< kept for their memory, for what drivers move

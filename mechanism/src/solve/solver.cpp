@@ -48,7 +48,7 @@ class ConfigurationWalk {
     walk(search, search.within_limits && limits_.exist() && is_ordered_by_groups_, result);
   }
 
-  void count_from(const std::vector<Configuration>* nearby) { placement_.count_from(nearby); }
+  void count_from(const NearbyConfigurations& nearby) { placement_.count_from(nearby); }
 
   std::size_t run_to(std::size_t number, Solution& result) {
     nearness_.seek_nothing();
@@ -386,9 +386,9 @@ std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Sol
   return others_.settle(ask, result) ? other : own;
 }
 
-void MechanismSolver::count_from(const std::vector<Configuration>* nearby) {
+void MechanismSolver::count_from(const NearbyConfigurations& nearby) {
   walk_->count_from(nearby);
-  others_.stay_away(nearby != nullptr);
+  others_.stay_away(nearby.configurations != nullptr);
 }
 
 }  // namespace assur::mechanism::solve

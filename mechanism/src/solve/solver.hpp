@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 
+#include "nearby_configurations.hpp"
 #include "nearness.hpp"
 #include "other_ways.hpp"
 
@@ -45,7 +46,7 @@ class MechanismSolver {
   /// Finds the configuration nearest to a point, within limits or not, alone in the solution.
   [[nodiscard]] std::optional<Nearest> solve_near(const SoughtPoint& point, Solution& result);
   /// See `Placement::count_from`.
-  void count_from(const std::vector<Configuration>* nearby);
+  void count_from(const NearbyConfigurations& nearby);
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;

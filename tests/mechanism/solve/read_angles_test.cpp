@@ -64,6 +64,50 @@ TEST(ReadAngles, GoOnAlongBranches) {
   }
 }
 
+/// The coupler c shrinks as the crank turns, until after almost three turns the crank's end is
+/// farther than 3 - c from D: there both branches end, with the output link on the line from D to
+/// the crank's end.
+TEST(ReadAngles, GoOnToAFoldHoweverFewTheStepsAre) {
+  constexpr double shrinks = 0.09;
+  const auto from_fold = [](double phi) {  // with c = 2.5 - shrinks * phi, |BD| = 3 - c
+    return 10 - 6 * std::cos(phi) - std::pow(0.5 + shrinks * phi, 2);
+  };
+  for (const int count : {2, 3, 4, 7, 32, 311}) {
+    Json scene = rack_on_drag_link(3, count);
+    scene["links"]["coupler"]["C"] = {"2.5 - 0.09*phi", 0};
+    const SweepKept kept = run_sweep(scene_of(scene));
+    ASSERT_EQ(kept.events.size(), 1U) << count;
+    const SweepEventKept& fold = kept.events.front();
+    EXPECT_EQ(fold.text, "fold 1 2");
+    EXPECT_NEAR(from_fold(fold.parameter), 0, 1e-9);
+    const double angle = std::atan2(3 * std::sin(fold.parameter), 3 * std::cos(fold.parameter) - 1);
+    const double turns = std::round((fold.parameter - angle) / turn);
+    EXPECT_NEAR(fold.pose(rack_x), 2 * (angle + turn * turns), 1e-6) << count;
+  }
+}
+
+/// Two configurations of a four-bar, whose output link stands a little this side and that side of
+/// pi. The law has no value for the positive angle. That configuration is no continuation of the
+/// other, so that the sweep does not count its angle from that of the other, which is negative.
+TEST(ReadAngles, AreNotCountedFromABranchBeside) {
+  constexpr int steps = 5;
+  Json json = rack_on_drag_link(1, steps);
+  json["links"]["ground"]["D"] = {4, 0};
+  json["links"]["crank"]["B"] = {1, 0};
+  json["links"]["coupler"]["C"] = {1.2, 0};
+  json["links"]["output"]["C"] = {2, 0};
+  json["drivers"]["S"]["position"] = "sqrt(-joint(D))";
+  json["sweep"]["from"] = 0.1;
+  json["sweep"]["to"] = 0.2;
+  const SweepKept kept = run_sweep(scene_of(json));
+  EXPECT_TRUE(kept.events.empty());
+  ASSERT_EQ(kept.rows.size(), std::size_t{steps});
+  for (const SweepRowKept& row : kept.rows) {
+    const double angle = std::atan2(row.pose(output_cos + 1), row.pose(output_cos));
+    EXPECT_NEAR(row.pose(rack_x), std::sqrt(-angle), 1e-9) << row.step;
+  }
+}
+
 TEST(ReadAngles, GoOnAlongABranchThatIsFollowedAlone) {
   const mechanism::Scene scene = scene_of(rack_on_drag_link(3, 13));
   const mechanism::Plan plan(scene);
