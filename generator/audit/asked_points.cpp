@@ -15,8 +15,8 @@ constexpr std::size_t simple_points = 80;
 /// Points of few and small numbers, so that a counterexample can be checked with a pencil.
 class SimpleValues {
  public:
-  GiNaC::numeric length() { return GiNaC::numeric(1 + below(3)); }
-  GiNaC::numeric rate() { return GiNaC::numeric(1 + below(2)); }
+  GiNaC::numeric length() { return {1 + below(3)}; }
+  GiNaC::numeric rate() { return {1 + below(2)}; }
   std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
     constexpr std::array<std::array<int, 2>, 4> fifths = {{{3, 4}, {4, 3}, {0, 5}, {5, 0}}};
     const auto [x, y] = fifths[static_cast<std::size_t>(below(4))];

@@ -51,7 +51,7 @@ class Evaluator {
   }
 
  private:
-  RoundedValue sum(const GiNaC::ex& e) const {
+  [[nodiscard]] RoundedValue sum(const GiNaC::ex& e) const {
     RoundedValue total;
     for (const GiNaC::ex& term : e) {
       const RoundedValue next = (*this)(term);
@@ -60,7 +60,7 @@ class Evaluator {
     return total;
   }
 
-  RoundedValue product(const GiNaC::ex& e) const {
+  [[nodiscard]] RoundedValue product(const GiNaC::ex& e) const {
     RoundedValue all{1, 0};
     for (const GiNaC::ex& factor : e) {
       const RoundedValue next = (*this)(factor);
@@ -70,7 +70,7 @@ class Evaluator {
     return all;
   }
 
-  RoundedValue function(const GiNaC::ex& e) const {
+  [[nodiscard]] RoundedValue function(const GiNaC::ex& e) const {
     const std::string name = GiNaC::ex_to<GiNaC::function>(e).get_name();
     const RoundedValue x = (*this)(e.op(0));
     const double root = std::sqrt(1 - x.value * x.value);

@@ -64,7 +64,7 @@ class ProgramAudit {
                        (drawing_.assembled() ? " assembled" : "") + " rational points" +
                        (drawing_.assembled() == expected_.on_closures ? "" : ", not assembled");
     for (const closures::PlacedText& condition : run_.where) {
-      text += (&condition == &run_.where[0] ? " where " : " and ") + condition.text + " > 0";
+      text += (&condition == (run_.where).data() ? " where " : " and ") + condition.text + " > 0";
     }
     if (run_.rounding > 0) {
       text += ", to a relative " + decimal_text(run_.rounding);

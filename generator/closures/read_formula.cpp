@@ -133,7 +133,7 @@ class Reader {
     throw FormulaError(what, place_of_(at.column));
   }
 
-  GiNaC::ex number(const text::Expression& node) const {
+  [[nodiscard]] static GiNaC::ex number(const text::Expression& node) {
     if (node.name == "pi" || node.name == "deg") {
       return node.name == "pi" ? GiNaC::ex(GiNaC::Pi) : GiNaC::Pi / 180;
     }
@@ -145,7 +145,7 @@ class Reader {
     return other == locals_.stands_for.end() ? name : other->second;
   }
 
-  GiNaC::ex name(const text::Expression& node) const {
+  [[nodiscard]] GiNaC::ex name(const text::Expression& node) const {
     if (const auto local = locals_.meanings.find(node.name); local != locals_.meanings.end()) {
       return local->second;
     }
@@ -157,7 +157,7 @@ class Reader {
          node);
   }
 
-  const AuditSymbol& symbol(const text::Expression& node) const {
+  [[nodiscard]] const AuditSymbol& symbol(const text::Expression& node) const {
     const AuditSymbol* found = node.kind == text::Expression::Kind::name
                                    ? system_.symbol_named(resolved(node.name))
                                    : nullptr;
@@ -167,7 +167,7 @@ class Reader {
     return *found;
   }
 
-  GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
+  [[nodiscard]] GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
                      const text::Expression& at) const {
     if (below.is_zero()) {
       fail("division by zero", at);
@@ -190,7 +190,7 @@ class Reader {
     return system_.total(expression, by);
   }
 
-  GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,
+  [[nodiscard]] GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,
                   const text::Expression& at) const {
     if (!(2 * exponent).info(GiNaC::info_flags::integer)) {
       fail("only whole and half powers can be compared", at);

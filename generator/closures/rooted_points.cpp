@@ -46,8 +46,8 @@ std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const
   }
   std::vector<GiNaC::ex> list;
   for (const GiNaC::ex& angle : angles) {
-    list.push_back(GiNaC::cos(angle));
-    list.push_back(GiNaC::sin(angle));
+    list.emplace_back(GiNaC::cos(angle));
+    list.emplace_back(GiNaC::sin(angle));
   }
   list.insert(list.end(), lengths.begin(), lengths.end());
   for (const std::vector<GiNaC::ex>* several : {&angles, &lengths}) {
@@ -61,8 +61,8 @@ std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const
           continue;
         }
         for (const GiNaC::ex& angle : {difference, sum}) {
-          list.push_back(GiNaC::sin(angle));
-          list.push_back(GiNaC::cos(angle));
+          list.emplace_back(GiNaC::sin(angle));
+          list.emplace_back(GiNaC::cos(angle));
         }
         list.push_back(GiNaC::sin((*several)[one]) * GiNaC::sin((*several)[other]));
         list.push_back(GiNaC::cos((*several)[one]) * GiNaC::cos((*several)[other]));
@@ -70,8 +70,8 @@ std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const
         list.push_back(GiNaC::cos((*several)[one]) * GiNaC::sin((*several)[other]));
       }
       if (several == &angles) {
-        list.push_back(GiNaC::sin(2 * (*several)[one]));
-        list.push_back(GiNaC::cos(2 * (*several)[one]));
+        list.emplace_back(GiNaC::sin(2 * (*several)[one]));
+        list.emplace_back(GiNaC::cos(2 * (*several)[one]));
       }
     }
   }

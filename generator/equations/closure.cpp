@@ -140,7 +140,7 @@ class ClosureWalk {
       }
       pose(link).angle = AngleSum(result_.unknowns.emplace_back(
           "theta_" + word(link), Variable::Quantity::angle, "angle of link " + word(link)));
-      result_.owners.push_back(link);
+      result_.owners.emplace_back(link);
       tied[link] = true;
       spread();
     }
@@ -163,7 +163,7 @@ class ClosureWalk {
     for (const JointIndex index : group_.joints().keys()) {
       if (slides(index)) {
         const LinkIndex first = joint(index).first;
-        result_.owners.push_back(index);
+        result_.owners.emplace_back(index);
         result_.unknowns.emplace_back(
             "s_" + letter(index), Variable::Quantity::length,
             "displacement along the slide at " + letter(index) + " of link " +

@@ -253,7 +253,7 @@ void Notations::add(const Tokens& notation, const std::string& formula) {
 }
 
 std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& tokens,
-                                        std::size_t at) const {
+                                        std::size_t at) {
   std::vector<std::string> captured;
   Meaning meaning;
   std::size_t open = 0;  // braces

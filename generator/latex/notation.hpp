@@ -55,8 +55,8 @@ class Notations {
     std::string formula;
   };
 
-  [[nodiscard]] std::optional<Meaning> match(const Notation& notation, const Tokens& tokens,
-                                             std::size_t at) const;
+  [[nodiscard]] static std::optional<Meaning> match(const Notation& notation, const Tokens& tokens,
+                                             std::size_t at) ;
   [[nodiscard]] std::optional<Meaning> by_spelling(const Tokens& tokens, std::size_t at) const;
   void refuse_words(const Tokens& tokens, std::size_t at) const;
 

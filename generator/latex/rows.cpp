@@ -88,7 +88,7 @@ std::vector<Tokens> side_by_side(const Tokens& row) {
 
 /// The statements of a system of equations that begins at `at`, which is moved behind it.
 std::vector<Tokens> system_rows(const Tokens& tokens, std::size_t& at) {
-  const Token opened = tokens[at++];
+  const Token& opened = tokens[at++];
   const std::string name = letters_of(take_argument(tokens, at));
   const Tokens inside = take_environment(tokens, at, name, opened);
   std::size_t first = 0;

@@ -1,11 +1,12 @@
 #include "program/coefficient.hpp"
 
 #include <sstream>
+#include <utility>
 
 namespace assur::generator::program {
 
-Coefficient::Coefficient(const GiNaC::numeric& value, const GiNaC::ex& origin)
-    : value_(value), origin_(origin) {
+Coefficient::Coefficient(GiNaC::numeric  value, GiNaC::ex  origin)
+    : value_(std::move(value)), origin_(std::move(origin)) {
   // What vanishes or changes nothing but a sign is no matter of names.
   if (is_zero() || !scales()) {
     origin_ = value_;

@@ -21,7 +21,7 @@ class ExactDerivatives : public testing::Test {
   using InputVector = Vector<Rational, Model::input_count>;
   using ResidualVector = Vector<Moving, Model::equation_count>;
 
-  explicit ExactDerivatives() : random_(20260u + static_cast<unsigned>(Model::number)) {}
+  explicit ExactDerivatives() : random_(20260U + static_cast<unsigned>(Model::number)) {}
 
   void draw() {
     d_ = random_.template variables<Dimensions>();

@@ -83,7 +83,7 @@ class Solution : public testing::Test {
     }
   }
 
-  RandomInputs random_{4711u + static_cast<unsigned>(Model::number)};
+  RandomInputs random_{4711U + static_cast<unsigned>(Model::number)};
   typename Model::template Dimensions<Rational> d_;
   typename Model::template Inputs<Rational> u_;
   typename Model::template Configuration<Rational> q_;

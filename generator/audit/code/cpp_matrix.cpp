@@ -187,7 +187,7 @@ class CppMatrix {
 
   /// `J`, `J(2, 2)`, `J = Matrix::Zero()`, `J[2][2] = {}`.
   void read_own_matrix(Tokens declared, Tokens type) {
-    copied_ = &declared[0];
+    copied_ = declared.data();
     expect_shape(shape_of_type(type), declared[0]);
     Tokens rest = declared.subspan(1);
     expect_shape(leading_shape(rest), declared[0]);

@@ -88,7 +88,7 @@ bool includes_known(const std::vector<std::string>& words) {
     return false;
   }
   const std::string& name = words[1];
-  return name.front() == '<' && name.back() == '>' && name.find("..") == name.npos &&
+  return name.front() == '<' && name.back() == '>' && name.find("..") == std::string::npos &&
          is_standard_header(name.substr(1, name.size() - 2));
 }
 
@@ -109,8 +109,8 @@ void check_directives(Tokens tokens) {
       all.push_back(&token);
       const std::string& text = token.spelling;
       const std::size_t comment = text.find("/*");
-      const std::size_t end = comment == text.npos ? text.npos : text.find("*/", comment + 2);
-      const bool ends = end != text.npos && text.find_first_not_of(" \t\r", end + 2) == text.npos;
+      const std::size_t end = comment == std::string::npos ? std::string::npos : text.find("*/", comment + 2);
+      const bool ends = end != std::string::npos && text.find_first_not_of(" \t\r", end + 2) == std::string::npos;
       if (comment < text.find("//") && !ends) {
         throw CodeError("a comment that begins here may hide what follows; end it in this line",
                         token.place);

@@ -49,17 +49,17 @@ std::size_t circle_number(Tokens tokens) {
 /// A number without its suffix.
 std::string plain_number(const Token& token) {
   std::string text = token.spelling;
-  if (text.find_first_of("fFuU") != text.npos && text.find_first_of("xX") == text.npos) {
+  if (text.find_first_of("fFuU") != std::string::npos && text.find_first_of("xX") == std::string::npos) {
     throw CodeError(
         "a number of type float or unsigned makes the result round or wrap around; write it "
         "without its suffix",
         token.place);
   }
-  const bool octal = text.size() > 1 && text[0] == '0' && text.find('.') == text.npos &&
-                     text.find_first_of("eE") == text.npos;
+  const bool octal = text.size() > 1 && text[0] == '0' && text.find('.') == std::string::npos &&
+                     text.find_first_of("eE") == std::string::npos;
   const std::size_t end = text.find_last_not_of("lL");
   text.resize(end + 1);
-  if (octal || text.find_first_not_of("0123456789.eE+-") != text.npos) {
+  if (octal || text.find_first_not_of("0123456789.eE+-") != std::string::npos) {
     throw CodeError("a number spelled '" + token.spelling + "' cannot be read; write a decimal one",
                     token.place);
   }

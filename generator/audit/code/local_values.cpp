@@ -39,7 +39,7 @@ void LocalValues::refuse_calls(Tokens expression) const {
 void LocalValues::expect_readable(const CodeName& name) const {
   const std::size_t dot = name.spelled.rfind('.');
   const std::string member =
-      dot == name.spelled.npos
+      dot == std::string::npos
           ? ""
           : name.spelled.substr(dot + 1, name.spelled.find('[', dot) - dot - 1);
   if (const auto found = members_.find(member); found != members_.end()) {

@@ -164,7 +164,7 @@ class Lexer {
     const std::string closing = parenthesis == std::string::npos
                                     ? ""
                                     : ")" + code_.substr(open + 1, parenthesis - open - 1) + "\"";
-    const std::size_t end = closing.empty() ? closing.npos : code_.find(closing, parenthesis);
+    const std::size_t end = closing.empty() ? std::string::npos : code_.find(closing, parenthesis);
     if (end == std::string::npos) {
       fail("this text does not end");
     }

@@ -129,7 +129,7 @@ class SolutionFunctions {
     return symbols;
   }
 
-  [[nodiscard]] std::vector<Parameter> parameters(std::vector<Parameter> more) const {
+  [[nodiscard]] static std::vector<Parameter> parameters(std::vector<Parameter> more) {
     more.insert(more.begin(), {{"const Dimensions<Scalar>&", "d"},
                                {"const Inputs<Scalar>&", "u"},
                                {"const Configuration<Scalar>&", "q"}});
@@ -212,8 +212,8 @@ class SolutionFunctions {
     return result;
   }
 
-  void add_rates(std::vector<program::Result>& results, const std::string& target,
-                 const Rows& values) const {
+  static void add_rates(std::vector<program::Result>& results, const std::string& target,
+                 const Rows& values) {
     for (std::size_t unknown = 0; unknown < values.size(); ++unknown) {
       results.push_back({at(target, unknown), values[unknown]});
     }

@@ -89,10 +89,10 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
   };
   std::vector<std::string> all;
   if (any_reads("p")) {
-    all.push_back("const Parameters<Scalar>& p = placed.parameters;");
+    all.emplace_back("const Parameters<Scalar>& p = placed.parameters;");
   }
   if (!has_drivers && any_reads("drivers")) {
-    all.push_back("const Drivers<Scalar>& drivers = placed.drivers;");
+    all.emplace_back("const Drivers<Scalar>& drivers = placed.drivers;");
   }
   std::transform(readers.begin(), readers.end(), std::back_inserter(all), in_scalar);
   return all;

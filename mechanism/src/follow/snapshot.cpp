@@ -21,6 +21,13 @@ namespace {
 constexpr int most_between_steps = 10000;
 /// Whole turns of angles that laws read are counted at this many values of a sweep at least.
 constexpr double least_counts = 512;
+/// Whether branches meet or miss one another is told in steps as short as this part of the way that
+/// moves the mechanism by its size. In shorter ones, rounding hides near a meeting how links turn.
+constexpr double least_counting_step = 1e-7;
+/// So many steps lead at most to one value.
+constexpr int most_counting_steps = 1024;
+/// So many sets are kept at most, from which turns are counted.
+constexpr std::size_t most_counted = 2048;
 
 /// Whether all configurations have their derivatives. Where branches meet, and only there,
 /// derivatives lose their digits before places do, so configurations with derivatives are apart
@@ -135,9 +142,7 @@ SnapshotPointer SnapshotSolver::at_step(double parameter) {
     counted_ = {nearest_counted(parameter)};
   }
   SnapshotPointer set = solved(parameter);
-  if (has_counted_angles(*set)) {
-    counted_.push_back(set);
-  }
+  note_counted(set);
   return set;
 }
 
@@ -155,26 +160,40 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
 }
 
 /// The set at a value. Where laws read angles, their turns are counted in small steps from the
-/// nearest set in which they are known.
+/// nearest set in which they are known. A step that may cross a place where branches meet, or miss
+/// one another, is shortened until it is known which of them go on, or as far as is useful. Far
+/// beyond the sweep, where only a wrong guess can lead, nothing is counted in steps.
 SnapshotPointer SnapshotSolver::solved(double parameter) {
   if (counted_.empty()) {
     return solved_here(parameter);
   }
-  SnapshotPointer known = nearest_counted(parameter);
-  const double from = known->parameter;
-  const double way = parameter - from;
-  const int parts =
-      to_ == from_ ? 1 : static_cast<int>(std::ceil(std::abs(way / (to_ - from_)) * least_counts));
-  for (int part = 1; part < parts; ++part) {
-    const double next = from + way * part / parts;
-    count_turns_from(*known, next);
-    if (const SnapshotPointer set = solved_here(next); has_counted_angles(*set)) {
-      known = set;
-      counted_.push_back(set);
+  const SnapshotPointer nearest = nearest_counted(parameter);
+  double here = nearest->parameter;
+  const double range = std::abs(to_ - from_);
+  const double whole = std::abs(parameter - here);
+  const double rounding =
+      16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(here), std::abs(parameter));
+  const double widest = std::max(rounding, std::max(range, whole) / least_counts);
+  int left = whole > range && whole > way_of_size(*nearest) ? 0 : most_counting_steps;
+  for (double width = widest;; --left) {
+    const double rest = parameter - here;
+    const bool arrives = std::abs(rest) <= width || left <= 0;
+    const double next = arrives ? parameter : here + std::copysign(width, rest);
+    count_turns_at(next, here);
+    SnapshotPointer set = solved_here(next);
+    const double way = std::abs(next - here);
+    const bool is_in_doubt = is_count_in_doubt_ || (has_counted_angles(*set) && !is_regular(*set));
+    if (is_in_doubt && left > 0 &&
+        way > std::max(rounding, least_counting_step * way_of_size(*set))) {
+      width = way / 2;
+    } else if (arrives) {
+      return set;
+    } else {
+      note_counted(set);
+      here = next;
+      width = std::min(widest, 2 * std::max(way, rounding));
     }
   }
-  count_turns_from(*known, parameter);
-  return solved_here(parameter);
 }
 
 const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
@@ -183,19 +202,54 @@ const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
   });
 }
 
+/// Keeps a set from which turns are counted: one with angles that laws read, or an empty one, since
+/// branches that begin behind a gap begin to count. In a degenerate set, branches go on unseen, and
+/// where they meet, nobody knows which of them a configuration continues.
+void SnapshotSolver::note_counted(const SnapshotPointer& set) {
+  const bool is_gap =
+      set->count() == 0 && !set->is_degenerate() && !plan_.structure().reading.empty();
+  const bool is_known = has_counted_angles(*set) && is_regular(*set) && !is_count_ambiguous_;
+  if (is_known || is_gap) {
+    if (counted_.size() == most_counted) {
+      counted_.erase(counted_.begin());
+    }
+    counted_.push_back(set);
+  }
+}
+
 void SnapshotSolver::count_from(const SnapshotPointer& set) {
   if (has_counted_angles(*set)) {
     counted_ = {set};
   }
 }
 
-void SnapshotSolver::count_turns_from(const Snapshot& known, double parameter) {
-  solver_.count_from({&known.solution.configurations, column_, parameter - known.parameter});
+/// Turns at a value are counted from the nearest sets on both sides of it, since branches that end
+/// between them are known on one side only. Those of the set at `from` are expected to go on.
+void SnapshotSolver::count_turns_at(double parameter, double from) {
+  const Snapshot* below = nullptr;
+  const Snapshot* above = nullptr;
+  for (const SnapshotPointer& set : counted_) {
+    if (set->parameter <= parameter) {
+      below = below == nullptr || below->parameter < set->parameter ? set.get() : below;
+    } else {
+      above = above == nullptr || above->parameter > set->parameter ? set.get() : above;
+    }
+  }
+  std::vector<solve::NearbyConfigurations> nearby;
+  for (const Snapshot* set : {below, above}) {
+    if (set != nullptr) {
+      nearby.push_back({&set->solution.configurations, &set->roles, column_,
+                        parameter - set->parameter, set->parameter == from});
+    }
+  }
+  solver_.count_from(std::move(nearby));
 }
 
 SnapshotPointer SnapshotSolver::solved_here(double parameter) {
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   solver_.solve({.within_limits = false}, snapshot->solution);
+  is_count_in_doubt_ = solver_.is_count_in_doubt();
+  is_count_ambiguous_ = solver_.is_count_ambiguous();
   if (snapshot->solution.configurations.size() > most_followed) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
                                       " configurations at one value cannot be followed");
@@ -255,7 +309,7 @@ SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
 SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& point) {
   count_between_steps();
   if (!counted_.empty()) {
-    count_turns_from(*nearest_counted(parameter), parameter);
+    count_turns_at(parameter, parameter);
   }
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   sought_.at = point;

@@ -103,7 +103,8 @@ class SnapshotSolver {
   [[nodiscard]] SnapshotPointer solved(double parameter);
   [[nodiscard]] SnapshotPointer solved_here(double parameter);
   [[nodiscard]] const SnapshotPointer& nearest_counted(double parameter) const;
-  void count_turns_from(const Snapshot& known, double parameter);
+  void note_counted(const SnapshotPointer& set);
+  void count_turns_at(double parameter, double from);
   /// Whether a set has fewer configurations than one beside it, for families that the other lacks,
   /// or since configurations of a mechanism without its redundant constraints meet in one that all
   /// constraints determine.
@@ -132,8 +133,10 @@ class SnapshotSolver {
   /// Sets from whose angles turns are counted: that of the last step, and those between steps on
   /// the way to other sets. There are none where laws read no angles.
   std::vector<SnapshotPointer> counted_;
-  std::size_t families_ = 0;  ///< in the last set, of those that one beside it has, too
-  int between_steps_ = 0;     ///< how many were asked for since the last step
+  bool is_count_in_doubt_ = false;   ///< in the last set
+  bool is_count_ambiguous_ = false;  ///< likewise
+  std::size_t families_ = 0;         ///< in the last set, of those that one beside it has, too
+  int between_steps_ = 0;            ///< how many were asked for since the last step
   bool closely_ = false;
 };
 

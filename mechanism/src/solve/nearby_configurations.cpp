@@ -1,21 +1,30 @@
 #include "nearby_configurations.hpp"
 
 #include <algorithm>
+#include <assur/directions.hpp>
 #include <cmath>
 
 namespace assur::mechanism::solve {
 
-double NearbyConfigurations::reach(const Configuration& configuration, LinkIndex link) const {
-  constexpr double farthest = 0.5;  // where nothing is known of the link's motion
-  // A link may turn faster on the way than at its beginning: where a pin passes a pivot closely,
-  // it turns less than eight times as far as its speed tells, unless it passes `farthest`.
-  constexpr double faster = 8;
-  constexpr double least = 5e-4;  // where the link rests for a moment
-  if (!configuration.path_known) {
-    return farthest;
-  }
-  const double speed = std::abs(configuration.links[link].follows.first(2, column));
-  return std::min(farthest, least + faster * speed * std::abs(way));
+namespace {
+
+double distance(const Direction<double>& one, const Direction<double>& other) {
+  return std::hypot(one.cos - other.cos, one.sin - other.sin);
+}
+
+}  // namespace
+
+void Continuation::add(const NearbyConfigurations& nearby, const Configuration& there,
+                       LinkIndex link, const Direction<double>& here) {
+  constexpr double farthest = 0.5;  // a slope does not lead farther
+  constexpr double faster = 8;      // at the end of the way, or between, than at its beginning
+  constexpr double least = 5e-4;    // where a link rests for a moment
+  const Direction<double>& from = there.links[link].pose.direction;
+  const double turn = there.links[link].follows.first(2, nearby.column) * nearby.way;
+  const bool is_led = there.path_known && std::abs(turn) < farthest;
+  error += distance(here, is_led ? turned(from, direction_of(turn)) : from);
+  away += distance(here, from);
+  reach += is_led ? std::min(farthest, least + faster * std::abs(turn)) : farthest;
 }
 
 }  // namespace assur::mechanism::solve

@@ -1,21 +1,31 @@
-// Turns the configurations at one value of a parameter into how far their links may have turned at
-// another value.
+// Turns the configurations at values of a parameter nearby into how well each of them goes on in
+// what is placed here.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
 #include <vector>
 
 namespace assur::mechanism::solve {
 
-/// The configurations at another value of a parameter, of which those here are continuations.
+/// The configurations at another value of a parameter.
 struct NearbyConfigurations {
-  const std::vector<Configuration>* configurations = nullptr;  ///< none if null
+  const std::vector<Configuration>* configurations = nullptr;
+  const Table<GroupIndex, const RoleAssignment*>* roles = nullptr;  ///< of the groups' links there
   Eigen::Index column = 0;  ///< of the derivatives with respect to the parameter
   double way = 0;           ///< from that value to the one here
+  bool go_on = false;       ///< whether all are expected to be continued here
+};
 
-  /// How far a link of a continuation may have turned from where it stands in a configuration
-  /// there, as the distance of the two directions.
-  [[nodiscard]] double reach(const Configuration& configuration, LinkIndex link) const;
+/// How well the motion of a configuration, along its slope, leads to directions of links here.
+struct Continuation {
+  double error = 0;  ///< the distances of the directions from where the slope leads, added
+  double away = 0;   ///< the distances of the directions from where they are there, added
+  double reach = 0;  ///< how far the links can be expected to turn at most, as their slopes tell
+
+  /// Adds a link.
+  void add(const NearbyConfigurations& nearby, const Configuration& there, LinkIndex link,
+           const Direction<double>& here);
 };
 
 }  // namespace assur::mechanism::solve

@@ -80,10 +80,16 @@ void Placement::begin() {
   placed_.rates_known = true;
   placed_.is_crossing = true;
   placed_.residual = 0;
+  is_ambiguous_ = leads_across_ = lists_begun_ = false;
+  is_continued_.resize(nearby_.size());
+  for (std::size_t set = 0; set < nearby_.size(); ++set) {
+    is_continued_[set].assign(nearby_[set].configurations->size(), false);
+  }
   steps_ = 0;
 }
 
 bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
+  placed_groups_ = groups;
   const auto is_missing = [unplaced](LinkIndex link) {
     return unplaced != nullptr && (*unplaced)[link];
   };
@@ -124,45 +130,106 @@ bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* u
 JointMotion Placement::counted_coordinate(JointIndex joint) {
   JointMotion motion = coordinate_of(values_, placed_.links, placed_.slides, joint);
   if (plan_->mechanism.joints()[joint].type == JointType::revolute) {
-    const double turns = turns_of(joint, motion.position.value());
+    const std::optional<double> known_turns = turns_of(joint, motion.position.value());
+    const double turns = known_turns.value_or(0);
     motion.position = motion.position + values_.constant(2 * std::numbers::pi * turns);
     const double angle = motion.position.value();
     const auto known = std::ranges::find(placed_.counted, joint, &CountedAngle::joint);
+    const auto place = static_cast<std::size_t>(known - placed_.counted.begin());
     if (known == placed_.counted.end()) {
       placed_.counted.push_back({joint, angle});
+      is_begun_.push_back(false);
     } else {
       known->angle = angle;
     }
+    is_begun_[place] = !known_turns && !nearby_.empty();
   }
   return motion;
 }
 
-/// The whole turns to add to an angle, from the configuration nearby in which the joint's links
-/// stand most nearly as here; zero if none has them within its reach, since what is no continuation
-/// of it, as the mirror image of a branch, has its own count.
-double Placement::turns_of(JointIndex joint, double angle) const {
-  if (nearby_.configurations == nullptr) {
-    return 0;
-  }
-  double turns = 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const Configuration& other : *nearby_.configurations) {
-    const auto counted = std::ranges::find(other.counted, joint, &CountedAngle::joint);
-    double away = 0;
-    double reach = 0;
-    for (const FeatureIndex feature : plan_->mechanism.joints()[joint].between) {
-      const LinkIndex link = plan_->mechanism.features()[feature].link;
-      const Direction<double>& here = placed_.links[link].pose.direction;
-      const Direction<double>& there = other.links[link].pose.direction;
-      away += std::hypot(here.cos - there.cos, here.sin - there.sin);
-      reach += nearby_.reach(other, link);
-    }
-    if (counted != other.counted.end() && away < std::min(nearest, reach)) {
-      nearest = away;
-      turns = std::round((counted->angle - angle) / (2 * std::numbers::pi));
+/// Whether the groups that are placed so far have loop Jacobians of the signs that they have in a
+/// configuration nearby. Along a branch, signs change in singular configurations only.
+bool Placement::has_signs_of(const NearbyConfigurations& nearby, const Configuration& there) const {
+  for (GroupIndex group(0); group.place() < placed_groups_; group = GroupIndex(group.place() + 1)) {
+    if (values_.group(group).roles == (*nearby.roles)[group] &&
+        there.determinants[group] * placed_.determinants[group] < 0) {
+      return false;
     }
   }
-  return turns;
+  return true;
+}
+
+/// The whole turns to add to an angle, from the configuration nearby that the joint's links, and
+/// all links of groups placed before, continue best; nothing if the joint's links continue none,
+/// since what is no continuation of a branch, as its mirror image, has its own count. Where a
+/// change of sign tells that branches have met, the continuation leads straight on; a step across
+/// such a place is too wide to tell whether branches meet there or miss one another.
+std::optional<double> Placement::turns_of(JointIndex joint, double angle) {
+  constexpr double clearly = 4;
+  constexpr double indistinct = 1e-6;  // where branches meet, rounding moves links by less
+  counts_.clear();
+  for (std::size_t set = 0; set < nearby_.size(); ++set) {
+    const NearbyConfigurations& nearby = nearby_[set];
+    for (std::size_t place = 0; place < nearby.configurations->size(); ++place) {
+      const Configuration& there = (*nearby.configurations)[place];
+      const auto counted = std::ranges::find(there.counted, joint, &CountedAngle::joint);
+      if (counted == there.counted.end()) {
+        continue;
+      }
+      Continuation continuation;
+      for (const FeatureIndex feature : plan_->mechanism.joints()[joint].between) {
+        const LinkIndex link = plan_->mechanism.features()[feature].link;
+        continuation.add(nearby, there, link, placed_.links[link].pose.direction);
+      }
+      if (std::min(continuation.error, continuation.away) < continuation.reach) {
+        is_continued_[set][place] = true;
+        counts_.push_back({continuation.error + error_of_groups(nearby, there),
+                           std::round((counted->angle - angle) / (2 * std::numbers::pi)),
+                           has_signs_of(nearby, there)});
+      }
+    }
+  }
+  if (counts_.empty()) {
+    return std::nullopt;
+  }
+  const Count best = *std::ranges::min_element(counts_, {}, &Count::error);
+  for (const Count& other : counts_) {
+    if (other.turns != best.turns) {
+      is_ambiguous_ = is_ambiguous_ || other.error <= indistinct + clearly * best.error;
+      leads_across_ = leads_across_ || (other.has_signs && !best.has_signs);
+    }
+  }
+  return best.turns;
+}
+
+double Placement::error_of_groups(const NearbyConfigurations& nearby,
+                                  const Configuration& there) const {
+  Continuation continuation;
+  for (GroupIndex group(0); group.place() < placed_groups_; group = GroupIndex(group.place() + 1)) {
+    for (const LinkIndex link : structure_.groups[group].links) {
+      if (link.place() < there.links.size()) {
+        continuation.add(nearby, there, link, placed_.links[link].pose.direction);
+      }
+    }
+  }
+  return continuation.error;
+}
+
+void Placement::note_listed() {
+  lists_begun_ = lists_begun_ || std::ranges::find(is_begun_, true) != is_begun_.end();
+}
+
+bool Placement::is_count_in_doubt() const {
+  if (is_ambiguous_ || leads_across_ || lists_begun_) {
+    return true;
+  }
+  for (std::size_t set = 0; set < nearby_.size(); ++set) {
+    const auto& is_continued = is_continued_[set];
+    if (nearby_[set].go_on && std::ranges::find(is_continued, false) != is_continued.end()) {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool Placement::settle(const ReadingDriver& reading) {

@@ -4,6 +4,8 @@
 #include <assur/mechanism/plan.hpp>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "group_solver.hpp"
 #include "nearby_configurations.hpp"
@@ -31,8 +33,18 @@ class Placement {
                                         Table<LinkIndex, bool>* unplaced = nullptr);
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
   /// From now on, angles that laws read are counted by whole turns from those of configurations
-  /// nearby; where there are none of these, they are in (-pi, pi].
-  void count_from(const NearbyConfigurations& nearby) { nearby_ = nearby; }
+  /// nearby, whose continuations these are; others are in (-pi, pi].
+  void count_from(std::vector<NearbyConfigurations> nearby) { nearby_ = std::move(nearby); }
+  /// Whether, since `begin`, two configurations nearby with different counts lead equally well to
+  /// the same one here, as where branches meet.
+  [[nodiscard]] bool is_count_ambiguous() const { return is_ambiguous_; }
+  /// Whether that is so, or one led straight across a place where branches seem to meet, or one
+  /// that is expected to go on was continued by none, or one that is listed continues none: as by a
+  /// step across a place where branches meet, miss one another, end or begin, or where a link turns
+  /// at once.
+  [[nodiscard]] bool is_count_in_doubt() const;
+  /// Notes that what is placed is a configuration of the mechanism.
+  void note_listed();
   /// Whether a group has a normal form and all links that hold or shape it are placed, so that its
   /// configurations can be found.
   [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const;
@@ -63,7 +75,18 @@ class Placement {
   void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const;
   [[nodiscard]] bool settle(const ReadingDriver& reading);
   [[nodiscard]] JointMotion counted_coordinate(JointIndex joint);
-  [[nodiscard]] double turns_of(JointIndex joint, double angle) const;
+  /// A count of whole turns: that of a configuration nearby, with what tells whether it goes on
+  /// here.
+  struct Count {
+    double error;
+    double turns;
+    bool has_signs;
+  };
+  [[nodiscard]] std::optional<double> turns_of(JointIndex joint, double angle);
+  [[nodiscard]] bool has_signs_of(const NearbyConfigurations& nearby,
+                                  const Configuration& there) const;
+  [[nodiscard]] double error_of_groups(const NearbyConfigurations& nearby,
+                                       const Configuration& there) const;
 
   std::shared_ptr<const PlanData> plan_;
   const Structure& structure_;
@@ -77,7 +100,14 @@ class Placement {
   Table<GroupIndex, std::vector<std::size_t>> carried_by_base_;
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
-  NearbyConfigurations nearby_;
+  std::vector<NearbyConfigurations> nearby_;
+  std::vector<std::vector<bool>> is_continued_;  ///< of the configurations nearby
+  std::vector<bool> is_begun_;  ///< of the counted angles: whether they continue none
+  bool is_ambiguous_ = false;
+  bool leads_across_ = false;  ///< straight on where branches meet
+  bool lists_begun_ = false;
+  std::vector<Count> counts_;  ///< kept for its memory
+  std::size_t placed_groups_ = 0;
   std::string flaw_;
   std::size_t steps_ = 0;
   Frame joint_, motion_, moved_;  ///< kept for their memory, for what drivers move

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "closing_gaps.hpp"
 #include "configuration_order.hpp"
@@ -48,7 +49,11 @@ class ConfigurationWalk {
     walk(search, search.within_limits && limits_.exist() && is_ordered_by_groups_, result);
   }
 
-  void count_from(const NearbyConfigurations& nearby) { placement_.count_from(nearby); }
+  void count_from(std::vector<NearbyConfigurations> nearby) {
+    placement_.count_from(std::move(nearby));
+  }
+  [[nodiscard]] bool is_count_ambiguous() const { return placement_.is_count_ambiguous(); }
+  [[nodiscard]] bool is_count_in_doubt() const { return placement_.is_count_in_doubt(); }
 
   std::size_t run_to(std::size_t number, Solution& result) {
     nearness_.seek_nothing();
@@ -206,6 +211,7 @@ class ConfigurationWalk {
   /// A configuration in which everything is placed; where constraints are redundant and the others
   /// hardly tell it, as all of them do.
   void list() {
+    placement_.note_listed();
     const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
     if (!redundancy_ || placed_.regularity == Status::ok || gap > 0) {
       list_placed(gap, !placed_.rates_known ||
@@ -386,9 +392,13 @@ std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Sol
   return others_.settle(ask, result) ? other : own;
 }
 
-void MechanismSolver::count_from(const NearbyConfigurations& nearby) {
-  walk_->count_from(nearby);
-  others_.stay_away(nearby.configurations != nullptr);
+void MechanismSolver::count_from(std::vector<NearbyConfigurations> nearby) {
+  others_.stay_away(!nearby.empty());
+  walk_->count_from(std::move(nearby));
 }
+
+bool MechanismSolver::is_count_ambiguous() const { return walk_->is_count_ambiguous(); }
+
+bool MechanismSolver::is_count_in_doubt() const { return walk_->is_count_in_doubt(); }
 
 }  // namespace assur::mechanism::solve

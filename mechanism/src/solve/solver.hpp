@@ -5,6 +5,7 @@
 #include <assur/mechanism/values.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "nearby_configurations.hpp"
 #include "nearness.hpp"
@@ -46,7 +47,10 @@ class MechanismSolver {
   /// Finds the configuration nearest to a point, within limits or not, alone in the solution.
   [[nodiscard]] std::optional<Nearest> solve_near(const SoughtPoint& point, Solution& result);
   /// See `Placement::count_from`.
-  void count_from(const NearbyConfigurations& nearby);
+  void count_from(std::vector<NearbyConfigurations> nearby);
+  /// See `Placement`; of the last solution.
+  [[nodiscard]] bool is_count_ambiguous() const;
+  [[nodiscard]] bool is_count_in_doubt() const;
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;

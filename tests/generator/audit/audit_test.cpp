@@ -67,7 +67,7 @@ TEST(Audit, ADifferenceIsShownAtAPointThatCanBeChecked) {
   long s_below = 1;
   std::array<long, 2> cosine{};
   ASSERT_EQ(std::sscanf(finding.comparison.point.c_str(),
-                        "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", &cosine[0], &cosine[1],
+                        "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", cosine.data(), &cosine[1],
                         &s_above, &s_below, &r_above, &r_below),
             6)
       << finding.comparison.point;
