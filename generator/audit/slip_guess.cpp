@@ -1,5 +1,6 @@
 #include "audit/slip_guess.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -76,12 +77,8 @@ class Guesser {
   /// The entry that stands at another's place under a rule, for all of `affected`.
   [[nodiscard]] bool all_hold(const std::vector<std::size_t>& affected,
                               const std::function<std::size_t(std::size_t)>& other) const {
-    for (const std::size_t entry : affected) {
-      if (!holds(entry, matrix_.derived[other(entry)])) {
-        return false;
-      }
-    }
-    return true;
+    return std::ranges::all_of(
+        affected, [&](std::size_t entry) { return holds(entry, matrix_.derived[other(entry)]); });
   }
 
   [[nodiscard]] std::string places() const {

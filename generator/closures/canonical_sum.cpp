@@ -202,7 +202,7 @@ std::string CanonicalTerm::size_text() const {
   if (!size.denom().is_equal(1)) {
     below.insert(below.begin(), plain(size.denom()));
   }
-  const std::string text = assur::text::joined(above, "*");
+  std::string text = assur::text::joined(above, "*");
   if (below.empty()) {
     return text;
   }

@@ -168,7 +168,7 @@ class Reader {
   }
 
   [[nodiscard]] GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
-                     const text::Expression& at) const {
+                                   const text::Expression& at) const {
     if (below.is_zero()) {
       fail("division by zero", at);
     }
@@ -191,7 +191,7 @@ class Reader {
   }
 
   [[nodiscard]] GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,
-                  const text::Expression& at) const {
+                                const text::Expression& at) const {
     if (!(2 * exponent).info(GiNaC::info_flags::integer)) {
       fail("only whole and half powers can be compared", at);
     }

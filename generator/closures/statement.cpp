@@ -140,7 +140,7 @@ PlacedText take_file(PlacedText& text) {
   if (end == std::string::npos) {
     return take_word(text);
   }
-  const PlacedText name{text.text.substr(1, end - 1), text.at(2)};
+  PlacedText name{text.text.substr(1, end - 1), text.at(2)};
   text = trimmed({text.text.substr(end + 1), text.at(end + 2)});
   return name;
 }

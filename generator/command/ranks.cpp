@@ -1,5 +1,7 @@
 #include "command/ranks.hpp"
 
+#include <algorithm>
+#include <array>
 #include <assur/text/error.hpp>
 #include <cstdlib>
 
@@ -12,13 +14,11 @@ namespace {
 
 /// Whether this process was started with others, by what Open MPI and its like set.
 bool is_one_of_many() {
-  for (const char* variable : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+  constexpr std::array<const char*, 2> variables = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
+  return std::any_of(variables.begin(), variables.end(), [](const char* variable) {
     const char* const size = std::getenv(variable);
-    if (size != nullptr && std::atoi(size) > 1) {
-      return true;
-    }
-  }
-  return false;
+    return size != nullptr && std::atoi(size) > 1;
+  });
 }
 
 template <typename Function>

@@ -178,8 +178,9 @@ class Scanner {
     }
     const bool starred = name.ends_with('*');
     const std::string plain = starred ? name.substr(0, name.size() - 1) : name;
-    const auto known = std::find_if(environments.begin(), environments.end(),
-                                    [&](const Environment& each) { return each.name == plain; });
+    const auto* const known =
+        std::find_if(environments.begin(), environments.end(),
+                     [&](const Environment& each) { return each.name == plain; });
     if (begins && (plain == "empheq" || plain == "darray")) {
       throw FormulaError("what is in '" + name + "' is not read; write equation or align",
                          token.place);

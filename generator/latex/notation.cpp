@@ -36,8 +36,7 @@ bool is_skipped(const Token& token) {
 std::string flat(const Tokens& tokens) {
   std::string text;
   bool word = false;  // the last was the name of a symbol
-  for (std::size_t at = 0; at < tokens.size(); ++at) {
-    const Token& token = tokens[at];
+  for (const Token& token : tokens) {
     if (token.is("{") || token.is("}") || is_skipped(token) || contains(shapes, token.text)) {
       continue;
     }

@@ -56,7 +56,7 @@ class Notations {
   };
 
   [[nodiscard]] static std::optional<Meaning> match(const Notation& notation, const Tokens& tokens,
-                                             std::size_t at) ;
+                                                    std::size_t at);
   [[nodiscard]] std::optional<Meaning> by_spelling(const Tokens& tokens, std::size_t at) const;
   void refuse_words(const Tokens& tokens, std::size_t at) const;
 

@@ -38,7 +38,7 @@ const Function* FormulaReader::find_function(std::size_t at) const {
   } else if (!tokens_[at].is_command()) {
     return nullptr;
   }
-  const auto found =
+  const auto* const found =
       std::find_if(functions.begin(), functions.end(),
                    [&](const Function& function) { return function.command == name; });
   return found == functions.end() ? nullptr : &*found;

@@ -1,6 +1,7 @@
 #include "latex/read_latex.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "latex/formula_reader.hpp"
 #include "latex/indices.hpp"
@@ -101,7 +102,7 @@ Expression FormulaReader::summed(const Tokens& tokens, const std::string& index,
 }
 
 Expression FormulaReader::explicit_sum(const Tokens& tokens, std::size_t behind, std::size_t at) {
-  Tokens bounds[2];
+  std::array<Tokens, 2> bounds;
   for (const char* mark : {"_", "^"}) {
     if (behind >= tokens.size() || !tokens[behind].is(mark)) {
       fail("write a sum as \\sum_{i=1}^{4}", at);

@@ -16,8 +16,8 @@ struct LatexMatrix {
   Place place;
 };
 
-/// The matrix that the tokens are as a whole; nothing if there is none in them. Throws FormulaError
-/// for determinants, products with matrices and rows of different lengths.
-[[nodiscard]] std::optional<LatexMatrix> read_matrix(const Tokens& tokens);
+/// The matrix that the given tokens are as a whole; nothing if there is none in them. Throws
+/// FormulaError for determinants, products with matrices and rows of different lengths.
+[[nodiscard]] std::optional<LatexMatrix> read_matrix(const Tokens& given);
 
 }  // namespace assur::generator::latex

@@ -5,7 +5,7 @@
 
 namespace assur::generator::program {
 
-Coefficient::Coefficient(GiNaC::numeric  value, GiNaC::ex  origin)
+Coefficient::Coefficient(GiNaC::numeric value, GiNaC::ex origin)
     : value_(std::move(value)), origin_(std::move(origin)) {
   // What vanishes or changes nothing but a sign is no matter of names.
   if (is_zero() || !scales()) {

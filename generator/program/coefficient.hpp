@@ -14,7 +14,7 @@ class Coefficient {
   Coefficient() = default;
   Coefficient(const GiNaC::numeric& number) : value_(number), origin_(number) {}  // NOLINT
   Coefficient(int number) : Coefficient(GiNaC::numeric(number)) {}                // NOLINT
-  Coefficient(GiNaC::numeric  value, GiNaC::ex  origin);
+  Coefficient(GiNaC::numeric value, GiNaC::ex origin);
 
   [[nodiscard]] const GiNaC::numeric& value() const { return value_; }
   [[nodiscard]] const GiNaC::ex& origin() const { return origin_; }

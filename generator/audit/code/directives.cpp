@@ -109,8 +109,10 @@ void check_directives(Tokens tokens) {
       all.push_back(&token);
       const std::string& text = token.spelling;
       const std::size_t comment = text.find("/*");
-      const std::size_t end = comment == std::string::npos ? std::string::npos : text.find("*/", comment + 2);
-      const bool ends = end != std::string::npos && text.find_first_not_of(" \t\r", end + 2) == std::string::npos;
+      const std::size_t end =
+          comment == std::string::npos ? std::string::npos : text.find("*/", comment + 2);
+      const bool ends =
+          end != std::string::npos && text.find_first_not_of(" \t\r", end + 2) == std::string::npos;
       if (comment < text.find("//") && !ends) {
         throw CodeError("a comment that begins here may hide what follows; end it in this line",
                         token.place);

@@ -49,7 +49,8 @@ std::size_t circle_number(Tokens tokens) {
 /// A number without its suffix.
 std::string plain_number(const Token& token) {
   std::string text = token.spelling;
-  if (text.find_first_of("fFuU") != std::string::npos && text.find_first_of("xX") == std::string::npos) {
+  if (text.find_first_of("fFuU") != std::string::npos &&
+      text.find_first_of("xX") == std::string::npos) {
     throw CodeError(
         "a number of type float or unsigned makes the result round or wrap around; write it "
         "without its suffix",

@@ -172,8 +172,8 @@ class MatlabMatrix {
     }
     const Tokens head = tokens.subspan(from, end - from);
     const bool gives = std::any_of(head.begin(), head.end(), [&](const Token& token) {
-      return token.is("=") &&
-             mention_of(head.first(static_cast<std::size_t>(&token - head.data())), array_) != nullptr;
+      return token.is("=") && mention_of(head.first(static_cast<std::size_t>(&token - head.data())),
+                                         array_) != nullptr;
     });
     if (begun_ || !gives) {
       refuse(begun_ ? "a second function or statements before one cannot be followed"

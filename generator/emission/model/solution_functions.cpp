@@ -213,7 +213,7 @@ class SolutionFunctions {
   }
 
   static void add_rates(std::vector<program::Result>& results, const std::string& target,
-                 const Rows& values) {
+                        const Rows& values) {
     for (std::size_t unknown = 0; unknown < values.size(); ++unknown) {
       results.push_back({at(target, unknown), values[unknown]});
     }

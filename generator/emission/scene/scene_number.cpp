@@ -167,7 +167,7 @@ SceneNumber sqrt(const SceneNumber& a) {
     if (!root) {
       return a.symbols()->root_of(radicand);
     }
-    return a.symbols()->value_of(*root) < 0 ? GiNaC::ex(-*root) : *root;
+    return bool(a.symbols()->value_of(*root) < 0) ? GiNaC::ex(-*root) : *root;
   });
 }
 SceneNumber exp(const SceneNumber& a) {

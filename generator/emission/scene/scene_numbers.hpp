@@ -40,8 +40,7 @@ class SceneNumbers {
   }
   /// The law of a driver that is an argument, as a formula in variable parameters.
   [[nodiscard]] SceneNumber law(mechanism::DriverIndex driver) const;
-  [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex feature,
-                                                 bool is_line) const;
+  [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex index, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
   [[nodiscard]] LinkFeature<SceneNumber> feature(const mechanism::ElementaryJoint& at,
                                                  mechanism::LinkIndex link) const;

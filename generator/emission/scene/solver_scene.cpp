@@ -200,13 +200,12 @@ const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupInde
 }
 
 bool SolverScene::holds_groups(mechanism::GroupIndex group) const {
+  bool holds = false;
   for (const mechanism::GroupIndex other : plan.structure().groups.keys()) {
     const std::vector<mechanism::GroupIndex> holders = plan.structure().holders_of(other);
-    if (std::ranges::find(holders, group) != holders.end()) {
-      return true;
-    }
+    holds = holds || std::ranges::find(holders, group) != holders.end();
   }
-  return false;
+  return holds;
 }
 
 const structure::Model& derived_model(const mechanism::FoundGroup& group) {

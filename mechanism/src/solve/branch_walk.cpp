@@ -218,7 +218,7 @@ class BranchWalk {
   }
 
   [[nodiscard]] static std::vector<AcrossOnTheMove> across_axes(const Values::GroupNumbers& numbers,
-                                                         const MovingShape& shape) {
+                                                                const MovingShape& shape) {
     std::vector<AcrossOnTheMove> across;
     for (std::size_t place = 0; place < shape.across.size(); ++place) {
       const values::AcrossAxis& axis = numbers.across[place];

@@ -67,8 +67,8 @@ TEST(Audit, ADifferenceIsShownAtAPointThatCanBeChecked) {
   long s_below = 1;
   std::array<long, 2> cosine{};
   ASSERT_EQ(std::sscanf(finding.comparison.point.c_str(),
-                        "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", cosine.data(), &cosine[1],
-                        &s_above, &s_below, &r_above, &r_below),
+                        "(cos, sin)(phi) = (%ld/%ld, %ld/%ld), r = %ld/%ld", cosine.data(),
+                        &cosine[1], &s_above, &s_below, &r_above, &r_below),
             6)
       << finding.comparison.point;
   EXPECT_EQ(cosine[0] * cosine[0] + s_above * s_above, cosine[1] * cosine[1]);
