@@ -24,8 +24,11 @@ constexpr double least_counts = 512;
 /// Whether branches meet or miss one another is told in steps as short as this part of the way that
 /// moves the mechanism by its size. In shorter ones, rounding hides near a meeting how links turn.
 constexpr double least_counting_step = 1e-7;
+/// Where branches meet at the first step, turns are counted from a set beside it, at this part of
+/// the way that moves the mechanism by its size.
+constexpr double beside_first = 1e-5;
 /// So many steps lead at most to one value.
-constexpr int most_counting_steps = 1024;
+constexpr int most_counting_steps = 4096;
 /// So many sets are kept at most, from which turns are counted.
 constexpr std::size_t most_counted = 2048;
 
@@ -143,6 +146,10 @@ SnapshotPointer SnapshotSolver::at_step(double parameter) {
   }
   SnapshotPointer set = solved(parameter);
   note_counted(set);
+  if (counted_.empty() && has_counted_angles(*set)) {
+    note_counted(
+        solved_here(parameter + std::copysign(beside_first * way_of_size(*set), to_ - from_)));
+  }
   return set;
 }
 

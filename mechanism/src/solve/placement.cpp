@@ -193,11 +193,10 @@ std::optional<double> Placement::turns_of(JointIndex joint, double angle) {
     return std::nullopt;
   }
   const Count best = *std::ranges::min_element(counts_, {}, &Count::error);
+  leads_across_ = leads_across_ || !best.has_signs;
   for (const Count& other : counts_) {
-    if (other.turns != best.turns) {
-      is_ambiguous_ = is_ambiguous_ || other.error <= indistinct + clearly * best.error;
-      leads_across_ = leads_across_ || (other.has_signs && !best.has_signs);
-    }
+    is_ambiguous_ = is_ambiguous_ ||
+                    (other.turns != best.turns && other.error <= indistinct + clearly * best.error);
   }
   return best.turns;
 }

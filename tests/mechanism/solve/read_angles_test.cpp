@@ -3,6 +3,7 @@
 // other.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -122,6 +123,22 @@ TEST(ReadAngles, GoStraightThroughTheChangePointsOfAParallelogram) {
     ASSERT_GE(kept.rows.size(), 4U);
     EXPECT_NEAR(kept.rows.back().pose(rack_x), 2 * 9 * quarter, 1e-6) << count;
     EXPECT_NEAR(kept.rows[kept.rows.size() - 2].pose(rack_x), against, 1e-6) << count;
+  }
+}
+
+/// Where the first step, or all steps, are where its motions meet.
+TEST(ReadAngles, AreCountedFromAChangePointOfAParallelogram) {
+  RackOnAFourBar parallelogram(3, 2, 3, 2);
+  for (const int count : {2, 3, 5, 9, 17, 512}) {
+    const SweepKept kept = parallelogram.swept(0, 4 * turn - 0.6, count);
+    ASSERT_EQ(kept.events.size(), 1U) << count;
+    EXPECT_EQ(kept.events.front().text, "crossing 1 2");
+    const double one = kept.rows.back().pose(rack_x);
+    const double other = kept.rows[kept.rows.size() - 2].pose(rack_x);
+    EXPECT_NEAR(std::max(one, other), 2 * (4 * turn - 0.6), 1e-6) << count;
+  }
+  for (const int count : {3, 5, 9}) {
+    EXPECT_EQ(parallelogram.swept(0, 2 * turn, count).events.size(), 1U) << count;
   }
 }
 
