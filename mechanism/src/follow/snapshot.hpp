@@ -131,7 +131,8 @@ class SnapshotSolver {
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism
   /// Sets from whose angles turns are counted: that of the last step, and those between steps on
-  /// the way to other sets. There are none where laws read no angles.
+  /// the way to other sets. There are none where laws read no angles. `solver_` refers to the sets
+  /// that it was told to count from, and is told anew before it solves again.
   std::vector<SnapshotPointer> counted_;
   bool is_count_in_doubt_ = false;   ///< in the last set
   bool is_count_ambiguous_ = false;  ///< likewise

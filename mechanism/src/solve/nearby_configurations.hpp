@@ -1,5 +1,5 @@
-// Turns the configurations at values of a parameter nearby into how well each of them goes on in
-// what is placed here.
+// Turns the configurations at a value of a parameter nearby into how well links that are placed
+// here continue each of them.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
