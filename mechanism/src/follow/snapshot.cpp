@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "plan/driver_laws.hpp"
 #include "solve/along_parameter.hpp"
 #include "solve/longest_on_links.hpp"
 #include "solve/moved_by_parameter.hpp"
@@ -59,6 +60,17 @@ bool has_counted_angles(const Snapshot& snapshot) {
                              [](const Configuration& one) { return !one.counted.empty(); });
 }
 
+/// Whether a law reads the angle of a joint from where links are.
+bool do_laws_read_angles(const Mechanism& mechanism) {
+  bool do_read = false;
+  for (const DriverIndex driver : mechanism.drivers().keys()) {
+    for (const JointIndex joint : plan::joints_read(mechanism, driver)) {
+      do_read = do_read || mechanism.joints()[joint].type == JointType::revolute;
+    }
+  }
+  return do_read;
+}
+
 /// What all constraints close from several configurations of the rest may be one.
 constexpr double closest_settled = 1e-9;
 
@@ -90,6 +102,7 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
   to_ = values_.value_of(sweep().to);
   sought_.length = solve::longest_on_links(values_at(from_));
   moved_features_ = solve::features_moved_by(values_, sweep().parameter);
+  reads_angles_ = do_laws_read_angles(plan.mechanism());
 }
 
 const Values& SnapshotSolver::values_at(double parameter) {
@@ -168,8 +181,10 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
 
 /// The set at a value. Where laws read angles, their turns are counted in small steps from the
 /// nearest set in which they are known. A step that may cross a place where branches meet, or miss
-/// one another, is shortened until it is known which of them go on, or as far as is useful. Far
-/// beyond the sweep, where only a wrong guess can lead, nothing is counted in steps.
+/// one another, is shortened until it is known which of them go on, or as far as is useful. A doubt
+/// that is left there may last, as where a branch stays singular; until it ends, the steps grow,
+/// since shorter ones would not remove it. Far beyond the sweep, where only a wrong guess can lead,
+/// nothing is counted in steps.
 SnapshotPointer SnapshotSolver::solved(double parameter) {
   if (counted_.empty()) {
     return solved_here(parameter);
@@ -182,6 +197,7 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
       16 * std::numeric_limits<double>::epsilon() * std::max(std::abs(here), std::abs(parameter));
   const double widest = std::max(rounding, std::max(range, whole) / least_counts);
   int left = whole > range && whole > way_of_size(*nearest) ? 0 : most_counting_steps;
+  bool does_doubt_last = false;
   for (double width = widest;; --left) {
     const double rest = parameter - here;
     const bool arrives = std::abs(rest) <= width || left <= 0;
@@ -190,12 +206,13 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
     SnapshotPointer set = solved_here(next);
     const double way = std::abs(next - here);
     const bool is_in_doubt = is_count_in_doubt_ || (has_counted_angles(*set) && !is_regular(*set));
-    if (is_in_doubt && left > 0 &&
+    if (is_in_doubt && !does_doubt_last && left > 0 &&
         way > std::max(rounding, least_counting_step * way_of_size(*set))) {
       width = way / 2;
     } else if (arrives) {
       return set;
     } else {
+      does_doubt_last = is_in_doubt;
       note_counted(set);
       here = next;
       width = std::min(widest, 2 * std::max(way, rounding));
@@ -213,8 +230,7 @@ const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
 /// branches that begin behind a gap begin to count. In a degenerate set, branches go on unseen, and
 /// where they meet, nobody knows which of them a configuration continues.
 void SnapshotSolver::note_counted(const SnapshotPointer& set) {
-  const bool is_gap =
-      set->count() == 0 && !set->is_degenerate() && !plan_.structure().reading.empty();
+  const bool is_gap = set->count() == 0 && !set->is_degenerate() && reads_angles_;
   const bool is_known = has_counted_angles(*set) && is_regular(*set) && !is_count_ambiguous_;
   if (is_known || is_gap) {
     if (counted_.size() == most_counted) {

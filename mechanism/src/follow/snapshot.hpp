@@ -127,6 +127,7 @@ class SnapshotSolver {
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives with respect to the swept parameter
   std::vector<FeatureIndex> moved_features_;  ///< by the swept parameter, on their links
+  bool reads_angles_ = false;                 ///< whether laws do, whose turns are counted
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism

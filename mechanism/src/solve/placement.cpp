@@ -80,7 +80,8 @@ void Placement::begin() {
   placed_.rates_known = true;
   placed_.is_crossing = true;
   placed_.residual = 0;
-  is_ambiguous_ = leads_across_ = lists_begun_ = false;
+  countings_.assign(structure_.reading.size(), {});
+  listed_ = {};
   is_continued_.resize(nearby_.size());
   for (std::size_t set = 0; set < nearby_.size(); ++set) {
     is_continued_[set].assign(nearby_[set].configurations->size(), false);
@@ -127,22 +128,19 @@ bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* u
   return settle_what_reads(structure_.carried.size());
 }
 
-JointMotion Placement::counted_coordinate(JointIndex joint) {
+JointMotion Placement::counted_coordinate(JointIndex joint, Counting& counting) {
   JointMotion motion = coordinate_of(values_, placed_.links, placed_.slides, joint);
   if (plan_->mechanism.joints()[joint].type == JointType::revolute) {
-    const std::optional<double> known_turns = turns_of(joint, motion.position.value());
-    const double turns = known_turns.value_or(0);
-    motion.position = motion.position + values_.constant(2 * std::numbers::pi * turns);
+    const std::optional<double> turns = turns_of(joint, motion.position.value(), counting);
+    counting.doubts.begins = counting.doubts.begins || !turns;
+    motion.position = motion.position + values_.constant(2 * std::numbers::pi * turns.value_or(0));
     const double angle = motion.position.value();
     const auto known = std::ranges::find(placed_.counted, joint, &CountedAngle::joint);
-    const auto place = static_cast<std::size_t>(known - placed_.counted.begin());
     if (known == placed_.counted.end()) {
       placed_.counted.push_back({joint, angle});
-      is_begun_.push_back(false);
     } else {
       known->angle = angle;
     }
-    is_begun_[place] = !known_turns && !nearby_.empty();
   }
   return motion;
 }
@@ -164,7 +162,7 @@ bool Placement::has_signs_of(const NearbyConfigurations& nearby, const Configura
 /// since what is no continuation of a branch, as its mirror image, has its own count. Where a
 /// change of sign tells that branches have met, the continuation leads straight on; a step across
 /// such a place is too wide to tell whether branches meet there or miss one another.
-std::optional<double> Placement::turns_of(JointIndex joint, double angle) {
+std::optional<double> Placement::turns_of(JointIndex joint, double angle, Counting& counting) {
   constexpr double clearly = 4;
   constexpr double indistinct = 1e-6;  // where branches meet, rounding moves links by less
   counts_.clear();
@@ -182,7 +180,7 @@ std::optional<double> Placement::turns_of(JointIndex joint, double angle) {
         continuation.add(nearby, there, link, placed_.links[link].pose.direction);
       }
       if (std::min(continuation.error, continuation.away) < continuation.reach) {
-        is_continued_[set][place] = true;
+        counting.continued.emplace_back(set, place);
         counts_.push_back({continuation.error + error_of_groups(nearby, there),
                            std::round((counted->angle - angle) / (2 * std::numbers::pi)),
                            has_signs_of(nearby, there)});
@@ -193,10 +191,11 @@ std::optional<double> Placement::turns_of(JointIndex joint, double angle) {
     return std::nullopt;
   }
   const Count best = *std::ranges::min_element(counts_, {}, &Count::error);
-  leads_across_ = leads_across_ || !best.has_signs;
+  CountDoubts& doubts = counting.doubts;
+  doubts.leads_across = doubts.leads_across || !best.has_signs;
   for (const Count& other : counts_) {
-    is_ambiguous_ = is_ambiguous_ ||
-                    (other.turns != best.turns && other.error <= indistinct + clearly * best.error);
+    doubts.is_ambiguous = doubts.is_ambiguous || (other.turns != best.turns &&
+                                                  other.error <= indistinct + clearly * best.error);
   }
   return best.turns;
 }
@@ -215,15 +214,22 @@ double Placement::error_of_groups(const NearbyConfigurations& nearby,
 }
 
 void Placement::note_listed() {
-  lists_begun_ = lists_begun_ || std::ranges::find(is_begun_, true) != is_begun_.end();
+  for (const auto& [doubts, continued] : countings_) {
+    listed_.is_ambiguous = listed_.is_ambiguous || doubts.is_ambiguous;
+    listed_.leads_across = listed_.leads_across || doubts.leads_across;
+    listed_.begins = listed_.begins || doubts.begins;
+    for (const auto& [set, place] : continued) {
+      is_continued_[set][place] = true;
+    }
+  }
 }
 
 bool Placement::is_count_in_doubt() const {
-  if (is_ambiguous_ || leads_across_ || lists_begun_) {
+  if (listed_.is_ambiguous || listed_.leads_across || (listed_.begins && !nearby_.empty())) {
     return true;
   }
   for (std::size_t set = 0; set < nearby_.size(); ++set) {
-    const auto& is_continued = is_continued_[set];
+    const std::vector<bool>& is_continued = is_continued_[set];
     if (nearby_[set].go_on && std::ranges::find(is_continued, false) != is_continued.end()) {
       return true;
     }
@@ -232,9 +238,11 @@ bool Placement::is_count_in_doubt() const {
 }
 
 bool Placement::settle(const ReadingDriver& reading) {
+  Counting& counting = countings_[static_cast<std::size_t>(&reading - structure_.reading.data())];
+  counting = {};
   try {
     settled_->settle(reading.driver,
-                     [this](JointIndex joint) { return counted_coordinate(joint); });
+                     [&](JointIndex joint) { return counted_coordinate(joint, counting); });
   } catch (const MechanismError& error) {
     flaw_ = error.what();
     return false;

@@ -36,8 +36,8 @@ class Placement {
   /// nearby, whose continuations these are; others are in (-pi, pi].
   void count_from(std::vector<NearbyConfigurations> nearby) { nearby_ = std::move(nearby); }
   /// Whether, since `begin`, two configurations nearby with different counts lead equally well to
-  /// the same one here, as where branches meet.
-  [[nodiscard]] bool is_count_ambiguous() const { return is_ambiguous_; }
+  /// the same one that is listed here, as where branches meet.
+  [[nodiscard]] bool is_count_ambiguous() const { return listed_.is_ambiguous; }
   /// Whether that is so, or one led straight across a place where branches seem to meet, or one
   /// that is expected to go on was continued by none, or one that is listed continues none: as by a
   /// step across a place where branches meet, miss one another, end or begin, or where a link turns
@@ -74,7 +74,19 @@ class Placement {
   void set_motion(const JointMotion& motion, bool prismatic, double sense);
   void set_slide(const JointMotion& motion, JointIndex joint, SlideState& slide) const;
   [[nodiscard]] bool settle(const ReadingDriver& reading);
-  [[nodiscard]] JointMotion counted_coordinate(JointIndex joint);
+  /// What is doubtful in a count of whole turns.
+  struct CountDoubts {
+    bool is_ambiguous = false;
+    bool leads_across = false;  ///< straight on where branches meet
+    bool begins = false;        ///< whether some angle continues none nearby
+  };
+  /// How the angles that a law reads were counted from configurations nearby.
+  struct Counting {
+    CountDoubts doubts;
+    /// Those that may go on here, by their sets and their places there.
+    std::vector<std::pair<std::size_t, std::size_t>> continued = {};
+  };
+  [[nodiscard]] JointMotion counted_coordinate(JointIndex joint, Counting& counting);
   /// A count of whole turns: that of a configuration nearby, with what tells whether it goes on
   /// here.
   struct Count {
@@ -82,7 +94,7 @@ class Placement {
     double turns;
     bool has_signs;
   };
-  [[nodiscard]] std::optional<double> turns_of(JointIndex joint, double angle);
+  [[nodiscard]] std::optional<double> turns_of(JointIndex joint, double angle, Counting& counting);
   [[nodiscard]] bool has_signs_of(const NearbyConfigurations& nearby,
                                   const Configuration& there) const;
   [[nodiscard]] double error_of_groups(const NearbyConfigurations& nearby,
@@ -101,12 +113,10 @@ class Placement {
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
   std::vector<NearbyConfigurations> nearby_;
-  std::vector<std::vector<bool>> is_continued_;  ///< of the configurations nearby
-  std::vector<bool> is_begun_;  ///< of the counted angles: whether they continue none
-  bool is_ambiguous_ = false;
-  bool leads_across_ = false;  ///< straight on where branches meet
-  bool lists_begun_ = false;
-  std::vector<Count> counts_;  ///< kept for its memory
+  std::vector<Counting> countings_;              ///< of the laws that read, for what is placed
+  CountDoubts listed_;                           ///< of all configurations that are listed
+  std::vector<std::vector<bool>> is_continued_;  ///< of those nearby, by what is listed
+  std::vector<Count> counts_;                    ///< kept for its memory
   std::size_t placed_groups_ = 0;
   std::string flaw_;
   std::size_t steps_ = 0;

@@ -291,5 +291,32 @@ TEST(Laws, WithoutAValueDropRowsOfASweep) {
   }
 }
 
+/// A branch ends where the law loses its value, and another one, a turn behind, begins there, for
+/// whatever steps. Where that is, follows from the triangle of the crank and the coupler.
+TEST(Laws, EndAndBeginBranchesWhereverTheStepsAre) {
+  constexpr double crank = 3;
+  constexpr double coupler = 2.5;
+  constexpr double output = 3;
+  constexpr double last = 6;  // the angle of the output link beyond which the law has no value
+  const double x = 1 + output * std::cos(last);
+  const double y = output * std::sin(last);
+  const double distance = std::hypot(x, y);
+  const double corner =
+      std::acos((crank * crank + distance * distance - coupler * coupler) / (2 * crank * distance));
+  for (const int count : {2, 3, 17, 101, 2000}) {
+    Json scene = rack_on_drag_link(2, count);
+    scene["drivers"]["S"]["position"] = "sqrt(6 - joint(D))";
+    const SweepKept kept = run_sweep(scene_of(scene));
+    EXPECT_EQ(kept.rows.size(), 2U * static_cast<std::size_t>(count));
+    ASSERT_EQ(kept.events.size(), 6U) << count << " steps";
+    for (const SweepEventKept& event : kept.events) {
+      const double here =
+          std::min(std::abs(std::remainder(event.parameter - std::atan2(y, x) - corner, turn)),
+                   std::abs(std::remainder(event.parameter - std::atan2(y, x) + corner, turn)));
+      EXPECT_LT(here, 1e-6) << count << " steps, " << event.text;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test::read_angles_test
