@@ -228,11 +228,12 @@ const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
 
 /// Keeps a set from which turns are counted: one with angles that laws read, or an empty one, since
 /// branches that begin behind a gap begin to count. In a degenerate set, branches go on unseen, and
-/// where they meet, nobody knows which of them a configuration continues.
+/// where they meet, nobody knows which of them a configuration continues, or whether the law has a
+/// value there.
 void SnapshotSolver::note_counted(const SnapshotPointer& set) {
   const bool is_gap = set->count() == 0 && !set->is_degenerate() && reads_angles_;
-  const bool is_known = has_counted_angles(*set) && is_regular(*set) && !is_count_ambiguous_;
-  if (is_known || is_gap) {
+  const bool is_known = is_gap || (has_counted_angles(*set) && is_regular(*set));
+  if (is_known && !is_count_ambiguous_) {
     if (counted_.size() == most_counted) {
       counted_.erase(counted_.begin());
     }

@@ -215,13 +215,17 @@ double Placement::error_of_groups(const NearbyConfigurations& nearby,
 
 void Placement::note_listed() {
   for (const auto& [doubts, continued] : countings_) {
-    listed_.is_ambiguous = listed_.is_ambiguous || doubts.is_ambiguous;
-    listed_.leads_across = listed_.leads_across || doubts.leads_across;
+    note_doubts(doubts);
     listed_.begins = listed_.begins || doubts.begins;
     for (const auto& [set, place] : continued) {
       is_continued_[set][place] = true;
     }
   }
+}
+
+void Placement::note_doubts(const CountDoubts& doubts) {
+  listed_.is_ambiguous = listed_.is_ambiguous || doubts.is_ambiguous;
+  listed_.leads_across = listed_.leads_across || doubts.leads_across;
 }
 
 bool Placement::is_count_in_doubt() const {
@@ -244,6 +248,8 @@ bool Placement::settle(const ReadingDriver& reading) {
     settled_->settle(reading.driver,
                      [&](JointIndex joint) { return counted_coordinate(joint, counting); });
   } catch (const MechanismError& error) {
+    // With another count the law might have a value, so that this would be listed.
+    note_doubts(counting.doubts);
     flaw_ = error.what();
     return false;
   }

@@ -86,6 +86,7 @@ class Placement {
     /// Those that may go on here, by their sets and their places there.
     std::vector<std::pair<std::size_t, std::size_t>> continued = {};
   };
+  void note_doubts(const CountDoubts& doubts);
   [[nodiscard]] JointMotion counted_coordinate(JointIndex joint, Counting& counting);
   /// A count of whole turns: that of a configuration nearby, with what tells whether it goes on
   /// here.

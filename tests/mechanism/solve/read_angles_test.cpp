@@ -99,6 +99,7 @@ class RackOnAFourBar {
     scene_["links"]["output"]["C"] = {output, 0};
   }
 
+  void follows(const std::string& law) { scene_["drivers"]["S"]["position"] = law; }
   [[nodiscard]] SweepKept swept(double from, double to, int count) {
     scene_["sweep"] = {{"parameter", "phi"}, {"from", from}, {"to", to}, {"count", count}};
     return run_sweep(scene_of(scene_));
@@ -315,6 +316,26 @@ TEST(Laws, EndAndBeginBranchesWhereverTheStepsAre) {
                    std::abs(std::remainder(event.parameter - std::atan2(y, x) + corner, turn)));
       EXPECT_LT(here, 1e-6) << count << " steps, " << event.text;
     }
+  }
+}
+
+/// The parallel motion's angle is that of the crank, so its law loses its value where the motions
+/// meet, and has one again a turn behind. The antiparallel one turns by tan(D/2) = -5 tan(phi/2).
+TEST(Laws, LoseTheirValueAtAChangePointWhereverTheStepsAre) {
+  constexpr double last = 7;
+  const double parallel = last - turn;
+  const double antiparallel = -turn - 2 * std::atan(5 * std::tan(parallel / 2));
+  RackOnAFourBar parallelogram(3, 2, 3, 2);
+  parallelogram.follows("sqrt(pi - joint(D))");
+  for (const int count : {2, 3, 17, 50, 101, 102, 201, 401, 513, 1001, 1501}) {
+    const SweepKept kept = parallelogram.swept(0.4, last, count);
+    EXPECT_GE(kept.count_of("unresolved"), 1) << count << " steps";
+    ASSERT_GE(kept.rows.size(), 4U);
+    const double one = kept.rows.back().pose(rack_x);
+    const double other = kept.rows[kept.rows.size() - 2].pose(rack_x);
+    EXPECT_NEAR(std::min(one, other), std::sqrt(turn / 2 - parallel), 1e-6) << count << " steps";
+    EXPECT_NEAR(std::max(one, other), std::sqrt(turn / 2 - antiparallel), 1e-6)
+        << count << " steps";
   }
 }
 
