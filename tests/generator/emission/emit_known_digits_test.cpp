@@ -78,7 +78,7 @@ std::vector<std::vector<std::vector<Reading>>> emitted(const std::vector<Posed>&
   }
   const auto source =
       directory.write("driver.cpp", includes + printing + "int main() {\n" + calls.str() + "}\n");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   const auto number = [&printed] {

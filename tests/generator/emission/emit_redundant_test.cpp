@@ -69,7 +69,7 @@ int main() {
   }
 }
 )");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   for (const double by : {0.0, 1e-6, -1e-6, 1e-3, -0.1}) {
@@ -120,7 +120,7 @@ int main() {
   }
 }
 )");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   for (double beside = 1e-2; beside > 1e-11; beside /= 10) {
@@ -177,7 +177,7 @@ void print(double angle) {
 }
 int main() {
 )" + calls + "}\n");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::ifstream printed(directory.path() / "printed");
   std::vector<Told> all;

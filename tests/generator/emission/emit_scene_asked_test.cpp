@@ -280,7 +280,7 @@ template <typename Solver> void use_nearest() {
   const fs::path source =
       directory.write("use.cpp", includes + use + "int main() {\n" + calls + "}\n");
   const fs::path object = directory.path() / "use.o";
-  compile(quick_compiler(), "-O0 -c -o " + object.string(), source, directory);
+  compile(quick_compiler().command, "-O0 -c -o " + object.string(), source, directory);
   const std::multiset<std::string> compiled = compiled_functions(object, directory);
   std::size_t functions = 0;
   for (const Emitted* solver : sample) {

@@ -88,7 +88,7 @@ TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
   const fs::path source =
       directory.write("counts.cpp", head + structs + "}\nint main() {\n" + calls + "}\n");
   const std::string program = (directory.path() / "counts").string();
-  compile(quick_compiler(), "-O0 -o " + program, source, directory);
+  compile_program(source, program, directory);
   ASSERT_EQ(std::system((program + " > " + program + ".txt").c_str()), 0);
 
   std::istringstream lines(read_file(program + ".txt"));

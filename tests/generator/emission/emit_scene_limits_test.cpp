@@ -86,7 +86,7 @@ int main() {
   std::printf("%d\n", S::solve(drivers, parameters, states).count);
 }
 )");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   std::array<int, 2> rows{};

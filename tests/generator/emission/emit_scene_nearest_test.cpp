@@ -28,7 +28,7 @@ TEST(EmitSceneNearest, IsThatOfSolve) {
                "found.runner_up);\n  }\n";
   }
   const auto source = directory.write("driver.cpp", program.str() + "}\n");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   for (const double stroke : strokes) {

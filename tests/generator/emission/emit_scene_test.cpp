@@ -44,7 +44,7 @@ TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   const bool whole = is_whole_campaign();
   std::vector<EmittedScene> scenes = examples(whole ? 1 : 6);
   scenes.push_back(awkwardly_named(directory));
-  const std::vector<int> compared = compare_with_solve(scenes, ASSUR_COMPILER);
+  const std::vector<int> compared = compare_with_solve(scenes, {ASSUR_COMPILER});
   for (std::size_t index = 0; index < scenes.size(); ++index) {
     EXPECT_GT(compared[index], 100) << scenes[index].solver;
   }

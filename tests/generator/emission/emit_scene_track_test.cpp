@@ -259,7 +259,7 @@ TEST(EmitSceneTrack, StaysOnTheBranchesOfTheSweep) {
   const auto source = directory.write(
       "track.cpp", head + refusals_code + "int main() {\n" + body + "  return refusals();\n}\n");
   const std::string program = (directory.path() / "track").string();
-  compile(quick_compiler(), "-O0 -o " + program, source, directory);
+  compile_program(source, program, directory);
   ASSERT_EQ(std::system((program + " > " + program + ".txt 2> " + program + ".wrong").c_str()), 0)
       << read_file(program + ".wrong");
   std::istringstream printed(read_file(program + ".txt"));

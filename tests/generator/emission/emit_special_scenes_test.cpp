@@ -359,7 +359,7 @@ TEST(EmitSpecialScenes, AgreeWithSolve) {
   }
   const auto source =
       directory.write("driver.cpp", includes + functions + "int main() {\n" + calls.str() + "}\n");
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));
   int compared = 0;

@@ -173,7 +173,7 @@ TEST(EmitVariable, IsTheSolverOfTheSceneWithTheseValues) {
                                         "int main() {\n" + calls + "  following::run();\n}\n");
   const std::string first = includes.substr(0, includes.find('\n') + 1);
   check_by_clang(directory.write("header.cpp", first), directory, true);
-  compile(quick_compiler(), "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory);
   ASSERT_FALSE(HasFailure());
   ASSERT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   std::istringstream printed(read_file(directory.path() / "printed"));

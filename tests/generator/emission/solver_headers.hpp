@@ -1,7 +1,9 @@
-// Includes what emitted solvers and the programs around them include.
+// Includes what emitted solvers and the programs around them include, and calls a solver, so that
+// what all of them share is compiled once for all programs.
 #pragma once
 
 #include <array>
+#include <assur/scenes/compiled_before.hpp>
 #include <assur/support/all_constraints.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <assur/support/discriminant.hpp>
@@ -14,3 +16,15 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
+
+namespace assur::scenes {
+
+inline void call_solver_that_is_compiled_before() {
+  using Solver = CompiledBefore;
+  const Solver::Drivers<double> drivers;
+  std::array<Solver::State<double>, Solver::max_configurations> states;
+  Solver::Branch branch = Solver::branch(drivers, Solver::solve(drivers, states).count);
+  static_cast<void>(Solver::track(drivers, branch, states[0]));
+}
+
+}  // namespace assur::scenes

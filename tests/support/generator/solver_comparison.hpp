@@ -48,12 +48,27 @@ inline void compile(const std::string& compiler, const std::string& options,
       << compiler << ": " << read_file(directory.path() / "errors").substr(0, 4000);
 }
 
-/// By default clang++, if there is one, with the headers of solvers compiled before: it takes half
-/// the time. Whole campaigns use the compiler of the project.
-inline std::string quick_compiler() {
+/// A compiler with its options, and what it links to each program.
+struct SolverCompiler {
+  std::string command;
+  std::string objects = {};
+};
+
+/// By default clang++, if there is one, with what solvers share compiled before: it takes a third
+/// of the time. Whole campaigns use the compiler of the project.
+inline SolverCompiler quick_compiler() {
   const std::string clang = ASSUR_CLANG;
-  return clang.empty() || is_whole_campaign() ? ASSUR_COMPILER
-                                              : clang + " -include-pch " ASSUR_SOLVER_HEADERS;
+  return clang.empty() || is_whole_campaign()
+             ? SolverCompiler{ASSUR_COMPILER}
+             : SolverCompiler{clang + " -include-pch " ASSUR_SOLVER_HEADERS ".pch",
+                              ASSUR_SOLVER_HEADERS ".o "};
+}
+
+/// Compiles a file to a program.
+inline void compile_program(const std::filesystem::path& source, const std::string& program,
+                            const TemporaryDirectory& directory,
+                            const SolverCompiler& compiler = quick_compiler()) {
+  compile(compiler.command, "-O0 " + compiler.objects + "-o " + program, source, directory);
 }
 
 /// Has clang++, if there is one, read a file as well; of whole campaigns alone, unless it is short.
@@ -163,7 +178,7 @@ inline int compare_printed(std::istream& printed, const EmittedScene& scene,
 
 /// Expects that every number of every scene agrees, and gives how many of each were compared.
 inline std::vector<int> compare_with_solve(const std::vector<EmittedScene>& scenes,
-                                           const std::string& compiler = quick_compiler()) {
+                                           const SolverCompiler& compiler = quick_compiler()) {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
   std::string includes;
@@ -181,7 +196,7 @@ inline std::vector<int> compare_with_solve(const std::vector<EmittedScene>& scen
   const auto source = directory.write(
       "driver.cpp", includes + program_head + functions + "int main() {\n" + calls + "}\n");
   check_by_clang(directory.write("headers.cpp", includes), directory);
-  compile(compiler, "-O0 -o " + root + "/driver", source, directory);
+  compile_program(source, root + "/driver", directory, compiler);
   if (testing::Test::HasFailure() ||
       std::system((root + "/driver > " + root + "/printed").c_str()) != 0) {
     ADD_FAILURE() << "no program to compare";
