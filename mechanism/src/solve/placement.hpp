@@ -115,7 +115,7 @@ class Placement {
   PlacedLinks placed_;
   std::vector<NearbyConfigurations> nearby_;
   std::vector<Counting> countings_;              ///< of the laws that read, for what is placed
-  CountDoubts listed_;                           ///< of all configurations that are listed
+  CountDoubts listed_;                           ///< of what is listed, or lacks a law's value
   std::vector<std::vector<bool>> is_continued_;  ///< of those nearby, by what is listed
   std::vector<Count> counts_;                    ///< kept for its memory
   std::size_t placed_groups_ = 0;
