@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "closures/formula_text.hpp"
+#include "equations/symbols.hpp"
 
 namespace assur::generator::audit {
 
@@ -139,9 +140,10 @@ class Guesser {
   }
 
   [[nodiscard]] std::vector<GiNaC::symbol> used(bool angles) const {
+    const GiNaC::exset occurring = equations::symbols_of(derived_);
     std::vector<GiNaC::symbol> list;
     for (const closures::AuditSymbol& symbol : system_.symbols()) {
-      if (symbol.angle == angles && derived_.has(symbol.symbol)) {
+      if (symbol.angle == angles && occurring.contains(symbol.symbol)) {
         list.push_back(symbol.symbol);
       }
     }

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "closures/formula_text.hpp"
+#include "equations/symbols.hpp"
 
 namespace assur::generator::closures {
 
@@ -66,10 +67,12 @@ GiNaC::ex ClosurePoints::algebraic(const GiNaC::ex& expression) {
 }
 
 void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
-  solve_sensitivities(whole, point);
+  const GiNaC::exset occurring = equations::symbols_of(whole);
+  solve_sensitivities(occurring, point);
   const bool moves = std::any_of(
       system_.symbols().begin(), system_.symbols().end(), [&](const AuditSymbol& symbol) {
-        return symbol.unknown && (whole.has(symbol.rate) || whole.has(symbol.second_rate));
+        return symbol.unknown &&
+               (occurring.contains(symbol.rate) || occurring.contains(symbol.second_rate));
       });
   if (moves) {
     solve_rates(point);
@@ -174,10 +177,10 @@ GiNaC::matrix ClosurePoints::solution_of(const std::vector<GiNaC::ex>& slopes, c
   return point.inverse_jacobian.mul(values_of(slopes, point.values)).mul_scalar(-1);
 }
 
-void ClosurePoints::solve_sensitivities(const GiNaC::ex& expression, Point& point) {
+void ClosurePoints::solve_sensitivities(const GiNaC::exset& occurring, Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   for (const ClosureSystem::Sensitivity& asked : system_.sensitivities()) {
-    if (!expression.has(asked.symbol) || point.values.contains(asked.symbol)) {
+    if (!occurring.contains(asked.symbol) || point.values.contains(asked.symbol)) {
       continue;
     }
     const GiNaC::matrix solution = solution_of(slopes_of_closures(*asked.parameter), point);
@@ -301,12 +304,13 @@ ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
 
 std::string ClosurePoints::point_text(const Point& point,
                                       const std::vector<GiNaC::ex>& shown) const {
+  GiNaC::exset occurring;
+  for (const GiNaC::ex& expression : shown) {
+    occurring.merge(equations::symbols_of(system_.expanded(expression)));
+  }
   std::string text;
   for (const AuditSymbol& symbol : system_.symbols()) {
-    const bool occurs = std::any_of(shown.begin(), shown.end(), [&](const GiNaC::ex& expression) {
-      return system_.expanded(expression).has(symbol.symbol);
-    });
-    if (!occurs) {
+    if (!occurring.contains(symbol.symbol)) {
       continue;
     }
     text += text.empty() ? "" : ", ";

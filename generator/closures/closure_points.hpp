@@ -81,7 +81,7 @@ class ClosurePoints {
   void solve_for(const GiNaC::ex& whole, Point& point);
   [[nodiscard]] bool assemble(GiNaC::exmap& values);
   void invert_jacobian(Point& point);
-  void solve_sensitivities(const GiNaC::ex& expression, Point& point);
+  void solve_sensitivities(const GiNaC::exset& occurring, Point& point);
   void solve_rates(Point& point);
   /// The partial derivatives of the closures by a symbol.
   [[nodiscard]] const std::vector<GiNaC::ex>& slopes_of_closures(const AuditSymbol& by);

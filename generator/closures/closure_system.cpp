@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "equations/symbols.hpp"
+
 namespace assur::generator::closures {
 
 AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle,
@@ -96,8 +98,9 @@ std::vector<std::string> ClosureSystem::names() const {
 
 GiNaC::ex ClosureSystem::partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const {
   GiNaC::ex sum = expression.diff(symbol);
+  const GiNaC::exset occurring = equations::symbols_of(expression);
   for (const auto& [name, definition] : abbreviations_) {
-    if (expression.has(name)) {
+    if (occurring.contains(name)) {
       sum += expression.diff(name) * partial(definition, symbol);
     }
   }
@@ -141,11 +144,11 @@ GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
 }
 
 bool ClosureSystem::follows_closures(const GiNaC::ex& expression) const {
-  const GiNaC::ex whole = expanded(expression);
+  const GiNaC::exset occurring = equations::symbols_of(expanded(expression));
   return std::any_of(sensitivities_.begin(), sensitivities_.end(),
-                     [&](const Sensitivity& entry) { return whole.has(entry.symbol); }) ||
+                     [&](const Sensitivity& entry) { return occurring.contains(entry.symbol); }) ||
          std::any_of(symbols_.begin(), symbols_.end(), [&](const AuditSymbol& symbol) {
-           return whole.has(symbol.rate) || whole.has(symbol.second_rate);
+           return occurring.contains(symbol.rate) || occurring.contains(symbol.second_rate);
          });
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "closures/closure_points.hpp"
+#include "equations/symbols.hpp"
 
 namespace assur::generator::closures {
 
@@ -34,12 +35,12 @@ bool ClosurePoints::takes_either_sign(const AuditSymbol& symbol) {
 }
 
 std::vector<GiNaC::ex> ClosurePoints::telling(const GiNaC::ex& expression) const {
-  const GiNaC::ex whole = system_.expanded(expression);
+  const GiNaC::exset occurring = equations::symbols_of(system_.expanded(expression));
   std::vector<GiNaC::ex> angles;
   std::vector<GiNaC::ex> lengths;
   for (const bool occurs : {true, false}) {
     for (const AuditSymbol& symbol : system_.symbols()) {
-      if (whole.has(symbol.symbol) == occurs) {
+      if (occurring.contains(symbol.symbol) == occurs) {
         (symbol.angle ? angles : lengths).emplace_back(symbol.symbol);
       }
     }

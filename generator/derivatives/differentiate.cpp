@@ -6,7 +6,7 @@ namespace assur::generator::derivatives {
 
 namespace {
 
-using VariableList = std::vector<const equations::Variable*>;
+using equations::VariableList;
 
 VariableList listed(const std::deque<equations::Variable>& variables) {
   VariableList list;
@@ -38,57 +38,67 @@ ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
                              const equations::Vocabulary& vocabulary) {
   ExpressionMatrix matrix;
   for (const GiNaC::ex& function : functions) {
-    std::vector<GiNaC::ex>& row = matrix.emplace_back();
-    for (const equations::Variable& variable : variables) {
-      row.push_back(vocabulary.derivative(function, variable));
-    }
+    matrix.push_back(vocabulary.gradient(function, listed(variables)));
   }
   return matrix;
+}
+
+/// The derivative of a function along rates of one order of the variables, not expanded.
+GiNaC::ex along(GiNaC::symbol equations::Variable::*rate, const GiNaC::ex& function,
+                const VariableList& variables, const equations::Vocabulary& vocabulary) {
+  const std::vector<GiNaC::ex> gradient = vocabulary.gradient(function, variables);
+  GiNaC::ex total;
+  for (std::size_t index = 0; index < variables.size(); ++index) {
+    total += gradient[index] * variables[index]->*rate;
+  }
+  return total;
 }
 
 /// d(function)/dt along the rates of the variables.
 GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variables,
                           const equations::Vocabulary& vocabulary) {
-  GiNaC::ex total;
-  for (const equations::Variable* variable : variables) {
-    total += vocabulary.derivative(function, *variable) * variable->rate;
-  }
-  return total.expand();
+  return along(&equations::Variable::rate, function, variables, vocabulary).expand();
 }
 
-/// d(function)/dt of a function of the variables and of their lower rates.
-GiNaC::ex derivative_with_rates(const GiNaC::ex& function, const VariableList& variables,
-                                const equations::Vocabulary& vocabulary) {
-  GiNaC::ex total = time_derivative(function, variables, vocabulary);
+/// What the second rates add to d(function)/dt of a function of the variables and of their rates.
+GiNaC::ex along_second_rates(const GiNaC::ex& function, const VariableList& variables) {
+  GiNaC::ex total;
   for (const equations::Variable* variable : variables) {
     total += function.diff(variable->rate) * variable->second_rate;
   }
-  return total.expand();
+  return total;
+}
+
+/// Time derivatives of a function of the variables, the later from the earlier.
+struct TimeDerivatives {
+  GiNaC::ex first;
+  GiNaC::ex second_of_rates;  ///< without second rates
+};
+
+TimeDerivatives time_derivatives(const GiNaC::ex& function, const VariableList& moving,
+                                 const equations::Vocabulary& vocabulary) {
+  const GiNaC::ex first = time_derivative(function, moving, vocabulary);
+  return {first, time_derivative(first, moving, vocabulary)};
 }
 
 /// d2(function)/dt2, where only `accelerated` variables have second rates.
-GiNaC::ex second_time_derivative(const GiNaC::ex& function, const VariableList& moving,
+GiNaC::ex second_time_derivative(const GiNaC::ex& function, const TimeDerivatives& derivatives,
                                  const VariableList& accelerated,
                                  const equations::Vocabulary& vocabulary) {
-  GiNaC::ex total =
-      time_derivative(time_derivative(function, moving, vocabulary), moving, vocabulary);
-  for (const equations::Variable* variable : accelerated) {
-    total += vocabulary.derivative(function, *variable) * variable->second_rate;
-  }
-  return total.expand();
+  return (derivatives.second_of_rates +
+          along(&equations::Variable::second_rate, function, accelerated, vocabulary))
+      .expand();
 }
 
 /// d3(function)/dt3, where only `jerked` variables have third rates.
-GiNaC::ex third_time_derivative(const GiNaC::ex& function, const VariableList& moving,
-                                const VariableList& jerked,
+GiNaC::ex third_time_derivative(const GiNaC::ex& function, const TimeDerivatives& derivatives,
+                                const VariableList& moving, const VariableList& jerked,
                                 const equations::Vocabulary& vocabulary) {
-  const GiNaC::ex first = time_derivative(function, moving, vocabulary);
-  const GiNaC::ex second = derivative_with_rates(first, moving, vocabulary);
-  GiNaC::ex total = derivative_with_rates(second, moving, vocabulary);
-  for (const equations::Variable* variable : jerked) {
-    total += vocabulary.derivative(function, *variable) * variable->third_rate;
-  }
-  return total.expand();
+  const GiNaC::ex second =
+      (derivatives.second_of_rates + along_second_rates(derivatives.first, moving)).expand();
+  return (time_derivative(second, moving, vocabulary) + along_second_rates(second, moving) +
+          along(&equations::Variable::third_rate, function, jerked, vocabulary))
+      .expand();
 }
 
 /// Derivatives of (x, y, theta) of every link by a rule for expressions and one for angles.
@@ -108,10 +118,7 @@ ExpressionMatrix pose_jacobian(const equations::ClosureEquations& equations,
   ExpressionMatrix matrix;
   for (const equations::LinkPose& pose : equations.poses) {
     for (const GiNaC::ex& coordinate : {pose.origin.x, pose.origin.y}) {
-      std::vector<GiNaC::ex>& row = matrix.emplace_back();
-      for (const equations::Variable& variable : variables) {
-        row.push_back(equations.vocabulary.derivative(coordinate, variable));
-      }
+      matrix.push_back(equations.vocabulary.gradient(coordinate, listed(variables)));
     }
     std::vector<GiNaC::ex>& row = matrix.emplace_back();
     for (const equations::Variable& variable : variables) {
@@ -140,10 +147,13 @@ ResidualDerivatives differentiate_residuals(const equations::ImplicitEquations& 
   result.input_jacobian = jacobian_of(residuals, equations.inputs, vocabulary);
   for (const GiNaC::ex& residual : residuals) {
     result.velocity_rhs.push_back(-time_derivative(residual, inputs, vocabulary));
+    const TimeDerivatives derivatives = time_derivatives(residual, moving, vocabulary);
     result.acceleration_rhs.push_back(
-        -second_time_derivative(residual, moving, inputs, vocabulary));
-    result.jerk_rhs.push_back(-third_time_derivative(residual, moving, inputs, vocabulary));
-    result.curvature_rhs.push_back(-second_time_derivative(residual, everything, {}, vocabulary));
+        -second_time_derivative(residual, derivatives, inputs, vocabulary));
+    result.jerk_rhs.push_back(
+        -third_time_derivative(residual, derivatives, moving, inputs, vocabulary));
+    result.curvature_rhs.push_back(
+        -time_derivatives(residual, everything, vocabulary).second_of_rates);
   }
   return result;
 }
@@ -173,7 +183,8 @@ Derivatives differentiate(const equations::ClosureEquations& equations) {
   result.pose_acceleration = over_poses(
       equations,
       [&](const GiNaC::ex& coordinate) {
-        return second_time_derivative(coordinate, moving, moving, vocabulary);
+        return second_time_derivative(coordinate, time_derivatives(coordinate, moving, vocabulary),
+                                      moving, vocabulary);
       },
       [&](const equations::AngleSum& angle) {
         return angle_rate(angle,
@@ -182,7 +193,7 @@ Derivatives differentiate(const equations::ClosureEquations& equations) {
   result.pose_curvature = over_poses(
       equations,
       [&](const GiNaC::ex& coordinate) {
-        return second_time_derivative(coordinate, everything, {}, vocabulary);
+        return time_derivatives(coordinate, everything, vocabulary).second_of_rates;
       },
       [](const equations::AngleSum& /*angle*/) { return GiNaC::ex(0); });
   return result;

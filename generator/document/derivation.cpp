@@ -6,6 +6,7 @@
 #include "derivatives/mobility.hpp"
 #include "document/formula_writer.hpp"
 #include "elimination/eliminate.hpp"
+#include "equations/symbols.hpp"
 #include "pivoting/structured_jacobian.hpp"
 
 namespace assur::generator::document {
@@ -106,7 +107,7 @@ class DerivationGatherer {
     }
     result_.velocity_rhs = written(derivatives.velocity_rhs);
     result_.acceleration_rhs = written(derivatives.acceleration_rhs);
-    result_.quantities = newly_used(equations_.vocabulary, std::move(used));
+    result_.quantities = newly_used(equations_.vocabulary, used);
   }
 
   void gather_determinant() {
@@ -137,7 +138,7 @@ class DerivationGatherer {
     }
     result.value = write_(product);
     result.text = structured.determinant_text();
-    result.quantities = newly_used(structured.vocabulary(), std::move(used));
+    result.quantities = newly_used(structured.vocabulary(), used);
   }
 
   void gather_elimination() {
@@ -203,16 +204,17 @@ class DerivationGatherer {
   /// The quantities that expressions need, in the order of their definition, but for those that
   /// were given before.
   std::vector<DerivedQuantity> newly_used(const equations::Vocabulary& vocabulary,
-                                          std::vector<GiNaC::ex> used) {
+                                          const std::vector<GiNaC::ex>& used) {
+    GiNaC::exset occurring;
+    for (const GiNaC::ex& expression : used) {
+      occurring.merge(equations::symbols_of(expression));
+    }
     std::vector<DerivedQuantity> list;
     const std::vector<equations::NamedQuantity>& quantities = vocabulary.quantities();
     for (std::size_t at = quantities.size(); at-- > 0;) {
       const equations::NamedQuantity& quantity = quantities[at];
-      const bool needed = std::any_of(used.begin(), used.end(), [&](const GiNaC::ex& expression) {
-        return expression.has(quantity.symbol);
-      });
-      if (needed && given_.insert(quantity.symbol.get_name()).second) {
-        used.push_back(quantity.definition);
+      if (occurring.contains(quantity.symbol) && given_.insert(quantity.symbol.get_name()).second) {
+        occurring.merge(equations::symbols_of(quantity.definition));
         list.push_back(
             {quantity.symbol.get_name(), write_(quantity.definition), quantity.meaning, false});
       }

@@ -38,6 +38,8 @@ struct Variable {
   GiNaC::symbol third_rate;    ///< third time derivative: `jerk_BCG`, `j_s_C`
 };
 
+using VariableList = std::vector<const Variable*>;
+
 /// d(expression)/d(variable), where for an angle d cos = -sin and d sin = cos.
 [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const Variable& variable);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "equations/symbols.hpp"
+
 namespace assur::generator::equations {
 
 namespace {
@@ -83,32 +85,46 @@ GiNaC::ex Vocabulary::expand(const GiNaC::ex& expression) const {
 }
 
 GiNaC::ex Vocabulary::derivative(const GiNaC::ex& expression, const Variable& variable) const {
-  GiNaC::ex total = partial(expression, variable);
-  for (const NamedQuantity& quantity : quantities_) {
-    if (!expression.has(quantity.symbol)) {
-      continue;
-    }
-    const auto [known, fresh] =
-        derivatives_.try_emplace({quantity.symbol.get_name(), variable.name});
-    if (fresh) {
-      known->second = slope(quantity, variable);
-    }
-    total += expression.diff(quantity.symbol) * known->second;
-  }
-  return recognise(total.expand());
+  return gradient(expression, {&variable}).front();
 }
 
-GiNaC::ex Vocabulary::slope(const NamedQuantity& quantity, const Variable& variable) const {
-  GiNaC::ex inner = derivative(quantity.definition, variable);
-  switch (quantity.form) {
-    case Form::reciprocal:
-      return -inner * quantity.symbol * quantity.symbol;
-    case Form::square_root:
-      return inner * find(Form::reciprocal, quantity.symbol)->symbol / 2;
-    case Form::itself:
-      break;
+std::vector<GiNaC::ex> Vocabulary::gradient(const GiNaC::ex& expression,
+                                            const VariableList& variables) const {
+  const GiNaC::exset symbols = symbols_of(expression);
+  std::vector<std::pair<const NamedQuantity*, GiNaC::ex>> to_names;
+  for (const NamedQuantity& quantity : quantities_) {
+    if (symbols.contains(quantity.symbol)) {
+      to_names.emplace_back(&quantity, expression.diff(quantity.symbol));
+    }
   }
-  return inner;
+  std::vector<GiNaC::ex> result;
+  for (const Variable* variable : variables) {
+    GiNaC::ex total = partial(expression, *variable);
+    for (const auto& [quantity, to_name] : to_names) {
+      total += to_name * slope(*quantity, *variable);
+    }
+    result.push_back(recognise(total.expand()));
+  }
+  return result;
+}
+
+const GiNaC::ex& Vocabulary::slope(const NamedQuantity& quantity, const Variable& variable) const {
+  const auto [known, fresh] = slopes_.try_emplace({quantity.symbol.get_name(), variable.name});
+  if (fresh) {
+    const GiNaC::ex inner = derivative(quantity.definition, variable);
+    switch (quantity.form) {
+      case Form::reciprocal:
+        known->second = -inner * quantity.symbol * quantity.symbol;
+        break;
+      case Form::square_root:
+        known->second = inner * find(Form::reciprocal, quantity.symbol)->symbol / 2;
+        break;
+      case Form::itself:
+        known->second = inner;
+        break;
+    }
+  }
+  return known->second;
 }
 
 GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {

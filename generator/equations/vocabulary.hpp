@@ -53,19 +53,24 @@ class Vocabulary {
   [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
   /// The total derivative, through the definitions, in names wherever names serve.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;
+  /// The total derivatives to several variables, which share what is to be derived of the names.
+  [[nodiscard]] std::vector<GiNaC::ex> gradient(const GiNaC::ex& expression,
+                                                const VariableList& variables) const;
 
   [[nodiscard]] const std::vector<NamedQuantity>& quantities() const { return quantities_; }
 
  private:
   [[nodiscard]] const NamedQuantity* find(NamedQuantity::Form form,
                                           const GiNaC::ex& expanded) const;
-  [[nodiscard]] GiNaC::ex slope(const NamedQuantity& quantity, const Variable& variable) const;
+  /// The total derivative of a named quantity.
+  [[nodiscard]] const GiNaC::ex& slope(const NamedQuantity& quantity,
+                                       const Variable& variable) const;
   [[nodiscard]] GiNaC::ex recognise(const GiNaC::ex& expression) const;
 
   std::vector<NamedQuantity> quantities_;
   GiNaC::exmap expansions_;
-  /// Derivatives of quantities by name of the quantity and of the variable; derived only once.
-  mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> derivatives_;
+  /// By name of the quantity and of the variable; derived only once.
+  mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> slopes_;
 };
 
 }  // namespace assur::generator::equations

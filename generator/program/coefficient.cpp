@@ -14,6 +14,9 @@ Coefficient::Coefficient(GiNaC::numeric value, GiNaC::ex origin)
 }
 
 std::string Coefficient::text() const {
+  if (value_.is_integer() && GiNaC::abs(value_) < 1000) {
+    return std::to_string(value_.to_int());  // nearly all of them: a stream takes longer
+  }
   std::ostringstream digits;
   digits << value_;
   return digits.str();
@@ -24,10 +27,16 @@ Coefficient& Coefficient::operator+=(const Coefficient& other) {
 }
 
 Coefficient& Coefficient::operator*=(const Coefficient& other) {
+  if (!other.scales()) {
+    return other.is_negative() ? *this = -*this : *this;
+  }
   return *this = {value_ * other.value_, origin_ * other.origin_};
 }
 
 Coefficient& Coefficient::operator/=(const Coefficient& other) {
+  if (!other.scales()) {
+    return *this *= other;
+  }
   return *this = {value_ / other.value_, origin_ / other.origin_};
 }
 

@@ -21,7 +21,7 @@ class Coefficient {
   [[nodiscard]] bool is_zero() const { return value_.is_zero(); }
   [[nodiscard]] bool is_negative() const { return value_.is_negative(); }
   /// Neither of 1 and -1.
-  [[nodiscard]] bool scales() const { return GiNaC::abs(value_) != 1; }
+  [[nodiscard]] bool scales() const { return value_ != 1 && value_ != -1; }
   [[nodiscard]] std::string text() const;  ///< of the value: `25/16`
   [[nodiscard]] Coefficient size() const { return is_negative() ? -*this : *this; }
 

@@ -33,7 +33,7 @@ SymbolRank most_frequent_factor(const Polynomial& polynomial) {
 /// Multiplications by the coefficients of a sum of monomials, all of them divided by a number.
 std::ptrdiff_t scalings(const Polynomial& polynomial, const GiNaC::numeric& divisor) {
   return std::count_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
-    return !term.first.empty() && term.second.size().value() != divisor;
+    return !term.first.empty() && GiNaC::abs(term.second.value()) != divisor;
   });
 }
 
@@ -53,14 +53,14 @@ Coefficient content_of(const Polynomial& polynomial) {
   }
   const GiNaC::numeric content = GiNaC::abs(numerators / denominators);
   const bool in_common = std::all_of(polynomial.begin(), polynomial.end(), [&](const auto& term) {
-    return term.second.size().value() / content < large;
+    return GiNaC::abs(term.second.value()) / content < large;
   });
   if (!in_common || scalings(polynomial, content) + 1 >= scalings(polynomial, 1)) {
     return 1;
   }
   // A coefficient that is the content has its name.
   const auto same = std::find_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
-    return term.second.size().value() == content;
+    return GiNaC::abs(term.second.value()) == content;
   });
   return same == polynomial.end() ? Coefficient(content) : same->second.size();
 }

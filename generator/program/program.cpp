@@ -5,6 +5,8 @@
 #include <iterator>
 #include <set>
 
+#include "equations/symbols.hpp"
+
 namespace assur::generator::program {
 
 namespace {
@@ -14,16 +16,15 @@ using Operation = ExpressionGraph::Operation;
 /// The quantities that a set of expressions needs, in the order in which they were named.
 std::vector<equations::NamedQuantity> needed(
     const std::vector<equations::NamedQuantity>& quantities, const std::vector<Result>& results) {
+  GiNaC::exset occurring;
+  for (const Result& result : results) {
+    occurring.merge(equations::symbols_of(result.value));
+  }
   std::vector<bool> wanted(quantities.size(), false);
-  const auto occurs = [](const GiNaC::symbol& symbol, const GiNaC::ex& expression) {
-    return expression.has(symbol);
-  };
   for (std::size_t back = quantities.size(); back-- > 0;) {
-    const GiNaC::symbol& symbol = quantities[back].symbol;
-    wanted[back] = std::any_of(results.begin(), results.end(),
-                               [&](const Result& result) { return occurs(symbol, result.value); });
-    for (std::size_t later = back + 1; later < quantities.size() && !wanted[back]; ++later) {
-      wanted[back] = wanted[later] && occurs(symbol, quantities[later].definition);
+    if (occurring.contains(quantities[back].symbol)) {
+      wanted[back] = true;
+      occurring.merge(equations::symbols_of(quantities[back].definition));
     }
   }
   std::vector<equations::NamedQuantity> list;

@@ -117,8 +117,8 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
     const std::vector<ScaledNode> terms = nodes_[index].terms;
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = i + 1; j < terms.size(); ++j) {
-        if (Pair{{terms[i].node, terms[j].node}, ratio(terms[i], terms[j])} != pair ||
-            rewritten.contains(index)) {
+        if (std::pair(terms[i].node, terms[j].node) != pair.first ||
+            ratio(terms[i], terms[j]) != pair.second || rewritten.contains(index)) {
           continue;
         }
         const auto [unit, alone] = sum_of(terms[i], terms[j]);

@@ -9,6 +9,7 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/scene/parameter_text.hpp"
+#include "equations/symbols.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -32,12 +33,10 @@ SceneNumber binary(mechanism::Dual number, const SceneNumber& a, const SceneNumb
 std::string symbols_in(const SceneNumber& number) {
   std::set<std::string> names;
   const GiNaC::ex formula = number.symbols()->written_out(number.formula());
-  for (auto part = formula.preorder_begin(); part != formula.preorder_end(); ++part) {
-    if (GiNaC::is_a<GiNaC::symbol>(*part)) {
-      const std::string name = GiNaC::ex_to<GiNaC::symbol>(*part).get_name();
-      const bool is_parameter = name.starts_with("p.");
-      names.insert(is_parameter ? "parameters." + name.substr(2) : name);
-    }
+  for (const GiNaC::ex& symbol : equations::symbols_of(formula)) {
+    const std::string name = GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
+    const bool is_parameter = name.starts_with("p.");
+    names.insert(is_parameter ? "parameters." + name.substr(2) : name);
   }
   return text::listed({names.begin(), names.end()});
 }

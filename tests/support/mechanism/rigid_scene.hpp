@@ -9,6 +9,9 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "runtime/taylor.hpp"
@@ -42,7 +45,7 @@ class RigidScene {
       body_of_.add(link.name == "ground" ? -1 : static_cast<int>(bodies_++));
     }
     for (const mechanism::Feature& feature : mechanism.features()) {
-      Feature local{moved(feature.x), moved(feature.y), Jet(0)};
+      Feature local{moved(feature.x), moved(feature.y), Jet(0), Jet(1), Jet(0)};
       if (feature.is_line) {
         const auto angle = [&](Real t) {
           return std::atan2(at_time(feature.along_y, t), at_time(feature.along_x, t));
@@ -51,6 +54,7 @@ class RigidScene {
         local.angle = differentiated([&, start = angle(0)](Real t) {
           return start + std::remainder(angle(t) - start, 2 * std::acos(-1.0L));
         });
+        std::tie(local.cos, local.sin) = cos_and_sin(local.angle);
       }
       reach_ += std::hypot(local.x.c0, local.y.c0);
       features_.add(local);
@@ -75,25 +79,10 @@ class RigidScene {
     const std::vector<Pose> poses = moving_poses(q, v, a);
     std::vector<Jet> result;
     for (const mechanism::Joint& joint : mechanism_.joints()) {
-      if (joint.type == mechanism::JointType::revolute) {
-        const Place hub = place(poses, joint.between[0]);
-        for (std::size_t part = 1; part < joint.between.size(); ++part) {
-          const Place other = place(poses, joint.between[part]);
-          result.push_back(other.x - hub.x);
-          result.push_back(other.y - hub.y);
-        }
-        continue;
-      }
-      const auto [line, other] = line_first(poses, joint);
-      result.push_back(line.cos * (other.y - line.y) - line.sin * (other.x - line.x));
-      if (joint.type == mechanism::JointType::prismatic) {
-        result.push_back(wrapped(other.angle - line.angle));
-      }
+      add_constraints(poses, joint, result);
     }
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
-      const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver, laws);
-      const bool turns = mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
-      result.push_back(turns ? wrapped(miss) : miss);
+      result.push_back(constraint(poses, driver, laws));
     }
     return result;
   }
@@ -155,15 +144,38 @@ class RigidScene {
   }
 
   /// A column is the rate of the constraints along its coordinate; rates that are given beside a
-  /// law say nothing of that.
+  /// law say nothing of that. A joint is at rest while links move that it does not connect.
   [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
-    return matrix_of(
-        [&](const RealVector& v) { return part_of(constraints(q, v, still(), Laws::alone), 1); });
+    std::vector<Pose> poses = moving_poses(q, still(), still());
+    std::vector<RealMatrix> blocks;
+    for (const mechanism::Joint& joint : mechanism_.joints()) {
+      blocks.push_back(rates(q, poses, bodies_of(joint), [&] {
+        std::vector<Jet> result;
+        add_constraints(poses, joint, result);
+        return result;
+      }));
+    }
+    for (const mechanism::Driver& driver : mechanism_.drivers()) {
+      std::set<Eigen::Index> bodies = bodies_of(mechanism_.joints()[driver.joint]);
+      if (!mechanism_.numbers()[driver.position].formula.joints().empty()) {
+        bodies = all_bodies();  // a law that is read may read others
+      }
+      blocks.push_back(rates(q, poses, bodies, [&] {
+        return std::vector<Jet>{constraint(poses, driver, Laws::alone)};
+      }));
+    }
+    Eigen::Index row = 0;
+    RealMatrix result(size(), size());
+    for (const RealMatrix& block : blocks) {
+      result.middleRows(row, block.rows()) = block;
+      row += block.rows();
+    }
+    return result;
   }
 
  private:
   struct Feature {
-    Jet x, y, angle;
+    Jet x, y, angle, cos, sin;
   };
   struct Pose {
     Jet x, y, theta, cos, sin;
@@ -292,18 +304,85 @@ class RigidScene {
     return matrix_of(affine).fullPivLu().solve(-affine(still()));
   }
 
+  /// What coincides where the joint closes.
+  void add_constraints(const std::vector<Pose>& poses, const mechanism::Joint& joint,
+                       std::vector<Jet>& result) const {
+    if (joint.type == mechanism::JointType::revolute) {
+      const Place hub = place(poses, joint.between[0]);
+      for (std::size_t part = 1; part < joint.between.size(); ++part) {
+        const Place other = place(poses, joint.between[part]);
+        result.push_back(other.x - hub.x);
+        result.push_back(other.y - hub.y);
+      }
+      return;
+    }
+    const auto [line, other] = line_first(poses, joint);
+    result.push_back(line.cos * (other.y - line.y) - line.sin * (other.x - line.x));
+    if (joint.type == mechanism::JointType::prismatic) {
+      result.push_back(wrapped(other.angle - line.angle));
+    }
+  }
+  [[nodiscard]] Jet constraint(const std::vector<Pose>& poses, const mechanism::Driver& driver,
+                               Laws laws) const {
+    const Jet miss = coordinate(poses, driver.joint) - wanted(poses, driver, laws);
+    const bool turns = mechanism_.joints()[driver.joint].type == mechanism::JointType::revolute;
+    return turns ? wrapped(miss) : miss;
+  }
+  [[nodiscard]] std::set<Eigen::Index> bodies_of(const mechanism::Joint& joint) const {
+    std::set<Eigen::Index> bodies;
+    for (const mechanism::FeatureIndex feature : joint.between) {
+      bodies.insert(body_of_[mechanism_.features()[feature].link]);
+    }
+    bodies.erase(-1);
+    return bodies;
+  }
+  [[nodiscard]] std::set<Eigen::Index> all_bodies() const {
+    std::set<Eigen::Index> bodies;
+    for (Eigen::Index body = 0; body < bodies_; ++body) {
+      bodies.insert(body);
+    }
+    return bodies;
+  }
+  /// First rates of some constraints along the coordinates of some bodies, one column for each
+  /// coordinate; the poses, which the constraints read, rest before and after.
+  template <typename Constraints>
+  [[nodiscard]] RealMatrix rates(const RealVector& q, std::vector<Pose>& poses,
+                                 const std::set<Eigen::Index>& bodies,
+                                 const Constraints& constraints) const {
+    const RealVector resting = part_of(constraints(), 1);
+    RealMatrix result = RealMatrix::Zero(resting.size(), size());
+    for (const Eigen::Index body : bodies) {
+      Pose& pose = poses[static_cast<std::size_t>(body)];
+      const Pose rest = pose;
+      for (Eigen::Index column = 3 * body; column < 3 * body + 3; ++column) {
+        pose = moving_pose(body, q, RealVector::Unit(size(), column), still());
+        result.col(column) = part_of(constraints(), 1) - resting;
+      }
+      pose = rest;
+    }
+    return result;
+  }
+
+  static std::pair<Jet, Jet> cos_and_sin(const Jet& angle) {
+    const Direction<Real> start{std::cos(angle.c0), std::sin(angle.c0)};
+    const Direction<Jet> turn = moving<Real>(start, angle.c1, 2 * angle.c2, 0);
+    return {turn.cos, turn.sin};
+  }
+  [[nodiscard]] static Pose moving_pose(Eigen::Index body, const RealVector& q, const RealVector& v,
+                                        const RealVector& a) {
+    const auto jet = [&](Eigen::Index axis) -> Jet {
+      const Eigen::Index index = 3 * body + axis;
+      return moving<Real>(q(index), v(index), a(index), 0);
+    };
+    const Jet theta = jet(2);
+    const auto [cos, sin] = cos_and_sin(theta);
+    return {jet(0), jet(1), theta, cos, sin};
+  }
   [[nodiscard]] std::vector<Pose> moving_poses(const RealVector& q, const RealVector& v,
                                                const RealVector& a) const {
     std::vector<Pose> poses;
     for (Eigen::Index body = 0; body < bodies_; ++body) {
-      const auto jet = [&](Eigen::Index axis) -> Jet {
-        const Eigen::Index index = 3 * body + axis;
-        return moving<Real>(q(index), v(index), a(index), 0);
-      };
-      const Jet theta = jet(2);
-      const Direction<Real> angle{std::cos(theta.c0), std::sin(theta.c0)};
-      const Direction<Jet> turn = moving<Real>(angle, theta.c1, 2 * theta.c2, 0);
-      poses.push_back({jet(0), jet(1), theta, turn.cos, turn.sin});
+      poses.push_back(moving_pose(body, q, v, a));
     }
     return poses;
   }
@@ -315,10 +394,9 @@ class RigidScene {
   [[nodiscard]] Place place(const std::vector<Pose>& poses, mechanism::FeatureIndex feature) const {
     const Feature& local = features_[feature];
     const Pose at = pose_of_owner(poses, feature);
-    const Direction<Real> start{std::cos(local.angle.c0), std::sin(local.angle.c0)};
-    const auto [c, s] = moving<Real>(start, local.angle.c1, 2 * local.angle.c2, 0);
     return {at.x + at.cos * local.x - at.sin * local.y, at.y + at.sin * local.x + at.cos * local.y,
-            at.theta + local.angle, at.cos * c - at.sin * s, at.sin * c + at.cos * s};
+            at.theta + local.angle, at.cos * local.cos - at.sin * local.sin,
+            at.sin * local.cos + at.cos * local.sin};
   }
   /// The two features of a sliding joint; of a point and a line the line first.
   [[nodiscard]] std::pair<Place, Place> line_first(const std::vector<Pose>& poses,
