@@ -44,8 +44,7 @@ if(no_avx EQUAL 0)
 endif()
 
 function(expect_refusal prefix components message)
-  file(REMOVE_RECURSE ${WORK}/refused)
-  execute_process(COMMAND ${configure} -S ${SOURCE} -B ${WORK}/refused
+  execute_process(COMMAND ${configure} -S ${SOURCE} -B ${WORK}/refused -U assur_DIR
     -DCMAKE_PREFIX_PATH=${prefix} -DCOMPONENTS=${components}
     RESULT_VARIABLE status ERROR_VARIABLE messages OUTPUT_QUIET)
   string(REGEX REPLACE "[ \n]+" " " messages "${messages}")

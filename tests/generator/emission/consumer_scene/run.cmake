@@ -73,7 +73,7 @@ endif()
 
 # What cannot be generated is told when the project is configured.
 function(expect_refusal text message)
-  file(REMOVE_RECURSE ${WORK}/refused ${WORK}/refused_build)
+  file(REMOVE_RECURSE ${WORK}/refused)
   file(WRITE ${WORK}/refused/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\n"
     "project(refused LANGUAGES CXX)\nfind_package(assur REQUIRED)\n${text}\n")
   file(COPY ${SOURCE}/four-bar.json DESTINATION ${WORK}/refused)
