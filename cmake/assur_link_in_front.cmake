@@ -1,7 +1,7 @@
 # assur_link_in_front(TARGET LIBRARY...): the program TARGET takes functions of headers from these of
-# our static libraries, and from those that they link, wherever they define them. If several objects
-# define one function, the linker keeps the first, and objects of a program come before libraries: a
-# program that is hardly optimised would have its libraries call its own copies.
+# our static libraries, and from those that they link publicly, if these define them. If several
+# objects define one function, the linker keeps the first, and objects of a program come before
+# libraries: a program that is hardly optimised would have its libraries call its own copies.
 function(assur_link_in_front program)
   set(archives "")
   set(seen "")

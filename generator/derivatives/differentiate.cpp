@@ -69,10 +69,11 @@ GiNaC::ex along_second_rates(const GiNaC::ex& function, const VariableList& vari
   return total;
 }
 
-/// Time derivatives of a function of the variables, the later from the earlier.
+/// d(function)/dt of a function of the variables, and the part of d2(function)/dt2 that depends on
+/// first rates alone.
 struct TimeDerivatives {
   GiNaC::ex first;
-  GiNaC::ex second_of_rates;  ///< without second rates
+  GiNaC::ex second_of_rates;
 };
 
 TimeDerivatives time_derivatives(const GiNaC::ex& function, const VariableList& moving,

@@ -5,7 +5,7 @@
 
 namespace assur::generator::equations {
 
-/// One walk through the expression, which serves where it is asked for many symbols.
+/// It takes one walk through the expression, where `has` takes one for each symbol.
 [[nodiscard]] GiNaC::exset symbols_of(const GiNaC::ex& expression);
 
 }  // namespace assur::generator::equations

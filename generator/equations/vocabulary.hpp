@@ -53,7 +53,7 @@ class Vocabulary {
   [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
   /// The total derivative, through the definitions, in names wherever names serve.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;
-  /// The total derivatives to several variables, which share what is to be derived of the names.
+  /// The total derivatives by several variables. The expression is derived by each name only once.
   [[nodiscard]] std::vector<GiNaC::ex> gradient(const GiNaC::ex& expression,
                                                 const VariableList& variables) const;
 
@@ -69,7 +69,7 @@ class Vocabulary {
 
   std::vector<NamedQuantity> quantities_;
   GiNaC::exmap expansions_;
-  /// By name of the quantity and of the variable; derived only once.
+  /// Total derivatives by the names of quantity and variable. Each of them is derived only once.
   mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> slopes_;
 };
 

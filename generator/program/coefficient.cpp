@@ -14,8 +14,9 @@ Coefficient::Coefficient(GiNaC::numeric value, GiNaC::ex origin)
 }
 
 std::string Coefficient::text() const {
+  // Nearly all coefficients are small integers, and a stream takes longer to write them.
   if (value_.is_integer() && GiNaC::abs(value_) < 1000) {
-    return std::to_string(value_.to_int());  // nearly all of them: a stream takes longer
+    return std::to_string(value_.to_int());
   }
   std::ostringstream digits;
   digits << value_;

@@ -253,8 +253,10 @@ std::string shown_by_sweep(int count) {
   const Terminal terminal;
   const CommandResult result = run_assur_with_messages_to(terminal.name(), arguments);
   EXPECT_EQ(result.status, 0);
-  const std::string shown = terminal.shown();
-  if (!shown.empty()) {
+  std::string shown = terminal.shown();
+  // A long sweep that was not long enough for a bar is only repeated with more steps.
+  constexpr int few_steps = 1000;
+  if (count < few_steps || !shown.empty()) {
     EXPECT_EQ(result.output, run_assur(arguments).output);
   }
   return shown;

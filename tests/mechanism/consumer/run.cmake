@@ -43,6 +43,8 @@ if(no_avx EQUAL 0)
   endif()
 endif()
 
+# All refusals share a build tree, so that the compiler is examined once; where the package was found
+# before is forgotten.
 function(expect_refusal prefix components message)
   execute_process(COMMAND ${configure} -S ${SOURCE} -B ${WORK}/refused -U assur_DIR
     -DCMAKE_PREFIX_PATH=${prefix} -DCOMPONENTS=${components}

@@ -158,17 +158,20 @@ class RigidScene {
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
       std::set<Eigen::Index> bodies = bodies_of(mechanism_.joints()[driver.joint]);
       if (!mechanism_.numbers()[driver.position].formula.joints().empty()) {
-        bodies = all_bodies();  // a law that is read may read others
+        bodies = all_bodies();  // the law may read any joint, by way of other laws
       }
       blocks.push_back(rates(q, poses, bodies, [&] {
         return std::vector<Jet>{constraint(poses, driver, Laws::alone)};
       }));
     }
-    Eigen::Index row = 0;
-    RealMatrix result(size(), size());
+    Eigen::Index rows = 0;
     for (const RealMatrix& block : blocks) {
-      result.middleRows(row, block.rows()) = block;
-      row += block.rows();
+      rows += block.rows();
+    }
+    RealMatrix result(rows, size());
+    for (const RealMatrix& block : blocks) {
+      result.middleRows(result.rows() - rows, block.rows()) = block;
+      rows -= block.rows();
     }
     return result;
   }

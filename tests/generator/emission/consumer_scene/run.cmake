@@ -71,7 +71,8 @@ if(arm_compiler)
   run(${CMAKE_COMMAND} --build ${WORK}/build ${generation})
 endif()
 
-# What cannot be generated is told when the project is configured.
+# What cannot be generated is told when the project is configured. All refusals share a build tree, so
+# that the compiler is examined once.
 function(expect_refusal text message)
   file(REMOVE_RECURSE ${WORK}/refused)
   file(WRITE ${WORK}/refused/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\n"
