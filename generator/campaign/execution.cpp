@@ -11,7 +11,8 @@ bool is_computed(const Execution& execution) {
   if (execution.table.empty()) {
     return false;
   }
-  if (!std::filesystem::exists(execution.table)) {
+  std::error_code error;
+  if (!std::filesystem::exists(execution.table, error)) {
     expect_new(execution.table, execution.may_replace);  // it may be a link that leads nowhere
     return false;
   }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/error.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <functional>
 
@@ -123,13 +124,13 @@ class Map {
   [[nodiscard]] std::string axes() const {
     const NamedAxis& across = summary_.axes()[0];
     const double below = map_top + height_ + 18;
-    std::string body = words(map_left, below, "start", label(across.from)) +
-                       words(map_left + map_width, below, "end", label(across.to)) +
+    std::string body = words(map_left, below, "start", text::short_number(across.from, 4)) +
+                       words(map_left + map_width, below, "end", text::short_number(across.to, 4)) +
                        words(map_left + map_width / 2, below + 10, "middle", across.name);
     if (summary_.axes().size() == 2) {
       const NamedAxis& up = summary_.axes()[1];
-      body += words(map_left - 6, map_top + height_, "end", label(up.from)) +
-              words(map_left - 6, map_top + 10, "end", label(up.to)) +
+      body += words(map_left - 6, map_top + height_, "end", text::short_number(up.from, 4)) +
+              words(map_left - 6, map_top + 10, "end", text::short_number(up.to, 4)) +
               words(map_left - 6, map_top + height_ / 2, "end", up.name);
     }
     return body;

@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/mechanism/campaign.hpp>
 #include <assur/text/error.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -127,16 +128,16 @@ std::string grid_text(const GridSummary& summary) {
       description.text_of("name") + "\n" + with_noun(summary.cells().size(), "cell") +
       (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) + "\n";
   for (const NamedAxis& axis : summary.axes()) {
-    text += "  " + axis.name + " from " + label(axis.from) + " to " + label(axis.to) + " in " +
-            with_noun(axis.count, "value") + "\n";
+    text += "  " + axis.name + " from " + text::short_number(axis.from, 4) + " to " +
+            text::short_number(axis.to, 4) + " in " + with_noun(axis.count, "value") + "\n";
   }
   text += "\n";
   for (const auto& [configurations, cells] : summary.counts()) {
     text += "  " + with_noun(cells, "cell") + " with " +
             with_noun(configurations, "configuration") + "\n";
   }
-  text += "  " + std::to_string(summary.changes()) +
-          " pairs of neighbours between which the number of configurations changes\n";
+  text += "  " + with_noun(summary.changes(), "pair") +
+          " of neighbours between which the number of configurations changes\n";
   for (const Counted& one : counted) {
     if (const std::uint64_t cells = count_if(summary, one.flag); cells > 0) {
       text += "  " + std::to_string(cells) + " " + one.text + "\n";
@@ -144,8 +145,8 @@ std::string grid_text(const GridSummary& summary) {
   }
   for (const CoordinateRange& range : summary.ranges()) {
     if (range.least <= range.greatest) {
-      text +=
-          "  " + range.name + " from " + label(range.least) + " to " + label(range.greatest) + "\n";
+      text += "  " + range.name + " from " + text::short_number(range.least, 4) + " to " +
+              text::short_number(range.greatest, 4) + "\n";
     }
   }
   return text;

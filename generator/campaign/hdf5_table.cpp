@@ -247,7 +247,8 @@ class Hdf5Reader : public TableReader {
 
  private:
   [[noreturn]] void refuse() const {
-    throw text::InputError(name_ + ": it is not a complete table of a campaign in HDF5");
+    throw text::InputError(name_ +
+                           ": it is not a complete table of a campaign in HDF5; compute it again");
   }
   [[nodiscard]] hid_t expected(hid_t result) const {
     if (result < 0) {

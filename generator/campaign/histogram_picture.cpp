@@ -1,5 +1,6 @@
 // Turns what a sample says of its outputs into histograms, as SVG.
 #include <algorithm>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -57,10 +58,10 @@ class Panel {
                    "stroke=\"#2ca02c\" stroke-dasharray=\"5 3\"");
     }
     const double below = top_ + height_ + 15;
-    body += words(left_, below, "middle", label(from_));
-    body += words(left_ + width_, below, "middle", label(to_));
+    body += words(left_, below, "middle", text::short_number(from_, 4));
+    body += words(left_ + width_, below, "middle", text::short_number(to_, 4));
     return body + words(left_ + width_ / 2, below + 3, "middle",
-                        name + " from " + label(predicted_.nominal));
+                        name + " from " + text::short_number(predicted_.nominal, 4));
   }
 
  private:

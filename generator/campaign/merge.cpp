@@ -25,10 +25,12 @@ void expect_all(const std::map<std::uint64_t, std::filesystem::path>& found, std
     }
   }
   if (number_missing > 0) {
+    const bool is_one = number_missing == 1;
     throw text::InputError(std::to_string(number_missing) + " of " + std::to_string(count) +
-                           " shards are missing: " + text::listed(missing) +
-                           (number_missing > missing.size() ? ", ..." : "") +
-                           "; compute them with --shard");
+                           (is_one ? " shards is missing: " : " shards are missing: ") +
+                           text::listed(missing) +
+                           (number_missing > missing.size() ? ", ..." : "") + "; compute " +
+                           (is_one ? "it" : "them") + " with --shard");
   }
 }
 
@@ -63,7 +65,7 @@ ShardFiles shard_files(const std::vector<std::filesystem::path>& files) {
     }
     if (!is_new) {
       throw text::InputError(file.string() + ": it is shard " + description.shard.text() +
-                             ", and so is " + other->second.string());
+                             ", and so is " + other->second.string() + "; leave one out");
     }
   }
   expect_all(found, first->shard.count);

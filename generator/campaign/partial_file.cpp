@@ -13,6 +13,17 @@ namespace assur::generator::campaign {
 
 namespace {
 
+/// The name under which a file is written until it is whole.
+std::filesystem::path partial_name(std::filesystem::path file) {
+  file += ".partial";
+  return file;
+}
+
+[[noreturn]] void refuse(const std::filesystem::path& file, int reason) {
+  throw text::InputError(file.string() + ": cannot be written: " + std::strerror(reason) +
+                         "; give another name");
+}
+
 /// Whether a name still is that of an open file: the process that held the lock before may have
 /// given the file its own name, or removed it.
 bool is_named(int descriptor, const std::filesystem::path& path) {
@@ -24,9 +35,8 @@ bool is_named(int descriptor, const std::filesystem::path& path) {
 
 }  // namespace
 
-PartialFile::PartialFile(std::filesystem::path target) : target_(std::move(target)) {
-  partial_ = target_;
-  partial_ += ".partial";
+PartialFile::PartialFile(std::filesystem::path target)
+    : target_(std::move(target)), partial_(partial_name(target_)) {
   while (true) {
     descriptor_ = open(partial_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
@@ -35,7 +45,8 @@ PartialFile::PartialFile(std::filesystem::path target) : target_(std::move(targe
     if (flock(descriptor_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       (void)close(descriptor_);
       descriptor_ = -1;
-      throw text::InputError(target_.string() + ": another process is writing it");
+      throw text::InputError(target_.string() +
+                             ": another process is writing it; wait for it, or give another name");
     }
     if (is_named(descriptor_, partial_)) {
       break;
@@ -54,9 +65,7 @@ PartialFile::~PartialFile() {
   }
 }
 
-void PartialFile::fail(int reason) const {
-  throw text::InputError(target_.string() + ": cannot be written: " + std::strerror(reason));
-}
+void PartialFile::fail(int reason) const { refuse(target_, reason); }
 
 // NOLINTNEXTLINE(readability-make-member-function-const): the file that it writes is its state
 void PartialFile::write(const std::string& text) {
@@ -91,6 +100,32 @@ void expect_directory(const std::filesystem::path& file) {
   if (file.has_parent_path() && !std::filesystem::is_directory(file.parent_path(), error)) {
     throw text::InputError(file.string() + ": there is no directory " +
                            file.parent_path().string() + "; make it, or name another one");
+  }
+}
+
+void expect_writable(const std::filesystem::path& file) {
+  expect_directory(file);
+  std::error_code error;
+  for (const std::filesystem::path& name : {file, partial_name(file)}) {
+    (void)std::filesystem::status(name, error);
+    if (error && error != std::errc::no_such_file_or_directory) {
+      refuse(file, error.value());
+    }
+  }
+  const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
+  if (access(directory.c_str(), W_OK) != 0) {
+    refuse(file, errno);
+  }
+}
+
+void expect_other(const std::filesystem::path& file,
+                  const std::vector<std::filesystem::path>& inputs) {
+  for (const std::filesystem::path& input : inputs) {
+    std::error_code error;  // a file that does not exist is no other one
+    if (std::filesystem::equivalent(file, input, error)) {
+      throw text::InputError(file.string() + ": this is the file " + input.string() +
+                             " that is read; give another name");
+    }
   }
 }
 

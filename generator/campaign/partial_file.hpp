@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace assur::generator::campaign {
 
@@ -37,6 +38,14 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Throws InputError where the directory of the file is missing: a mistyped one is not made.
 void expect_directory(const std::filesystem::path& file);
+
+/// Throws InputError where no file can be written under that name: because the name is too long,
+/// its links lead in a circle, or its directory may not be written to.
+void expect_writable(const std::filesystem::path& file);
+
+/// Throws InputError where the file is one of those that are read: it would be lost.
+void expect_other(const std::filesystem::path& file,
+                  const std::vector<std::filesystem::path>& inputs);
 
 /// Throws InputError where something has that name, unless it may be replaced.
 void expect_new(const std::filesystem::path& file, bool may_replace);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <assur/text/error.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -24,13 +25,11 @@ std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
 }
 
-std::string short_number(double number) {
+std::string shown(double number) {
   if (!std::isfinite(number)) {
     return "-";
   }
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.9g", number);
-  return text.data();
+  return text::short_number(number, 9);
 }
 
 Json json_number(double number) { return std::isfinite(number) ? Json(number) : Json(); }
@@ -96,7 +95,7 @@ std::string histogram_text(const mechanism::Histogram& histogram, double nominal
   constexpr std::uint64_t longest = 50;
   std::string text;
   for (const auto& bar : bars) {
-    text += "  " + padded(short_number(bar.from - nominal), 16) + " " +
+    text += "  " + padded(shown(bar.from - nominal), 16) + " " +
             padded(std::to_string(bar.count), 11) + " " +
             std::string(static_cast<std::size_t>(std::llround(
                             static_cast<double>(bar.count * longest) / static_cast<double>(most))),
@@ -114,12 +113,12 @@ std::string output_text(const SampledOutput& output) {
       padded("x", width) + padded("y", width) + "\n";
   for (const Row& row : rows()) {
     text += "  " + std::string(row.text) + std::string(24 - std::string(row.text).size(), ' ') +
-            padded(short_number(row.number(output, 0)), width) +
-            padded(short_number(row.number(output, 1)), width) + "\n";
+            padded(shown(row.number(output, 0)), width) +
+            padded(shown(row.number(output, 1)), width) + "\n";
   }
   text += "  covariance of x and y   " +
-          padded(short_number(known(output, output.statistics.covariance()(0, 1), 2)), width) +
-          padded(short_number(output.covariance), width) + "  (by first derivatives)\n";
+          padded(shown(known(output, output.statistics.covariance()(0, 1), 2)), width) +
+          padded(shown(output.covariance), width) + "  (by first derivatives)\n";
   for (const std::size_t axis : {0U, 1U}) {
     if (output.statistics.count() > 0) {
       text += "  " + output.name + "." + axis_name(axis) + " - nominal, from        samples\n" +

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <assur/text/xml.hpp>
 #include <cstdio>
 #include <string>
 
@@ -14,31 +15,10 @@ namespace assur::generator::campaign {
   return text.data();
 }
 
-/// A number that people read.
-[[nodiscard]] inline std::string label(double number) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.4g", number);
-  return text.data();
-}
-
-/// A text with XML's own characters as entities, and with '?' for those that XML cannot hold.
-[[nodiscard]] inline std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text) {
-    result += letter == '&'                               ? "&amp;"
-              : letter == '<'                             ? "&lt;"
-              : letter == '>'                             ? "&gt;"
-              : letter == '"'                             ? "&quot;"
-              : static_cast<unsigned char>(letter) < 0x20 ? "?"
-                                                          : std::string(1, letter);
-  }
-  return result;
-}
-
 [[nodiscard]] inline std::string words(double x, double y, const std::string& anchor,
                                        const std::string& text) {
   return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\">" +
-         escaped(text) + "</text>\n";
+         text::escaped_for_xml(text) + "</text>\n";
 }
 
 [[nodiscard]] inline std::string line(double x1, double y1, double x2, double y2,

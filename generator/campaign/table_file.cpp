@@ -2,6 +2,7 @@
 
 #include <assur/mechanism/campaign.hpp>
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
 
 #include "campaign/csv_table.hpp"
 #include "campaign/hdf5_table.hpp"
@@ -12,8 +13,12 @@ void expect_table_name(const std::filesystem::path& file, const std::string& opt
   if (file.extension() == ".h5") {
     expect_hdf5(option + ": " + file.string());
   } else if (file.extension() != ".csv") {
-    throw text::InputError(option + ": " + file.string() +
-                           ": the ending says what is written; end it in .csv or .h5");
+    const std::string extension = file.extension().string();
+    throw text::InputError(option + ": " + file.string() + ": " +
+                           (extension.empty()
+                                ? "the name has no extension"
+                                : "the extension " + text::in_quotes(extension) + " is not known") +
+                           "; give .csv, .h5 or .svg");
   }
 }
 

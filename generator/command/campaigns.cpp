@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/input_file.hpp>
+#include <assur/text/quoted.hpp>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -67,7 +68,7 @@ bool compute_on_ranks(const Ranks& ranks, campaign::Execution whole, const Campa
 
 }  // namespace
 
-CampaignFiles files_of(const CampaignOptions& options) {
+CampaignFiles files_of(const CampaignOptions& options, const std::vector<std::string>& inputs) {
   const fs::path output = options.output;
   const fs::path plot = options.plot;
   CampaignFiles files;
@@ -81,27 +82,30 @@ CampaignFiles files_of(const CampaignOptions& options) {
     files.table = output;
     files.picture = plot;
   }
-  if (!files.table.empty()) {
-    campaign::expect_directory(files.table);
+  for (const fs::path& file : {files.table, files.picture}) {
+    if (!file.empty()) {
+      campaign::expect_writable(file);
+      campaign::expect_other(file, {inputs.begin(), inputs.end()});
+    }
   }
   if (files.picture.empty()) {
     return files;
   }
   if (files.picture.extension() != ".svg") {
-    throw text::InputError("--plot: " + plot.string() + ": a picture is SVG; end its name in .svg");
+    throw text::InputError("--plot: " + plot.string() +
+                           ": a picture is SVG; give it the extension .svg");
   }
   if (!campaign::shard_of(options.shard, "--shard").is_whole()) {
     throw text::InputError(files.picture.string() +
                            ": a single shard has no picture; draw it when the shards are merged");
   }
-  campaign::expect_directory(files.picture);
   campaign::expect_new(files.picture, options.force);
   return files;
 }
 
 CampaignScene campaign_scene(const std::string& campaign, const CampaignOptions& options) {
   const std::string text = text::read_input_file(options.scene);
-  CampaignScene result{mechanism::parse_scene(text, options.scene, options.settings), {}};
+  CampaignScene result{mechanism::parse_scene(text, options.scene, options.settings, "--set"), {}};
   campaign::Description& description = result.description;
   const std::string& name = result.scene.mechanism.name();
   description.add("assur", campaign);
@@ -167,7 +171,7 @@ std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::ui
   }
   if (!is_whole || number < least || number > most) {
     throw text::InputError(option + ": expected a whole number from " + std::to_string(least) +
-                           " to " + std::to_string(most) + ", found '" + text + "'");
+                           " to " + std::to_string(most) + ", found " + text::in_quotes(text));
   }
   return number;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <cctype>
 #include <optional>
@@ -57,12 +58,12 @@ ChosenKind chosen_kind(const DeriveOptions& options) {
     }
   }
   if (found.size() > 1) {
-    throw text::InputError("derive: '" + options.what + "' is a kind of " + groups[0] + " and of " +
-                           groups[1] + "; say which by --group");
+    throw text::InputError("derive: " + text::in_quotes(options.what) + " is a kind of " +
+                           groups[0] + " and of " + groups[1] + "; say which by --group");
   }
   if (found.empty()) {
     throw text::InputError("derive: no " + options.group + (options.group.empty() ? "" : " ") +
-                           "kind '" + options.what + "'" +
+                           "kind " + text::in_quotes(options.what) +
                            text::suggestion(upper_case(options.what), spellings) +
                            "; give a kind such as " + spellings.front() + " or a model's number");
   }

@@ -6,6 +6,7 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/names.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <filesystem>
 
@@ -78,7 +79,7 @@ const Form& form_of(const std::filesystem::path& file) {
     throw text::InputError(
         "--output: " + file.string() + ": " +
         (extension.empty() ? "the name has no extension"
-                           : "no drawing has the extension '" + extension + "'") +
+                           : "no drawing has the extension " + text::in_quotes(extension)) +
         "; the extensions are " + text::listed(known) + text::suggestion(extension, known));
   }
   return *found;
@@ -89,9 +90,11 @@ const Form& form_of(const std::filesystem::path& file) {
 void draw_scene(const DrawOptions& options) {
   const std::filesystem::path file = options.output;
   const Form& form = form_of(file);
-  campaign::expect_directory(file);
+  campaign::expect_writable(file);
+  campaign::expect_other(file, {options.scene});
   const std::string read = text::read_input_file(options.scene);
-  const Source source = {read, mechanism::parse_scene(read, options.scene, options.settings)};
+  const Source source = {read,
+                         mechanism::parse_scene(read, options.scene, options.settings, "--set")};
   try {
     const std::string text = form.text(source, options);
     emission::cpp::write_files({{file.filename(), text}},

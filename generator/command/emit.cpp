@@ -4,6 +4,7 @@
 #include <array>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/names.hpp>
+#include <assur/text/quoted.hpp>
 #include <iterator>
 #include <utility>
 
@@ -34,6 +35,12 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
                      return scene.mechanism.parameter_named(name, "--variable");
                    });
   }
+  for (auto one = added.begin(); one != added.end(); ++one) {
+    if (std::find(added.begin(), one, *one) != one) {
+      throw InputError("--variable: '" + scene.mechanism.parameters()[*one].name +
+                       "' occurs twice; leave one out");
+    }
+  }
   for (const assur::mechanism::ParameterIndex parameter : added) {
     if (std::find(variable.begin(), variable.end(), parameter) == variable.end()) {
       variable.push_back(parameter);
@@ -52,8 +59,11 @@ assur::mechanism::Want wanted(const std::vector<std::string>& words) {
     const auto* flag = std::find_if(flags.begin(), flags.end(),
                                     [&word](const auto& known) { return known.first == word; });
     if (flag == flags.end()) {
-      throw InputError("--want: no result named '" + word +
-                       "'; they are position, velocity, acceleration and sensitivity");
+      throw InputError("--want: no result named " + text::in_quotes(word) +
+                       "; they are position, velocity, acceleration and sensitivity");
+    }
+    if (*flag->second) {
+      throw InputError("--want: '" + word + "' occurs twice; leave one out");
     }
     *flag->second = true;
   }

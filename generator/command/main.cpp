@@ -4,10 +4,12 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <csignal>
 #include <functional>
 #include <iostream>
+#include <limits>
 #include <new>
 #include <string>
 #include <vector>
@@ -34,6 +36,11 @@ using assur::text::InputError;
 constexpr int exit_ok = 0;
 constexpr int exit_negative = 1;
 constexpr int exit_unusable = 2;
+
+constexpr int most_threads = 1024;
+/// What a program that an audit runs may be given.
+constexpr double least_seconds = 0.1;
+constexpr double most_seconds = 3600;
 
 constexpr const char* set_help = "NAME=EXPR, replaces a parameter's value;\nmay be repeated";
 
@@ -67,6 +74,11 @@ std::vector<std::string> group_names() {
     names.push_back(group.name());
   }
   return names;
+}
+
+/// A whole number from 1 to `most`.
+CLI::Validator whole_number(int most) {
+  return {[most](const std::string& text) { return complaint_of_whole_number(text, most); }, ""};
 }
 
 CLI::Validator one_of(const std::vector<std::string>& words) {
@@ -113,6 +125,10 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
     std::vector<std::string> options;
     add_options(*chosen.front(), options);
     std::string text = complaint_of_options({argv + 1, argv + argc}, options);
+    if (const auto rest = chosen.front()->remaining(); text.empty() && !rest.empty()) {
+      text =
+          "the argument " + assur::text::in_quotes(rest.front()) + " is one too many; leave it out";
+    }
     if (text.empty()) {
       text = complaint_of_library(error.what());
       text += text.ends_with(" is required") ? missing_choices(*chosen.front()) : "";
@@ -125,7 +141,8 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
   }
   const std::string given = argc > 1 ? argv[1] : "";
   const std::string found =
-      argc > 1 ? " '" + given + "'" + assur::text::suggestion(given, names) : std::string();
+      argc > 1 ? " " + assur::text::in_quotes(given) + assur::text::suggestion(given, names)
+               : std::string();
   return "no subcommand" + found + "; the subcommands are " + assur::text::listed(names) +
          " (see assur --help)";
 }
@@ -154,11 +171,17 @@ void add_computing_options(CLI::App& command, CampaignOptions& options,
   command.add_option("--shard", options.shard, "I/N: compute part I of N only, for assur merge");
   command
       .add_option("--threads", options.threads, "number of threads (default: one for each core)")
-      ->check(CLI::Range(1, 1024));
+      ->type_name("N")
+      ->check(whole_number(most_threads));
+}
+
+/// One line, whatever the words of the command line and the names of files contain.
+void print_error(const std::string& text) {
+  std::cerr << "error: " << assur::text::on_one_line(text) << '\n';
 }
 
 int run(int argc, char** argv) {
-  const CLI::Validator whole_number_text(complaint_of_number, "");
+  const CLI::Validator any_whole_number = whole_number(std::numeric_limits<int>::max());
   const CLI::Validator not_empty(
       [](const std::string& name) { return name.empty() ? std::string("the name is empty") : ""; },
       "");
@@ -195,7 +218,9 @@ int run(int argc, char** argv) {
   auto* what = command->add_option_group("what");
   what->add_flag("--all", emit.all, "every model of every group");
   CLI::Option* const model =
-      what->add_option("--model", emit.model, "one model of a group, by its number");
+      what->add_option("--model", emit.model, "one model of a group, by its number")
+          ->type_name("N")
+          ->check(any_whole_number);
   what->add_option("--scene", emit.scene, "a solver for one scene file (JSON)")->check(not_empty);
   what->add_option("--closures", emit.closures, "the closures that are typed in an audit file")
       ->check(not_empty);
@@ -236,7 +261,7 @@ int run(int argc, char** argv) {
       ->add_option("--branch", solve.branch,
                    "report configuration N only;\nof a sweep, the rows of branch N")
       ->type_name("N")
-      ->check(whole_number_text);
+      ->check(any_whole_number);
   command
       ->add_flag("--nearest", solve.nearest,
                  "report only the configuration nearest to the\nscene's reference; of a sweep, "
@@ -253,7 +278,7 @@ int run(int argc, char** argv) {
   command->add_option("--set", draw.settings, set_help)->expected(1)->take_all();
   command->add_option("--configuration", draw.configuration, "draw configuration N only")
       ->type_name("N")
-      ->check(whole_number_text);
+      ->check(any_whole_number);
   command
       ->add_flag("--nearest", draw.nearest,
                  "draw only the configuration nearest to the\nscene's reference")
@@ -278,7 +303,7 @@ int run(int argc, char** argv) {
           "--branch", sample.branch,
           "follow configuration N; default: the one nearest\nto the scene's reference, or 1")
       ->type_name("N")
-      ->check(whole_number_text);
+      ->check(any_whole_number);
   command->callback([&] {
     chosen = [&] {
       run_sample(sample);
@@ -331,7 +356,11 @@ int run(int argc, char** argv) {
       ->allow_extra_args(false)
       ->needs("--run");
   command->add_option("--time-limit", audit.seconds, "with --run: seconds that a program may take")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return complaint_of_number(text, least_seconds, most_seconds);
+          },
+          ""))
       ->capture_default_str()
       ->needs("--run");
   command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
@@ -346,7 +375,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    std::cerr << "error: " << complaint(app, error, argc, argv) << '\n';
+    print_error(complaint(app, error, argc, argv));
     return exit_unusable;
   }
   return chosen();
@@ -364,13 +393,13 @@ int main(int argc, char** argv) {
     finish_output();
     return status;
   } catch (const InputError& error) {
-    std::cerr << "error: " << error.what() << '\n';
+    print_error(error.what());
   } catch (const std::bad_alloc&) {
-    std::cerr << "error: the memory does not suffice; ask for less in one run\n";
+    print_error("the memory does not suffice; ask for less in one run");
   } catch (const OtherRankFailed&) {  // that one tells why
   } catch (const ClosedPipe&) {       // whoever closed it knows
   } catch (const std::exception& error) {
-    std::cerr << "error: internal: " << error.what() << '\n';
+    print_error(std::string("internal: ") + error.what() + "; please report this with its input");
   }
   return exit_unusable;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
 #include <cmath>
 
 #include "campaign/grid_summary.hpp"
@@ -50,10 +51,9 @@ std::vector<WrittenAxis> written_axes(const std::string& over,
                                                ? std::vector<std::string>()
                                                : parts_between(part.substr(equals + 1), ':');
     if (range.size() != 3) {
-      throw mechanism::MechanismError("--over",
-                                      "'" + part +
-                                          "' is not an axis; expected NAME=FROM:TO:COUNT, "
-                                          "such as phi=0:2*pi:361");
+      throw mechanism::MechanismError("--over", text::in_quotes(part) +
+                                                    " is not an axis; expected NAME=FROM:TO:COUNT, "
+                                                    "such as phi=0:2*pi:361");
     }
     const auto is_given = [&name](const std::string& setting) {
       return setting.substr(0, setting.find('=')) == name;
@@ -103,7 +103,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
 }
 
 void map(const MapOptions& options, CampaignScene& scene) {
-  const CampaignFiles files = files_of(options);
+  const CampaignFiles files = files_of(options, {options.scene});
   mechanism::Mechanism& mechanism = scene.scene.mechanism;
   const mechanism::Request& request = scene.scene.request;
   const std::vector<WrittenAxis> written = written_axes(options.over, options.settings, mechanism);

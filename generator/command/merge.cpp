@@ -34,7 +34,7 @@ void merge_and_report(const campaign::ShardFiles& shards, const CampaignFiles& f
 }  // namespace
 
 void run_merge(const MergeOptions& options) {
-  const CampaignFiles files = files_of(options);
+  const CampaignFiles files = files_of(options, options.files);
   if (!files.table.empty()) {
     campaign::expect_new(files.table, options.force);
   }

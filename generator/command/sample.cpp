@@ -55,7 +55,7 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
   const std::uint64_t count = whole_number(options.count, 1, most_samples, "--count");
   const std::uint64_t seed =
       whole_number(options.seed, 0, std::numeric_limits<std::uint64_t>::max(), "--seed");
-  const CampaignFiles files = files_of(options);
+  const CampaignFiles files = files_of(options, {options.scene});
   const mechanism::Mechanism& mechanism = scene.scene.mechanism;
   const mechanism::Request& request = scene.scene.request;
   const mechanism::Sampling sampling(mechanism, request, static_cast<std::size_t>(options.branch),

@@ -1,11 +1,10 @@
 #include "command/solve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
-#include <cstdio>
+#include <assur/text/numbers.hpp>
 #include <optional>
 #include <utility>
 
@@ -17,12 +16,22 @@ namespace assur::generator::command {
 
 namespace {
 
-/// `--branch` must name one of `count` configurations or branches.
-void expect_branch(const SolveOptions& options, std::ptrdiff_t count, const std::string& what) {
+/// `--branch` must name one of `count` configurations.
+void expect_configuration(const SolveOptions& options, std::size_t count, const std::string& why) {
+  if (static_cast<std::size_t>(options.branch) > count) {
+    throw text::InputError(
+        options.scene + ": --branch: " +
+        mechanism::no_configuration(static_cast<std::size_t>(options.branch), count) +
+        (count == 0 && !why.empty() ? ": " + why : ""));
+  }
+}
+
+/// `--branch` must name one of `count` branches.
+void expect_branch(const SolveOptions& options, int count) {
   if (options.branch > count) {
-    throw text::InputError(options.scene + ": --branch: there is no " + what + " " +
-                           std::to_string(options.branch) + "; the highest number is " +
-                           std::to_string(count));
+    throw text::InputError(
+        options.scene + ": --branch: there is no branch " + std::to_string(options.branch) +
+        (count == 0 ? "; the sweep has none" : "; the highest number is " + std::to_string(count)));
   }
 }
 
@@ -44,7 +53,7 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   }
   const bool degenerate = solution.status == mechanism::SolutionStatus::degenerate;
   if (!degenerate) {
-    expect_branch(options, static_cast<std::ptrdiff_t>(count), "configuration");
+    expect_configuration(options, count, count == 0 ? plan.obstacle(values) : "");
   }
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
   const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
@@ -97,11 +106,8 @@ std::optional<SweptConfiguration> nearest_in_sweep(const mechanism::Plan& plan) 
   return std::nullopt;
 }
 
-std::string short_number(double number) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.6g", number);
-  return text.data();
-}
+/// Values of a sweep in remarks.
+std::string shown(double number) { return text::short_number(number, 6); }
 
 /// Tells each stretch of steps without configurations once, from where to where, and why.
 class StretchTeller {
@@ -141,9 +147,9 @@ class StretchTeller {
     const int count = step_ - first_;
     const std::string& name = plan_.mechanism().parameters()[plan_.request().sweep->parameter].name;
     text_ += what_ +
-             (count == 1 ? " at " + name + " = " + short_number(from_)
-                         : " from " + name + " = " + short_number(from_) + " to " +
-                               short_number(to_) + " (" + std::to_string(count) + " steps)") +
+             (count == 1 ? " at " + name + " = " + shown(from_)
+                         : " from " + name + " = " + shown(from_) + " to " + shown(to_) + " (" +
+                               std::to_string(count) + " steps)") +
              reason_of_stretch(count) + '\n';
     what_.clear();
     breaches_.clear();
@@ -176,12 +182,12 @@ class StretchTeller {
     const std::string reason = plan_.obstacle(values);
     if (reason.empty()) {  // there, it can be assembled alone
       return plan_.structure().reading.empty()
-                 ? ": at " + short_number(place) + ", the links reach to within rounding"
+                 ? ": at " + shown(place) + ", the links reach to within rounding"
                  : ": laws read angles that count whole turns from the first step; solved alone, "
                    "with angles in (-pi, pi], the mechanism can be assembled at " +
-                       short_number(place);
+                       shown(place);
     }
-    return count == 1 ? ": " + reason : ": at " + short_number(place) + ", " + reason;
+    return count == 1 ? ": " + reason : ": at " + shown(place) + ", " + reason;
   }
 
   const mechanism::Plan& plan_;
@@ -247,7 +253,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
     }
   };
   const int branches = sweep(plan, {record, judge, step_done});
-  expect_branch(options, branches, "branch");
+  expect_branch(options, branches);
   print(text);
   stretches.finish();
   stretches.tell();
@@ -288,7 +294,7 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   stretches.tell();
   if (end) {
     remarks() << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
-              << " = " << short_number(*end) << ": it folds there, or comes too close to another\n";
+              << " = " << shown(*end) << ": it folds there, or comes too close to another\n";
   }
   return degenerate;
 }
@@ -296,7 +302,7 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
 }  // namespace
 
 bool print_solution(const SolveOptions& options) {
-  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings);
+  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
   try {
     const mechanism::Plan plan(scene);
     if (options.format != "csv" || !scene.request.sweep) {

@@ -40,7 +40,9 @@ auto in_scene(const std::string& file, const Use& use) {
   try {
     return use();
   } catch (const mechanism::OverConstrained& error) {
-    throw mechanism::OverConstrained(file, error.what(), error.surplus, error.joints);
+    mechanism::OverConstrained in_file(file, error.what(), error.surplus, error.joints, error.lack);
+    in_file.gap = error.gap;
+    throw in_file;
   } catch (const mechanism::MechanismError& error) {
     throw mechanism::MechanismError(file, error.what());
   }

@@ -101,7 +101,8 @@ std::uint64_t whole_number(const py::handle& value, const std::string& what) {
 int place_number(const py::handle& value, const std::string& what) {
   const std::uint64_t number = whole_number(value, what);
   if (number > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) {
-    throw ShapeError(what + ": there are not that many");
+    throw ShapeError(what + ": expected a whole number from 1 to " +
+                     std::to_string(std::numeric_limits<int>::max()));
   }
   return static_cast<int>(number);
 }

@@ -43,9 +43,7 @@ void SolvedScene::solve(const mechanism::Values& values) {
   } else {
     const std::size_t passed = plan.solve_one(values, asked_number, solution);
     if (passed < asked_number && solution.status != mechanism::SolutionStatus::degenerate) {
-      throw mechanism::MechanismError("", "there is no configuration " +
-                                              std::to_string(asked_number) +
-                                              "; the highest number is " + std::to_string(passed));
+      throw mechanism::MechanismError("", mechanism::no_configuration(asked_number, passed));
     }
   }
 }

@@ -35,7 +35,8 @@ TEST(BadArguments, UnknownSubcommand) {
   expect_one_line(result, "no subcommand 'solv' (did you mean 'solve'?)");
 }
 TEST(BadArguments, NameTheirSubcommand) {
-  expect_one_line(run_assur("solve a b"), "solve: The following argument was not expected: b");
+  expect_one_line(run_assur("solve a b"),
+                  "solve: the argument 'b' is one too many; leave it out (see assur solve --help)");
   expect_one_line(run_assur("derive"),
                   "derive: KIND_OR_MODEL is required (see assur derive --help)");
 }
@@ -59,6 +60,28 @@ TEST(BadArguments, MissingOrRepeated) {
        "error: emit: give exactly one of --all, --model, --scene, --closures (see assur emit"},
       {"emit --all --group dyad --output .",
        "error: emit: --group has an effect only with --model; add --model, or leave --group out"}};
+  for (const auto& [call, message] : calls) {
+    expect_one_line(run_assur(call), message);
+  }
+}
+
+/// Values of any length and with any letters are told on one line, shortened.
+TEST(BadArguments, OfAnyLengthAndLetters) {
+  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+  const std::string endless(70000, 'x');
+  const std::string shown = "'" + std::string(40, 'x') + "...'";
+  const std::vector<std::array<std::string, 2>> calls = {
+      {"solve " + scene + " --format " + endless, "--format: " + shown + " is not one of text"},
+      {"solve " + scene + " --branch " + endless, "--branch: expected a whole number from 1 on"},
+      {"sample " + scene + " --threads " + endless, "--threads: expected a whole number from 1"},
+      {"sample " + scene + " --count " + endless + " --seed 1 --output x.csv",
+       "--count: expected a whole number from 1 to 10000000000, found " + shown},
+      {"audit a.audit --run --time-limit " + endless, "expected a number from 0.1 to 3600, found "},
+      {"derive " + endless, "derive: no kind " + shown},
+      {endless, "no subcommand " + shown},
+      {"solve --" + endless, "no option '--" + std::string(38, 'x') + "...'"},
+      {"solve 'a\nb'", "a?b: cannot be read"},
+      {"solve a 'b\033c'", "the argument 'b?c' is one too many"}};
   for (const auto& [call, message] : calls) {
     expect_one_line(run_assur(call), message);
   }
@@ -98,6 +121,19 @@ TEST(BadArguments, SuggestWhatWasMeant) {
        "--branch: expected a whole number from 1 on, found '-99999999999' (see"},
       {"solve --branch 99999999999x " + scene,
        "--branch: expected a whole number from 1 on, found '99999999999x' (see"},
+      {"solve --branch 1 --nearest " + scene,
+       "--branch and --nearest exclude each other; leave one of them out (see"},
+      {"sample --threads 0 " + scene,
+       "--threads: expected a whole number from 1 on, found '0' (see"},
+      {"sample --threads 1025 " + scene,
+       "--threads: the number 1025 is too large; give one up to 1024 (see"},
+      {"audit a.audit --run --time-limit 0",
+       "--time-limit: expected a number from 0.1 to 3600, found '0' (see"},
+      {"emit --model x --output .", "--model: expected a whole number from 1 on, found 'x' (see"},
+      {"emit --want position,position --output . --scene " + scene,
+       "--want: 'position' occurs twice; leave one out"},
+      {"emit --variable crank,crank --output . --scene " + scene,
+       "--variable: 'crank' occurs twice; leave one out"},
       {"audit a.audit --flags -O2",
        "audit: --flags has an effect only with --run; add --run, or leave --flags out (see"},
       {"audit a.audit --time-limit 5",
@@ -169,7 +205,7 @@ TEST(BadArguments, UnknownGroup) {
                   "--group: 'pentad' is not one of dyad, triad, tetrad");
 }
 TEST(BadArguments, OutputNotWritable) {
-  expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), "--output: cannot write");
+  expect_one_line(run_assur("emit --model 1 --output /dev/null/x"), " cannot be written: ");
 }
 
 }  // namespace

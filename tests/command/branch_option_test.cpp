@@ -113,8 +113,7 @@ TEST(BranchOption, OutOfRangeIsOneLine) {
        "jansen_leg.json: --branch: there is no branch 13; the highest number is 12\n"},
       {"--branch 0", "--branch: "},
       {"--branch two", "--branch"},
-      {"--set m=500 --branch 1",
-       "--branch: there is no configuration 1; the highest number is 0\n"}};
+      {"--set m=500 --branch 1", "--branch: there is no configuration: group 1 (dyad RRR: k, c)"}};
   for (const auto& [options, message] : calls) {
     const CommandResult result = run_assur("solve " + leg + " " + options);
     EXPECT_EQ(result.status, 2) << options;

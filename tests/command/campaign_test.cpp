@@ -119,7 +119,7 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
       {sample + " --shard 9/8", "--shard: '9/8' is not a part"},
       {sample + " --shard 0/8", "--shard: '0/8' is not a part"},
       {sample + " --shard 1", "--shard: '1' is not a part"},
-      {sample + " --branch 3", "--branch: there is no configuration 3; the highest number is 2"},
+      {sample + " --branch 3", ": branch: there is no configuration 3; the highest number is 2"},
       {"sample " + four_bar + " --seed 1 --count 0", "--count: expected a whole number from 1"},
       {"sample " + four_bar + " --seed 1 --count 1e99", "--count: expected a whole number"},
       {"sample " + four_bar + " --seed -1 --count 3", "--seed: expected a whole number from 0"},
@@ -134,12 +134,25 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
   for (const auto& [call, message] : cases) {
     EXPECT_NE(refusal(call, "x.csv").find(message), std::string::npos) << call;
   }
-  EXPECT_NE(refusal(sample, "x.txt").find("end it in .csv or .h5"), std::string::npos);
+  EXPECT_NE(refusal(sample, "x.txt").find("extension '.txt' is not known; give .csv, .h5 or .svg"),
+            std::string::npos);
   EXPECT_NE(refusal(sample, "x.svg", "--shard 1/2").find("a single shard has no picture"),
             std::string::npos);
   for (const auto& [file, options] : std::vector<std::pair<std::string, std::string>>{
            {"gone/x.csv", ""}, {"gone/x.svg", ""}, {"x.csv", "--plot gone/x.svg"}}) {
     EXPECT_NE(refusal(sample, file, options).find("there is no directory "), std::string::npos);
+  }
+  // No name is so long, and a link that leads to itself leads nowhere: nothing is computed then.
+  const std::string longest(300, 'a');
+  fs::create_symlink(path("circle.csv"), path("circle.csv"));
+  for (const auto& [file, options] : std::vector<std::pair<std::string, std::string>>{
+           {longest + ".csv", ""},
+           {longest + ".svg", ""},
+           {"x.csv", "--plot " + path(longest + ".svg")},
+           {"circle.csv", "--force"}}) {
+    EXPECT_NE(refusal(sample, file, options).find(" cannot be written: "), std::string::npos)
+        << file;
+    EXPECT_FALSE(fs::exists(path("x.csv")));
   }
   EXPECT_NE(
       refusal("merge " + four_bar, "x.csv").find("give tables that sample or map has written"),
@@ -147,6 +160,23 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
   if (!has_hdf5()) {
     EXPECT_NE(refusal(sample, "x.h5").find("built without HDF5"), std::string::npos);
   }
+}
+
+TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
+  const std::string scene = read_file(four_bar);
+  (void)directory_.write("scene.csv", scene);
+  const std::string of_scene = "sample " + path("scene.csv") + " --seed 1 --count 3 --force";
+  EXPECT_NE(refusal(of_scene, "scene.csv").find(" that is read; give another name"),
+            std::string::npos);
+  EXPECT_EQ(read("scene.csv"), scene);
+  for (const std::string shard : {"1", "2"}) {
+    ASSERT_EQ(run(sample, shard + ".csv", "--shard " + shard + "/2").status, 0);
+  }
+  const std::string first = read("1.csv");
+  EXPECT_NE(refusal("merge --force " + path("1.csv") + " " + path("2.csv"), "1.csv")
+                .find(" that is read; give another name"),
+            std::string::npos);
+  EXPECT_EQ(read("1.csv"), first);
 }
 
 TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
@@ -169,7 +199,7 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
     return refusal(call, "merged.csv");
   };
   EXPECT_EQ(merging({"3.csv", "1.csv"}),
-            "error: 1 of 3 shards are missing: 2/3; compute them with --shard\n");
+            "error: 1 of 3 shards is missing: 2/3; compute it with --shard\n");
   EXPECT_NE(merging({"1.csv", "other.csv", "3.csv"}).find("not a part of the same campaign"),
             std::string::npos);
   EXPECT_NE(merging({"1.csv", "2.csv", "2.csv"}).find("2.csv: it is given twice"),

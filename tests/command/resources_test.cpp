@@ -98,7 +98,7 @@ TEST(Resources, OfASweep) {
   EXPECT_EQ(
       alone.messages,
       "error: " + file +
-          ": sweep: there is no configuration at any step, so there is no branch to follow\n");
+          ": sweep: there is no configuration 1 at any step, so there is no branch to follow\n");
 }
 
 /// Each is a link between two slides that cross.

@@ -28,9 +28,9 @@ std::map<std::string, double> scene_values(const std::string& file, int configur
   const mechanism::Plan plan(scene_with(file, settings));
   const mechanism::Solution solution = plan.solve(plan.values());
   if (configuration < 1 || configuration > std::ssize(solution.configurations)) {
-    throw text::InputError(file + ": there is no configuration " + std::to_string(configuration) +
-                           "; the highest number is " +
-                           std::to_string(solution.configurations.size()));
+    throw text::InputError(file + ": " +
+                           mechanism::no_configuration(static_cast<std::size_t>(configuration),
+                                                       solution.configurations.size()));
   }
   const mechanism::Configuration& found =
       *std::next(solution.configurations.begin(), configuration - 1);

@@ -5,7 +5,6 @@
 #include <assur/text/error.hpp>
 #include <cerrno>
 #include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace assur::generator::emission::cpp {
@@ -25,10 +24,23 @@ std::string scene_of(const std::string& text) {
   return text.substr(begin, text.find(" --", begin) - begin);
 }
 
+/// The first bytes of a regular file; nothing of anything else, since a device may have no end.
+std::string head_of(const fs::path& file, std::size_t most) {
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    return "";
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string text(most, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
 /// Refuses to replace the solver of one scene by that of another.
 void expect_same_scene(const EmittedFile& file, const fs::path& target) {
-  std::ifstream in(target, std::ios::binary);
-  const std::string there = scene_of({std::istreambuf_iterator<char>(in), {}});
+  constexpr std::size_t most_before_scene = 4096;
+  const std::string there = scene_of(head_of(target, most_before_scene));
   const std::string scene = scene_of(file.text);
   if (!there.empty() && !scene.empty() && there != scene) {
     throw text::InputError("--output: " + target.string() + " is the solver of '" + there +
@@ -58,10 +70,12 @@ class PendingFiles {
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
     if (error) {
-      throw text::InputError("--output: cannot write " + target.string() + ": " + error.message());
+      throw text::InputError("--output: " + target.string() +
+                             " cannot be written: " + error.message() + "; give another name");
     }
     if (fs::is_directory(target, error)) {
-      throw text::InputError("--output: cannot replace " + target.string() + ": it is a directory");
+      throw text::InputError("--output: " + target.string() +
+                             " cannot be written: it is a directory; give another name");
     }
     expect_same_scene(file, target);
     errno = 0;
@@ -72,8 +86,8 @@ class PendingFiles {
     out << file.text;
     out.close();
     if (!out) {
-      throw text::InputError("--output: cannot write " + target.string() + ": " +
-                             std::generic_category().message(errno));
+      throw text::InputError("--output: " + target.string() + " cannot be written: " +
+                             std::generic_category().message(errno) + "; give another name");
     }
   }
 
@@ -82,8 +96,8 @@ class PendingFiles {
       std::error_code error;
       fs::rename(beside, target, error);
       if (error) {
-        throw text::InputError("--output: cannot replace " + target.string() + ": " +
-                               error.message());
+        throw text::InputError("--output: " + target.string() +
+                               " cannot be written: " + error.message() + "; give another name");
       }
     }
   }
@@ -107,9 +121,8 @@ std::vector<fs::path> differing_files(const std::vector<EmittedFile>& files,
                                       const fs::path& directory) {
   std::vector<fs::path> differing;
   for (const EmittedFile& file : files) {
-    std::ifstream in(directory / file.path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (text != file.text) {
+    // One byte more than is emitted shows whether the file goes on.
+    if (head_of(directory / file.path, file.text.size() + 1) != file.text) {
       differing.push_back(file.path);
     }
   }

@@ -1,5 +1,6 @@
 // Turns a grid of parameters' values into every configuration in each of its cells.
 #include <algorithm>
+#include <assur/text/quoted.hpp>
 #include <memory>
 
 #include "outcome.hpp"
@@ -14,7 +15,7 @@ std::uint64_t cells_of(const std::vector<GridAxis>& axes) {
     cells *= static_cast<double>(axis.count);
   }
   if (cells > static_cast<double>(most_cells)) {
-    throw MechanismError("--over",
+    throw MechanismError("grid",
                          "the grid has more than 1e8 cells; take coarser axes, or a part "
                          "of their range");
   }
@@ -104,7 +105,7 @@ Campaign grid_campaign(const Mechanism& mechanism, const Request& request,
     if (std::find_if(axes.begin(), axis, [axis](const GridAxis& other) {
           return other.parameter == axis->parameter;
         }) != axis) {
-      throw MechanismError("--over", "the parameter " + in_quotes(name) + " occurs twice");
+      throw MechanismError("grid", "the parameter " + text::in_quotes(name) + " occurs twice");
     }
     campaign.columns.push_back({name, Column::Kind::real});
   }

@@ -1,5 +1,6 @@
 #include <array>
 #include <assur/mechanism/mechanism.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <set>
 
@@ -14,8 +15,12 @@ namespace {
 constexpr std::size_t most_links = 1000;
 
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
+  if (name.empty()) {
+    throw MechanismError(part, "a name is empty; give each part a name");
+  }
   if (is_known) {
-    throw MechanismError(part, "the name " + in_quotes(name) + " is taken; choose another one");
+    throw MechanismError(part,
+                         "the name " + text::in_quotes(name) + " is taken; choose another one");
   }
 }
 
@@ -31,18 +36,10 @@ bool is_always_zero(const Number& number) {
 
 namespace assur::mechanism {
 
-std::string in_quotes(const std::string& text) {
-  std::string shown;
-  for (const char letter : text.substr(0, 40)) {
-    shown += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
-  }
-  return "'" + shown + (text.size() > 40 ? "..." : "") + "'";
-}
-
 ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
   const auto found = parameter_of_name_.find(name);
   if (found == parameter_of_name_.end()) {
-    throw MechanismError(part, "no parameter named " + in_quotes(name) +
+    throw MechanismError(part, "no parameter named " + text::in_quotes(name) +
                                    text::suggestion_or_choice(name, names_of(parameters_)));
   }
   return found->second;
@@ -51,13 +48,13 @@ ParameterIndex Mechanism::parameter_named(const std::string& name, const std::st
 JointIndex Mechanism::joint_named(const std::string& name, const std::string& part) const {
   const JointIndex joint = index_of(joints_, name);
   if (!joint.exists()) {
-    throw MechanismError(part, "no joint named " + in_quotes(name) +
+    throw MechanismError(part, "no joint named " + text::in_quotes(name) +
                                    text::suggestion_or_choice(name, names_of(joints_)));
   }
   if (joints_[joint].between.size() != 2) {
     throw MechanismError(
         part,
-        "the joint " + in_quotes(name) +
+        "the joint " + text::in_quotes(name) +
             " joins more than two links and has no coordinate; give each link a pin of its own");
   }
   return joint;
@@ -77,7 +74,7 @@ Formula Mechanism::formula(const std::string& text, const std::string& part, Rea
              }}};
   } catch (const text::ExpressionError& error) {
     throw MechanismError(part, std::string(error.what()) + " at column " +
-                                   std::to_string(error.column) + " of " + in_quotes(text));
+                                   std::to_string(error.column) + " of " + text::in_quotes(text));
   }
 }
 
@@ -101,13 +98,13 @@ void Mechanism::expect_new_parameter(const std::string& name) const {
   if (!text::is_identifier(name)) {
     throw MechanismError(
         "parameters",
-        in_quotes(name) +
+        text::in_quotes(name) +
             " is not a name; use letters, digits and underscores, but no digit first");
   }
   if (text::is_reserved_name(name)) {
     throw MechanismError(
         "parameters",
-        in_quotes(name) + " is the name of a function or constant; choose another one");
+        text::in_quotes(name) + " is the name of a function or constant; choose another one");
   }
   description::expect_new(parameter_of_name_.contains(name), name, "parameters");
 }
@@ -152,11 +149,8 @@ ParameterIndex Mechanism::add(Parameter parameter) {
 }
 
 LinkIndex Mechanism::add_link(const std::string& name) {
-  if (name.empty()) {
-    throw MechanismError("links", "a name is empty; give each link a name");
-  }
   if (name.find('.') != std::string::npos) {
-    throw MechanismError("links", in_quotes(name) +
+    throw MechanismError("links", text::in_quotes(name) +
                                       " has a dot, which stands between the names of a link and "
                                       "its feature; write another letter");
   }
@@ -172,14 +166,14 @@ LinkIndex Mechanism::add_link(const std::string& name) {
 Feature Mechanism::on_link(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    throw MechanismError(part, "expected 'link.feature', found " + in_quotes(name));
+    throw MechanismError(part, "expected 'link.feature', found " + text::in_quotes(name));
   }
   const std::string link_name = name.substr(0, dot);
   Feature feature;
   feature.name = name.substr(dot + 1);
   feature.link = index_of(links_, link_name);
   if (!feature.link.exists()) {
-    throw MechanismError(part, "no link named " + in_quotes(link_name) +
+    throw MechanismError(part, "no link named " + text::in_quotes(link_name) +
                                    text::suggestion_or_choice(link_name, names_of(links_)));
   }
   return feature;
@@ -187,12 +181,10 @@ Feature Mechanism::on_link(const std::string& name, const std::string& part) con
 
 Feature Mechanism::new_feature(const std::string& name, const std::string& part) const {
   Feature feature = on_link(name, part);
-  for (const FeatureIndex other : links_[feature.link].features) {
-    if (features_[other].name == feature.name) {
-      throw MechanismError(part,
-                           "the name " + in_quotes(feature.name) + " is taken; choose another one");
-    }
-  }
+  const std::vector<FeatureIndex>& others = links_[feature.link].features;
+  const bool is_known = std::ranges::any_of(
+      others, [&](FeatureIndex other) { return features_[other].name == feature.name; });
+  description::expect_new(is_known, feature.name, part);
   return feature;
 }
 
@@ -242,7 +234,8 @@ FeatureIndex Mechanism::feature_named(const std::string& name, const std::string
     }
     names.push_back(features_[feature].name);
   }
-  throw MechanismError(part, "link '" + link.name + "' has no feature " + in_quotes(wanted.name) +
+  throw MechanismError(part, "link '" + link.name + "' has no feature " +
+                                 text::in_quotes(wanted.name) +
                                  text::suggestion_or_choice(wanted.name, names));
 }
 
@@ -304,7 +297,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
   Driver driver;
   driver.joint = index_of(joints_, joint);
   if (!driver.joint.exists()) {
-    throw MechanismError("drivers", "no joint named " + in_quotes(joint) +
+    throw MechanismError("drivers", "no joint named " + text::in_quotes(joint) +
                                         text::suggestion_or_choice(joint, names_of(joints_)));
   }
   for (const Driver& other : drivers_) {

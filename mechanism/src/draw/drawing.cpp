@@ -31,13 +31,15 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   Chosen chosen;
   const bool alone = (choice.nearest || choice.configuration > 0) &&
                      plan.most_configurations() > Plan::most_listed;
+  std::size_t passed = 0;
   if (choice.nearest && alone) {
     if (plan.solve_nearest(values, chosen.solution)) {
       chosen.drawn = {{0, 0}};
     }
   } else if (alone) {
     const auto number = static_cast<std::size_t>(choice.configuration);
-    if (plan.solve_one(values, number, chosen.solution) >= number) {
+    passed = plan.solve_one(values, number, chosen.solution);
+    if (passed >= number) {
       chosen.drawn = {{choice.configuration, 0}};
     }
   } else {
@@ -46,7 +48,8 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   const std::size_t count = chosen.solution.configurations.size();
   if (count == 0) {
     if (chosen.solution.status == SolutionStatus::ok) {
-      throw MechanismError("", "there is no configuration " + std::to_string(choice.configuration));
+      throw MechanismError(
+          "", no_configuration(static_cast<std::size_t>(choice.configuration), passed));
     }
     refuse(plan, values, chosen.solution);
   }
@@ -56,8 +59,7 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   if (choice.configuration > 0) {
     const auto place = static_cast<std::size_t>(choice.configuration) - 1;
     if (place >= count) {
-      throw MechanismError("", "there is no configuration " + std::to_string(choice.configuration) +
-                                   "; the highest number is " + std::to_string(count));
+      throw MechanismError("", no_configuration(place + 1, count));
     }
     chosen.drawn = {{choice.configuration, place}};
     return chosen;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>
+#include <assur/text/numbers.hpp>
+#include <assur/text/utf8.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <map>
@@ -120,8 +122,8 @@ class DxfWriter {
       layer({Layer::Holds::events, "singular"}, dxf_ink);
       for (const Vector2d& point : mark.points) {
         group("POINT", point);
-        text(point,
-             mark.event + " at " + drawing_.parameter + " = " + short_number(mark.parameter));
+        text(point, mark.event + " at " + drawing_.parameter + " = " +
+                        text::short_number(mark.parameter, 6));
       }
     }
     return header() + tables() + "0\nSECTION\n2\nENTITIES\n" + entities_ + "0\nENDSEC\n0\nEOF\n";

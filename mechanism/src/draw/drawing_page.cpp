@@ -3,6 +3,7 @@
 #include <array>
 #include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/plan.hpp>
+#include <assur/text/xml.hpp>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -151,7 +152,8 @@ std::string page_of(const Mechanism& mechanism, const Request& request, const Js
   data["scene"] = scene;
   return filled(
       file_of_page("page.html"),
-      {{"title", escaped(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
+      {{"title",
+        text::escaped_for_xml(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
        {"style", colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
                      colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css")},
        {"script", file_of_page("lzma.js") + file_of_page("solver.js") + file_of_page("film.js") +

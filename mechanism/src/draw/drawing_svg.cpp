@@ -1,5 +1,7 @@
 // Turns a drawing into an SVG picture.
 #include <algorithm>
+#include <assur/text/numbers.hpp>
+#include <assur/text/xml.hpp>
 #include <set>
 
 #include "draw/drawing_text.hpp"
@@ -75,7 +77,7 @@ std::string traces(const Drawing& drawing, const Picture& picture, int configura
   for (const Trace& trace : drawing.traces) {
     if (trace.configuration == configuration && trace.points.size() > 1) {
       text += "<path class=\"trace\" d=\"" + curve(trace.points, picture) + "\"><title>" +
-              escaped(trace.output) + "</title></path>\n";
+              text::escaped_for_xml(trace.output) + "</title></path>\n";
     }
   }
   return text;
@@ -85,8 +87,9 @@ std::string marks(const Drawing& drawing, const Picture& picture) {
   std::string text;
   for (const Mark& mark : drawing.marks) {
     for (const Vector2d& point : mark.points) {
-      text += mark_element(mark.event, picture.at(point),
-                           " at " + drawing.parameter + " = " + short_number(mark.parameter));
+      text +=
+          mark_element(mark.event, picture.at(point),
+                       " at " + drawing.parameter + " = " + text::short_number(mark.parameter, 6));
     }
   }
   return text;
@@ -196,7 +199,7 @@ std::string labels(const Drawing& drawing, const Picture& picture) {
   std::string text;
   for (const Label& label : placer.labels()) {
     text += "<text class=\"label\"" + attribute("x", label.at.x()) + attribute("y", label.at.y()) +
-            ">" + escaped(label.text) + "</text>\n";
+            ">" + text::escaped_for_xml(label.text) + "</text>\n";
   }
   return text;
 }
@@ -215,9 +218,9 @@ std::string drawing_svg(const Drawing& drawing) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"80mm\" height=\"" +
       coordinate(picture.height / 4) + "mm\" viewBox=\"0 0 320 " + height + "\" data-x=\"" +
       exact(picture.x) + "\" data-y=\"" + exact(picture.y) + "\" data-scale=\"" +
-      exact(picture.scale) + "\">\n<title>" + escaped(drawing.title) + "</title>\n<style>\n" +
-      style + colours_of_style(&Colour::light) + "@media (prefers-color-scheme:dark){\n" +
-      colours_of_style(&Colour::dark) +
+      exact(picture.scale) + "\">\n<title>" + text::escaped_for_xml(drawing.title) +
+      "</title>\n<style>\n" + style + colours_of_style(&Colour::light) +
+      "@media (prefers-color-scheme:dark){\n" + colours_of_style(&Colour::dark) +
       ".light{opacity:.65}\n}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height +
       "\"/>\n";
   text +=

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <assur/text/utf8.hpp>
 #include <charconv>
 #include <string>
 
@@ -36,38 +35,6 @@ namespace assur::mechanism::draw {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
-}
-
-/// A number for people.
-[[nodiscard]] inline std::string short_number(double value) {
-  std::array<char, 32> text{};
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-  return {text.data(), end.ptr};
-}
-
-/// Text between elements or in an attribute: what XML does not allow becomes a question mark.
-[[nodiscard]] inline std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char letter : text.substr(0, text::first_byte_outside_utf8(text))) {
-    switch (letter) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
-    }
-  }
-  return result;
 }
 
 }  // namespace assur::mechanism::draw

@@ -1,6 +1,8 @@
 #include "draw/svg_element.hpp"
 
 #include <algorithm>
+#include <assur/text/numbers.hpp>
+#include <assur/text/xml.hpp>
 
 #include "draw/drawing_text.hpp"
 
@@ -17,7 +19,7 @@ std::string element_with(const SvgElement& element, const std::string& inside) {
   }
   text += element.more;
   const std::string title =
-      element.title.empty() ? "" : "<title>" + escaped(element.title) + "</title>";
+      element.title.empty() ? "" : "<title>" + text::escaped_for_xml(element.title) + "</title>";
   return text +
          (title.empty() && inside.empty() ? "/>\n" : ">" + title + inside + "</" + name + ">\n");
 }
@@ -48,7 +50,7 @@ std::string written_moving(const std::vector<SvgElements>& moments, double secon
           })) {
         continue;
       }
-      motion += "<animate attributeName=\"" + name + "\" dur=\"" + short_number(seconds) +
+      motion += "<animate attributeName=\"" + name + "\" dur=\"" + text::short_number(seconds, 6) +
                 "s\" repeatCount=\"indefinite\" values=\"";
       for (const SvgElements& moment : moments) {
         motion += (&moment == &moments.front() ? "" : ";") + value_at(moment);

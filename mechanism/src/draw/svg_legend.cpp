@@ -1,6 +1,8 @@
 #include "draw/svg_legend.hpp"
 
 #include <algorithm>
+#include <assur/text/numbers.hpp>
+#include <assur/text/xml.hpp>
 #include <cmath>
 
 #include "draw/drawing_text.hpp"
@@ -49,7 +51,7 @@ class Rows {
 
 std::string text_at(const Vector2d& place, const std::string& text) {
   return "<text" + attribute("x", place.x()) + attribute("y", place.y() + 0.35 * text_height) +
-         ">" + escaped(text) + "</text>\n";
+         ">" + text::escaped_for_xml(text) + "</text>\n";
 }
 
 std::string line_between(const Vector2d& from, const Vector2d& to) {
@@ -58,7 +60,8 @@ std::string line_between(const Vector2d& from, const Vector2d& to) {
 
 std::string scale_bar(const Drawing& drawing, double scale, Rows& rows) {
   const double length = round_length(longest_bar / scale);
-  const std::string words = short_number(length) + (drawing.unit.empty() ? "" : " " + drawing.unit);
+  const std::string words =
+      text::short_number(length, 6) + (drawing.unit.empty() ? "" : " " + drawing.unit);
   const Vector2d from = rows.take(scale * length + text_width(words) + 14);
   const Vector2d to = from + Vector2d(scale * length, 0);
   const Vector2d up(0, 2.5);
@@ -71,7 +74,8 @@ std::string configurations(const Drawing& drawing, Rows& rows) {
   if (drawing.stances.size() < 2) {
     return "";
   }
-  std::string text;
+  const std::string heading = "configuration";
+  std::string text = text_at(rows.take(text_width(heading) + 5), heading);
   for (const Stance& stance : drawing.stances) {
     const bool strong = &stance == &drawing.stances[drawing.emphasised];
     const std::string number = std::to_string(stance.configuration);
@@ -136,7 +140,9 @@ std::string mark_element(const std::string& event, const Vector2d& at, const std
                             pair(at + back)
                       : pair(at - wide) + " " + pair(at - high) + " " + pair(at + wide) + " " +
                             pair(at + high) + "Z") +
-         "\"" + (title.empty() ? "/>" : "><title>" + escaped(words + title) + "</title></path>") +
+         "\"" +
+         (title.empty() ? "/>"
+                        : "><title>" + text::escaped_for_xml(words + title) + "</title></path>") +
          "\n";
 }
 

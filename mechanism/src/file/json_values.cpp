@@ -1,6 +1,7 @@
 #include "json_values.hpp"
 
 #include <algorithm>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <set>
 
@@ -29,10 +30,11 @@ SceneJson parsed(const std::string& text) {
     } else if (event == SceneJson::parse_event_t::key) {
       const auto key = value.get<std::string>();
       if (!open.back().insert(key).second) {
-        throw MechanismError("", "the key " + in_quotes(key) + " occurs twice in one object");
+        throw MechanismError("", "the key " + text::in_quotes(key) + " occurs twice in one object");
       }
       if (open.back().size() > most_keys) {
-        throw MechanismError("", "an object has more than " + std::to_string(most_keys) + " keys");
+        throw MechanismError(
+            "", "an object has more than " + std::to_string(most_keys) + " keys; divide the scene");
       }
     }
     return true;
@@ -63,7 +65,7 @@ void expect_keys(const SceneJson& value, const std::string& part, std::span<cons
   for (const auto& [key, ignored] : value.items()) {
     if (std::find(names.begin(), names.end(), key) == names.end()) {
       throw MechanismError(
-          part, "unknown key " + in_quotes(key) + text::suggestion_or_choice(key, names));
+          part, "unknown key " + text::in_quotes(key) + text::suggestion_or_choice(key, names));
     }
   }
 }

@@ -2,6 +2,7 @@
 #include <array>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 
 #include "json_values.hpp"
@@ -14,8 +15,13 @@ namespace {
 /// Reads a document from its parameters to its requests: each part may name what earlier ones hold.
 class SceneReader {
  public:
-  SceneReader(const SceneJson& root, const std::vector<std::string>& settings, Scene& scene)
-      : root_(root), settings_(settings), mechanism_(scene.mechanism), request_(scene.request) {}
+  SceneReader(const SceneJson& root, const std::vector<std::string>& settings,
+              const std::string& settings_name, Scene& scene)
+      : root_(root),
+        settings_(settings),
+        settings_name_(settings_name),
+        mechanism_(scene.mechanism),
+        request_(scene.request) {}
 
   void read() {
     expect_object(root_, "");
@@ -80,9 +86,10 @@ class SceneReader {
     const bool is_driver = root_.contains("drivers") && root_["drivers"].is_object() &&
                            root_["drivers"].contains(name);
     if (is_driver && !index_of(mechanism_.parameters(), name).exists()) {
-      throw MechanismError("--set", in_quotes(name) +
-                                        " is a driver, not a parameter; let its 'position' be a "
-                                        "formula in a parameter, and set that");
+      throw MechanismError(settings_name_,
+                           text::in_quotes(name) +
+                               " is a driver, not a parameter; let its 'position' be a "
+                               "formula in a parameter, and set that");
     }
   }
 
@@ -90,12 +97,13 @@ class SceneReader {
     for (const std::string& setting : settings_) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) {
-        throw MechanismError("--set", "expected NAME=EXPR, found " + in_quotes(setting));
+        throw MechanismError(settings_name_,
+                             "expected NAME=EXPR, found " + text::in_quotes(setting));
       }
       const std::string name = setting.substr(0, equals);
       expect_no_driver(name);
-      (void)mechanism_.parameter_named(name, "--set");
-      mechanism_.set_parameter(name, setting.substr(equals + 1), "--set " + name);
+      (void)mechanism_.parameter_named(name, settings_name_);
+      mechanism_.set_parameter(name, setting.substr(equals + 1), settings_name_ + " " + name);
     }
   }
 
@@ -140,7 +148,8 @@ class SceneReader {
       const auto found = std::find(types.begin(), types.end(), type);
       if (found == types.end()) {
         throw MechanismError(part + ".type",
-                             "no joint type " + in_quotes(type) + text::suggestion(type, types) +
+                             "no joint type " + text::in_quotes(type) +
+                                 text::suggestion(type, types) +
                                  "; the types are revolute, prismatic, pin-in-slot");
       }
       const SceneJson& between = required(value, "between", part);
@@ -173,7 +182,7 @@ class SceneReader {
       const std::string part = "drivers." + name;
       if (!index_of(mechanism_.joints(), name).exists()) {
         throw MechanismError("drivers",
-                             "no joint named " + in_quotes(name) +
+                             "no joint named " + text::in_quotes(name) +
                                  text::suggestion_or_choice(name, names_of(mechanism_.joints())));
       }
       expect_object(value, part);
@@ -215,10 +224,14 @@ class SceneReader {
       const std::string wish = text_of(root_["want"][index], part);
       const auto found = std::find(known.begin(), known.end(), wish);
       if (found == known.end()) {
-        throw MechanismError(
-            part, "no such result " + in_quotes(wish) + text::suggestion_or_choice(wish, known));
+        throw MechanismError(part, "no such result " + text::in_quotes(wish) +
+                                       text::suggestion_or_choice(wish, known));
       }
-      *flags[static_cast<std::size_t>(found - known.begin())] = true;
+      bool& flag = *flags[static_cast<std::size_t>(found - known.begin())];
+      if (flag) {
+        throw MechanismError(part, text::in_quotes(wish) + " occurs twice; leave one out");
+      }
+      flag = true;
     }
   }
 
@@ -244,7 +257,7 @@ class SceneReader {
       const LinkIndex link = index_of(mechanism_.links(), name);
       if (!link.exists()) {
         throw MechanismError("reference",
-                             "no link named " + in_quotes(name) +
+                             "no link named " + text::in_quotes(name) +
                                  text::suggestion_or_choice(name, names_of(mechanism_.links())));
       }
       request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
@@ -281,7 +294,7 @@ class SceneReader {
       const std::string name = text_of(report[key][index], part);
       result.push_back(index_of(parts, name));
       if (!result.back().exists()) {
-        throw MechanismError(part, "no " + what + " named " + in_quotes(name) +
+        throw MechanismError(part, "no " + what + " named " + text::in_quotes(name) +
                                        text::suggestion_or_choice(name, names_of(parts)));
       }
     }
@@ -331,7 +344,7 @@ class SceneReader {
       const ParameterIndex parameter = mechanism_.parameter_named(name, part);
       if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
           covariance.parameters.end()) {
-        throw MechanismError(part, "the parameter " + in_quotes(name) + " occurs twice");
+        throw MechanismError(part, "the parameter " + text::in_quotes(name) + " occurs twice");
       }
       covariance.parameters.push_back(parameter);
     }
@@ -359,6 +372,7 @@ class SceneReader {
 
   const SceneJson& root_;
   const std::vector<std::string>& settings_;
+  const std::string& settings_name_;
   Mechanism& mechanism_;
   Request& request_;
 };
@@ -370,18 +384,19 @@ class SceneReader {
 namespace assur::mechanism {
 
 Scene parse_scene(const std::string& text, const std::string& file,
-                  const std::vector<std::string>& settings) {
+                  const std::vector<std::string>& settings, const std::string& settings_name) {
   Scene scene{file, Mechanism(), {}};
   try {
-    file::SceneReader(file::parsed(text), settings, scene).read();
+    file::SceneReader(file::parsed(text), settings, settings_name, scene).read();
   } catch (const MechanismError& error) {
     throw InputError(file + ": " + error.what());
   }
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings) {
-  return parse_scene(text::read_input_file(file), file.string(), settings);
+Scene read_scene(const std::filesystem::path& file, const std::vector<std::string>& settings,
+                 const std::string& settings_name) {
+  return parse_scene(text::read_input_file(file), file.string(), settings, settings_name);
 }
 
 }  // namespace assur::mechanism

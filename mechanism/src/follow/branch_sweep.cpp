@@ -39,8 +39,10 @@ class BranchFollower {
       observer_.progress(step + 1);
     }
     if (current_ == nullptr) {
-      throw MechanismError(
-          "sweep", "there is no configuration at any step, so there is no branch to follow");
+      throw MechanismError("sweep",
+                           "there is no configuration " +
+                               (number_ == 0 ? std::string() : std::to_string(number_) + " ") +
+                               "at any step, so there is no branch to follow");
     }
     return std::nullopt;
   }

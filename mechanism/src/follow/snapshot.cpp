@@ -276,7 +276,8 @@ SnapshotPointer SnapshotSolver::solved_here(double parameter) {
   is_count_ambiguous_ = solver_.is_count_ambiguous();
   if (snapshot->solution.configurations.size() > most_followed) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
-                                      " configurations at one value cannot be followed");
+                                      " configurations at one value cannot be followed; follow "
+                                      "one of them alone, by its number or a reference");
   }
   if (closely_) {
     mark_known_paths(snapshot->solution);

@@ -173,11 +173,11 @@ std::string tables_text(const Configuration& configuration, const Report& report
                [](const Frame& link) { return in_degrees(link.pose); });
   }
   if (want.velocity) {
-    link_table("velocities", {"vx", "vy", "omega [rad]"}, sizes.velocities,
+    link_table("velocities", {"vx", "vy", "omega [rad/t]"}, sizes.velocities,
                [](const Frame& link) { return link.velocity; });
   }
   if (want.acceleration) {
-    link_table("accelerations", {"ax", "ay", "alpha [rad]"}, sizes.accelerations,
+    link_table("accelerations", {"ax", "ay", "alpha [rad/t^2]"}, sizes.accelerations,
                [](const Frame& link) { return link.acceleration; });
   }
   const std::vector<const SlideState*> slides = reported_slides(report.plan, configuration);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/names.hpp>
+#include <assur/text/numbers.hpp>
 #include <numbers>
 
 #include "group_words.hpp"
@@ -75,8 +76,9 @@ std::vector<std::string> ClosingGaps::stance_of_holders(GroupIndex group) const 
         angle_of(placement_.placed().links[link].pose.direction) * 180 / std::numbers::pi;
     holders.push_back(
         slides ? structure_.linkage.links[link] + " moved by " +
-                     short_number(placement_.values().motion(carried->driver).position.value())
-               : structure_.linkage.links[link] + " at " + short_number(degrees) + " deg");
+                     text::short_number(
+                         placement_.values().motion(carried->driver).position.value(), 3)
+               : structure_.linkage.links[link] + " at " + text::short_number(degrees, 3) + " deg");
   }
   return holders;
 }
@@ -93,7 +95,7 @@ std::string ClosingGaps::reason() const {
       found.kind + ": " + text::listed(structure_.names_of(found.links)) +
       (found.base.exists() ? ", relative to " + structure_.linkage.links[found.base] : "") +
       "): the joints " + text::listed(joint_names(placement_.values(), group, false)) +
-      " fail to close by " + short_number(least->least_gap) + " at least";
+      " fail to close by " + text::short_number(least->least_gap, 3) + " at least";
   std::vector<std::string> holders;
   for (const GroupIndex holder : structure_.all_holders_of(group)) {
     holders.push_back(std::to_string(holder.place() + 1));

@@ -9,12 +9,6 @@
 
 namespace assur::mechanism::solve {
 
-std::string short_number(double number) {
-  std::array<char, 32> text{};
-  (void)std::snprintf(text.data(), text.size(), "%.3g", number + 0.0);  // 0, not -0
-  return text.data();
-}
-
 std::vector<std::string> joint_names(const Values& values, GroupIndex group, bool slides_only) {
   const RoleAssignment& roles = *values.group(group).roles;
   std::vector<std::string> names;

@@ -7,9 +7,6 @@
 
 namespace assur::mechanism::solve {
 
-/// The number with three significant digits.
-[[nodiscard]] std::string short_number(double number);
-
 /// The names of a group's joints, or of its prismatic ones alone, in the order of their roles.
 [[nodiscard]] std::vector<std::string> joint_names(const Values& values, GroupIndex group,
                                                    bool slides_only);

@@ -3,6 +3,7 @@
 #include <assur/mechanism/held_pairs.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
+#include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <cmath>
 
@@ -29,7 +30,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
         throw MechanismError(part, "the mechanism has no such part");
       }
       if (std::find(list->begin(), key, *key) != key) {
-        throw MechanismError(part, in_quotes(parts[*key].name) + " occurs twice");
+        throw MechanismError(part, text::in_quotes(parts[*key].name) + " occurs twice");
       }
     }
   };
@@ -41,7 +42,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   for (const JointIndex joint : *reported.joints) {
     const Joint& at = mechanism.joints()[joint];
     if (at.type == JointType::revolute) {
-      throw MechanismError("report.joints", "the joint " + in_quotes(at.name) +
+      throw MechanismError("report.joints", "the joint " + text::in_quotes(at.name) +
                                                 " is revolute and has no displacement; report " +
                                                 "prismatic joints, pins in slots, or links");
     }
@@ -74,12 +75,12 @@ void expect_few_parameters(const Mechanism& mechanism, const Request& request) {
 void expect_usable(const Mechanism& mechanism, const Request& request) {
   const auto expect_parameter = [&](ParameterIndex parameter, const std::string& part) {
     if (!parameter.exists() || parameter.place() >= mechanism.parameters().size()) {
-      throw MechanismError(part, "no such parameter");
+      throw MechanismError(part, "the mechanism has no parameter of this index");
     }
   };
   const auto expect_number = [&](NumberIndex number, const std::string& part) {
     if (!number.exists() || number.place() >= mechanism.numbers().size()) {
-      throw MechanismError(part, "the number is missing");
+      throw MechanismError(part, "the mechanism has no number of this index");
     }
   };
   expect_reported(mechanism, request.reported);
@@ -156,7 +157,7 @@ const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& it
                        const std::string& name, const std::string& what) {
   const Key key = index_of(parts, name);
   if (!key.exists()) {
-    throw MechanismError("", "no " + what + " named " + in_quotes(name) +
+    throw MechanismError("", "no " + what + " named " + text::in_quotes(name) +
                                  text::suggestion_or_choice(name, names_of(parts)));
   }
   return items[key];

@@ -5,6 +5,7 @@
 #include <assur/mechanism/held_pairs.hpp>
 #include <assur/support/redundant.hpp>
 #include <assur/text/names.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <limits>
 
@@ -180,7 +181,7 @@ OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
   }
   OverConstrained refusal =
       refused(plan, "can be assembled, but then these constraints are violated by " +
-                        short_number(gap) + " at least");
+                        text::short_number(gap, 3) + " at least");
   refusal.gap = gap;
   return refusal;
 }

@@ -7,16 +7,16 @@
 namespace assur {
 
 /// Every operation of the runtime says how far its result can be trusted.
-enum class Status : unsigned char {
-  ok,                 ///< the result holds
-  near_singular,      ///< computed, but fewer digits may hold than `regularity` promises
-  singular,           ///< the Jacobian has no inverse here; nothing was computed
-  not_finite,         ///< an input is NaN or infinite; nothing was computed
-  no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
-  point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
-  /// The program was compiled, or the processor is set, so that NaN is not told from numbers or
-  /// rounding has no bound (-ffast-math and its parts, x87); nothing was computed.
-  unsound_arithmetic,
+enum class [[nodiscard]] Status : unsigned char{
+    ok,                 ///< the result holds
+    near_singular,      ///< computed, but fewer digits may hold than `regularity` promises
+    singular,           ///< the Jacobian has no inverse here; nothing was computed
+    not_finite,         ///< an input is NaN or infinite; nothing was computed
+    no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
+    point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
+    /// The program was compiled, or the processor is set, so that NaN is not told from numbers or
+    /// rounding has no bound (-ffast-math and its parts, x87); nothing was computed.
+    unsound_arithmetic,
 };
 
 /// Whether a status comes with a result that was computed.

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/expression.hpp>
+#include <assur/text/quoted.hpp>
+#include <assur/text/suggestion.hpp>
 #include <cctype>
 #include <charconv>
 #include <numbers>
@@ -46,14 +48,15 @@ class Parser {
 
   Expression whole() {
     if (text_.size() > max_length) {
-      fail("longer than " + std::to_string(max_length) + " characters");
+      fail("the expression is longer than " + std::to_string(max_length) +
+           " characters; divide it");
     }
     Expression result = sum();
     if (at_ < text_.size()) {
       const bool is_factor =
           std::isalpha(static_cast<unsigned char>(text_[at_])) != 0 || text_[at_] == '(';
       const std::string found = character();
-      fail("expected an operator, found '" + found + "'" +
+      fail("expected an operator, found " + in_quotes(found) +
            (is_factor           ? " (a product is written with '*')"
             : found == "\u00b0" ? " (write '*deg')"
                                 : ""));
@@ -102,7 +105,7 @@ class Parser {
 
   Expression sum() {
     if (++depth_ > max_depth) {
-      fail("nested too deeply");
+      fail("the expression is nested too deeply; divide it");
     }
     Expression left = product();
     while (true) {
@@ -132,7 +135,7 @@ class Parser {
 
   Expression sign() {
     if (++depth_ > max_depth) {
-      fail("nested too deeply");
+      fail("the expression is nested too deeply; divide it");
     }
     Expression result;
     if (take('-')) {
@@ -171,15 +174,18 @@ class Parser {
     if (is_name_start(letter)) {
       return name_or_call();
     }
-    fail("expected a number, a name or '(', found '" + character() + "'");
+    fail("expected a number, a name or '(', found " + in_quotes(character()));
   }
 
   Expression number() {
     Expression result;
     const char* begin = text_.data() + at_;
     const auto [end, error] = std::from_chars(begin, text_.data() + text_.size(), result.number);
+    if (error == std::errc::result_out_of_range) {
+      fail("the number is outside the range of double precision");
+    }
     if (error != std::errc()) {
-      fail("not a number in the range of double precision");
+      fail("'.' is not a number");
     }
     result.name = std::string(begin, end);
     result.column = at_ + 1;
@@ -209,7 +215,7 @@ class Parser {
     }
     if (function == nullptr) {
       at_ = start;
-      fail("no function named '" + name + "'");
+      fail("no function named " + in_quotes(name) + suggestion(name, function_names()));
     }
     std::vector<Expression> arguments = {sum()};
     while (take(',')) {
@@ -225,6 +231,17 @@ class Parser {
     Expression result = call(name, function->operation, std::move(arguments));
     result.column = start + 1;
     return result;
+  }
+
+  [[nodiscard]] std::vector<std::string> function_names() const {
+    std::vector<std::string> names;
+    for (const std::span<const ExpressionFunction> table :
+         {std::span<const ExpressionFunction>(functions), more_}) {
+      for (const ExpressionFunction& function : table) {
+        names.emplace_back(function.name);
+      }
+    }
+    return names;
   }
 
   [[nodiscard]] const ExpressionFunction* function_named(const std::string& name) const {

@@ -23,8 +23,9 @@ std::string read_input_file(const std::filesystem::path& file) {
     stream.read(block.data(), block.size());
     text.append(block.data(), static_cast<std::size_t>(stream.gcount()));
     if (text.size() > largest_file) {
-      throw InputError(file.string() + ": longer than " + std::to_string(largest_file >> 20) +
-                       " MiB, the limit of input files");
+      throw InputError(file.string() + ": the file is longer than " +
+                       std::to_string(largest_file >> 20) +
+                       " MiB, the limit of input files; divide it");
     }
   }
   return text;

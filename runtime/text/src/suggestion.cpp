@@ -49,7 +49,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
 
 std::string suggestion_or_choice(const std::string& name,
                                  const std::vector<std::string>& candidates) {
-  constexpr std::size_t longest_list = 100;
+  constexpr std::size_t longest_list = 120;
   const std::string near = suggestion(name, candidates);
   const std::string all = listed(candidates);
   return !near.empty() || all.empty() || all.size() > longest_list ? near

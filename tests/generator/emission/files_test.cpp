@@ -32,7 +32,8 @@ TEST(WrittenFiles, AreNoneWhereADirectoryHasThePlaceOfOne) {
     cpp::write_files(files, directory.path());
     ADD_FAILURE() << "nothing was refused";
   } catch (const text::InputError& error) {
-    EXPECT_EQ(error.what(), "--output: cannot replace " + taken.string() + ": it is a directory");
+    EXPECT_EQ(error.what(), "--output: " + taken.string() +
+                                " cannot be written: it is a directory; give another name");
   }
   EXPECT_TRUE(fs::is_empty(taken));
   EXPECT_TRUE(fs::is_empty(directory.path() / "a"));

@@ -328,13 +328,13 @@ TEST(MisusedLibrary, ARequestThatDoesNotFitIsRefusedInALine) {
   EXPECT_EQ(refusal([&](auto& request) {
               request.covariance = mechanism::Covariance{{phi}, {{mechanism::NumberIndex()}}};
             }),
-            "covariance.matrix: the number is missing");
+            "covariance.matrix: the mechanism has no number of this index");
   EXPECT_EQ(refusal([&](auto& request) {
               request.redundancy_tolerance = mechanism::NumberIndex(bar.numbers().size());
             }),
-            "redundancy.tolerance: the number is missing");
+            "redundancy.tolerance: the mechanism has no number of this index");
   EXPECT_EQ(refusal([&](auto& request) { request.variable = {mechanism::ParameterIndex(9)}; }),
-            "variable: no such parameter");
+            "variable: the mechanism has no parameter of this index");
   EXPECT_EQ(refusal([&](auto& request) {
               request.covariance = mechanism::Covariance{{phi}, {{variance}}};
             }),

@@ -141,7 +141,7 @@ def plan(example):
     (lambda plan: plan.scene.svg(1.5), "ShapeError",
      "configuration: expected a whole number from 0, not float"),
     (lambda plan: plan.scene.svg(2**40), "ShapeError",
-     "configuration: there are not that many"),
+     "configuration: expected a whole number from 1 to 2147483647"),
     (lambda plan: assur.sample(plan.scene, 3, seed=-1), "ShapeError",
      "seed: expected a whole number from 0, not -1"),
     (lambda plan: plan.solve_batch(phi=np.array([1j])), "ShapeError",

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,17 +18,16 @@ using text::InputError;
 class MechanismError : public InputError {
  public:
   MechanismError(const std::string& part, const std::string& what)
-      : InputError(one_line(part.empty() ? what : part + ": " + what)) {}
-
- private:
-  /// Names may hold any character; a message may not.
-  static std::string one_line(std::string text) {
-    for (char& letter : text) {
-      letter = static_cast<unsigned char>(letter) < 0x20 ? '?' : letter;
-    }
-    return text;
-  }
+      : InputError(text::on_one_line(part.empty() ? what : part + ": " + what)) {}
 };
+
+/// What is said of the number of a configuration that is higher than all (`highest`; zero if there
+/// is no configuration).
+[[nodiscard]] inline std::string no_configuration(std::size_t number, std::size_t highest) {
+  return highest == 0 ? "there is no configuration"
+                      : "there is no configuration " + std::to_string(number) +
+                            "; the highest number is " + std::to_string(highest);
+}
 
 /// There are more constraints than the links have freedoms.
 class OverConstrained : public MechanismError {

@@ -217,7 +217,4 @@ class Mechanism {
   Table<OutputIndex, Output> outputs_;
 };
 
-/// What a message calls a text that a user wrote: short, on one line, in quotes.
-[[nodiscard]] std::string in_quotes(const std::string& text);
-
 }  // namespace assur::mechanism

@@ -125,6 +125,13 @@ class Values {
   /// A number that does not depend on the parameters.
   [[nodiscard]] Dual constant(double value) const;
 
+  /// The plain numbers of a group that solving needs; they are made with the group's geometry.
+  struct GroupNumbers;
+  /// The numbers of a group, which must have a normal form.
+  [[nodiscard]] const GroupNumbers& numbers_of(GroupIndex group) const {
+    return *group_numbers_[group];
+  }
+
  private:
   void expect_finite(ParameterIndex parameter, double value) const;
   void expect_limits() const;
@@ -185,16 +192,6 @@ class Values {
   Table<GroupIndex, GroupGeometry<Dual>> groups_;
   Spread spread_;
   bool usable_ = true;
-
- public:
-  /// The plain numbers of a group that solving needs; they are made with the group's geometry.
-  struct GroupNumbers;
-  /// The numbers of a group, which must have a normal form.
-  [[nodiscard]] const GroupNumbers& numbers_of(GroupIndex group) const {
-    return *group_numbers_[group];
-  }
-
- private:
   Table<GroupIndex, std::shared_ptr<const GroupNumbers>> group_numbers_;
 };
 
