@@ -1,6 +1,4 @@
 // Turns a bracket that holds one root of a polynomial into that root.
-//
-// Closes in on the one root of a polynomial in an interval. Used by trigonometric_roots.hpp.
 #pragma once
 
 #include <array>

@@ -1,27 +1,21 @@
 // Turns a trigonometric polynomial into Bernstein form on four charts, with error bounds.
 //
-// A trigonometric polynomial T of order N on four charts of 90 degrees, in Bernstein and in power
-// form; cutting, and counting sign variations of, Bernstein coefficients. Used by
-// trigonometric_roots.hpp.
-//
-// Error bounds. With (x, y) = (cos th/2, sin th/2), T is a form F of degree D = 2N in (x, y). Let u
-// = epsilon/2, S = sum |cosine[k]| + |sine[k]|, e the error of the given coefficients.
-//  1. A Bernstein coefficient is the symmetric multilinear form of F at D vectors of length <= 1,
-//  hence (Banach, 1938)
-//     at most the maximum of |F| on the unit circle, max |T|. So an error e of every given
-//     coefficient changes no Bernstein coefficient, of a chart or of any part of it, by more than
-//     (1 + sqrt(2) N) e.
-//  2. A table entry is a weighted mean of at most four of the numbers 0, +-1, +-sqrt(1/2): error <=
-//  6u. The product
-//     with it adds u and meets at most four more roundings in the sum: 11u S together; 12u S covers
-//     higher orders.
-//  3. Turning: cos, sin of k times the turn are within 10u, the product with the harmonic adds 3u:
-//  14u S is used.
+// Error bounds. With (x, y) = (cos th/2, sin th/2), the polynomial T of order N is a form F of
+// degree D = 2N in (x, y). Let u = epsilon/2, let S be the sum of |cosine[k]| + |sine[k]|, and let
+// e be the error of the given coefficients.
+//  1. A Bernstein coefficient is the symmetric multilinear form of F at D vectors of length at most
+//     one, hence (Banach, 1938) at most the maximum of |F| on the unit circle, which is max |T|. So
+//     an error e of every given coefficient changes no Bernstein coefficient, of a chart or of any
+//     part of it, by more than (1 + sqrt(2) N) e.
+//  2. A table entry is a weighted mean of at most four of the numbers 0, +-1 and +-sqrt(1/2), with
+//     an error of at most 6u. The product with it adds u and meets at most four more roundings in
+//     the sum, which makes 11u S together; 12u S covers higher orders.
+//  3. When a chart is turned, the cosine and sine of k times the turn are within 10u, and the
+//     product with the harmonic adds 3u; 14u S is used.
 //  4. A cut takes D convex combinations mu p + lambda q one after another, each with an error of at
-//  most 3u M, M the
-//     largest coefficient of the arc; 4D u M is used. M falls with the width of the arc near a
-//     multiple root, so the bound does not pile up with depth. (A rounded mu = 1 - lambda only
-//     changes the length of the dividing vector.)
+//     most 3u M, where M is the largest coefficient of the arc; 4D u M is used. M falls with the
+//     width of the arc near a multiple root, so the bound does not pile up with depth. (A rounded
+//     mu = 1 - lambda only changes the length of the dividing vector.)
 #pragma once
 
 #include <array>
