@@ -43,17 +43,17 @@ constexpr int binomial(std::size_t n, std::size_t k) {
   return static_cast<int>(value);
 }
 
-// The cosine and the sine of an angle, or the two coefficients of one frequency.
+/// The cosine and the sine of an angle, or the two coefficients of one frequency.
 template <class Scalar>
 struct Harmonic {
   Scalar cosine, sine;
 
-  // An angle, less `shift`. For coefficients: those of the function as seen from a chart centred at
-  // `shift`.
+  /// Returns the angle less `shift`, or, for coefficients, those of the function as seen from a
+  /// chart centred at `shift`.
   [[nodiscard]] Harmonic less(Harmonic shift) const {
     return {cosine * shift.cosine + sine * shift.sine, sine * shift.cosine - cosine * shift.sine};
   }
-  // The harmonic less right angles, exactly.
+  /// Returns the harmonic less a number of right angles, exactly.
   [[nodiscard]] Harmonic less_quarters(std::size_t quarters) const {
     switch (quarters % 4) {
       case 0:
@@ -71,8 +71,8 @@ struct Harmonic {
 template <class Scalar, std::size_t N>
 using Harmonics = std::array<Harmonic<Scalar>, N + 1>;
 
-// Linear maps from harmonics to the Bernstein coefficients on the arc [-pi/4, pi/4], and to the
-// coefficients of p(t) = (1 + t^2)^N T with t = tan(th/2).
+/// Linear maps from harmonics to the Bernstein coefficients on the arc [-pi/4, pi/4], and to the
+/// coefficients of p(t) = (1 + t^2)^N T with t = tan(th/2).
 template <class Scalar, std::size_t N>
 struct ChartTables {
   static constexpr std::size_t degree = 2 * N;
@@ -84,7 +84,7 @@ struct ChartTables {
     std::array<Polynomial, N + 1> cosine{};
     std::array<Polynomial, N + 1> sine{};
 
-    // On the chart centred at chart * pi/2.
+    /// Returns the coefficients on the chart centred at chart * pi/2.
     [[nodiscard]] Polynomial apply(const Harmonics<Scalar, N>& harmonics, std::size_t chart) const {
       Polynomial image{};
       for (std::size_t k = 0; k <= N; ++k) {
@@ -153,9 +153,9 @@ inline Scalar cut_error(const std::array<Scalar, Size>& b) {
   return Scalar(2 * static_cast<int>(Size - 1)) * std::numeric_limits<Scalar>::epsilon() * largest;
 }
 
-// The largest number of sign variations that coefficients within `error` of b can have. The signs
-// of the first and the last are taken as known: they were certain when the arc was cut there,
-// though the error may have grown since.
+/// Returns the largest number of sign variations that coefficients within `error` of b can have.
+/// The signs of the first and the last are taken as known: they were certain when the arc was cut
+/// there, though the error may have grown since.
 template <class Scalar, std::size_t Size>
 inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
   int count = negative(b[Size - 1]) != negative(b[Size - 2]);
@@ -176,9 +176,9 @@ inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
   return count;
 }
 
-// De Casteljau: the Bernstein coefficients of the parts before and after the fraction lambda.
-// Taking in one coefficient after the other, instead of level by level, lets compilers keep the
-// triangle in registers.
+/// Computes, by de Casteljau's method, the Bernstein coefficients of the parts before and after the
+/// fraction lambda. Taking in one coefficient after the other, instead of level by level, lets
+/// compilers keep the triangle in registers.
 template <class Scalar, std::size_t Size>
 inline void cut_at(Scalar lambda, const std::array<Scalar, Size>& b,
                    std::array<Scalar, Size>& before, std::array<Scalar, Size>& after) {
