@@ -2,8 +2,8 @@
 #
 # assur_link_in_front(TARGET LIBRARY...) lets the program TARGET take functions of headers from
 # these static libraries of the project, and from those that they link publicly, if these define
-# them. If several objects define one function, the linker keeps the first, and objects of a program come
-# before libraries: without this, the libraries would call the program's own copies.
+# them. If several objects define one function, the linker keeps the first, and objects of a program
+# come before libraries: without this, the libraries would call the program's own copies.
 function(assur_link_in_front program)
   set(archives "")
   set(seen "")

@@ -31,7 +31,7 @@ void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_coun
   for_each_angle([&](int index) { longest = max EIGEN_NOT_A_MACRO(longest, lever(index)); });
   Scalar largest(0);
   for_each_angle([&](int index) {
-    // From a quarter of the longest on a lever counts in full.
+    // A lever of at least a quarter of the longest one counts in full.
     const Scalar weight = min EIGEN_NOT_A_MACRO(Scalar(1), Scalar(4) * lever(index) / longest);
     largest = max EIGEN_NOT_A_MACRO(largest, weight * abs(step(index)));
   });
