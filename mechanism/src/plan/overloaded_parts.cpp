@@ -104,9 +104,8 @@ class Overloading {
   }
 
   const Mechanism& mechanism_;
-  Table<LinkIndex, LinkIndex>
-      carrier_;  ///< of a placed link: the link against which a driver moves it
-  Table<LinkIndex, LinkIndex> part_;  ///< of a link: another link of its part, or itself
+  Table<LinkIndex, LinkIndex> carrier_;  ///< of a placed link: what a driver moves it against
+  Table<LinkIndex, LinkIndex> part_;     ///< of a link: another link of its part, or itself
 };
 
 }  // namespace
