@@ -1,4 +1,4 @@
-// Documents as another library writes and reads them.
+// Law: documents are written as another library writes them, and that library reads them back.
 #include <gtest/gtest.h>
 
 #include <array>
