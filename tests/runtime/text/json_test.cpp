@@ -1,4 +1,4 @@
-// Law: documents are written as another library writes them, and that library reads them back.
+// Law: documents are written as another library writes them.
 #include <gtest/gtest.h>
 
 #include <array>
