@@ -1,7 +1,9 @@
-# assur_generator_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]): the
-# library assur_generator_<folder> of this folder of generator/. With the tests comes a program that
-# holds all of the library and what it says that it links, so that the linker finds an arrow that
-# points upwards.
+# Turns the sources of a folder of generator/ into its library.
+#
+# assur_generator_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...])
+# adds the library assur_generator_<folder>. With the tests, a program is added that contains all of
+# the library and of what it declares that it links: the linker then reports a reference to a higher
+# floor as undefined.
 function(assur_generator_folder)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/generator ${CMAKE_CURRENT_SOURCE_DIR})

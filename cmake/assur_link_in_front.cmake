@@ -1,7 +1,9 @@
-# assur_link_in_front(TARGET LIBRARY...): the program TARGET takes functions of headers from these of
-# our static libraries, and from those that they link publicly, if these define them. If several
-# objects define one function, the linker keeps the first, and objects of a program come before
-# libraries: a program that is hardly optimised would have its libraries call its own copies.
+# Turns a program that is hardly optimised into one that runs the optimised code of its libraries.
+#
+# assur_link_in_front(TARGET LIBRARY...) lets the program TARGET take functions of headers from
+# these static libraries of the project, and from those that they link publicly, if these define
+# them. If several objects define one function, the linker keeps the first, and objects of a program
+# come before libraries: without this, the libraries would call the program's own copies.
 function(assur_link_in_front program)
   set(archives "")
   set(seen "")

@@ -1,10 +1,12 @@
+# Turns the sources of a folder of mechanism/src into its library, for each way to compile it.
+#
 # assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]
-# [OPTIMISE LEVEL]): the library <library>_<folder> of this folder of mechanism/src, for each
-# <library> of ASSUR_MECHANISM_LIBRARIES, compiled with what <library>_OPTIONS says too. What runs
-# once, or where branches meet, is not worth more than the level g; what runs for every position has
-# the level 1, or 2 where <library>_FAST says so. With the tests comes a program
-# that holds all of the folder and what it says that it links, so that the linker finds an arrow that
-# points upwards.
+# [OPTIMISE LEVEL]) adds the library <library>_<folder> for each <library> of
+# ASSUR_MECHANISM_LIBRARIES, compiled with the options in <library>_OPTIONS, too. Code that runs
+# once, or where branches meet, is not worth more than the level g; code that runs for every
+# position has the level 1, or 2 where <library>_FAST says so. With the tests, a program is added
+# that contains all of the folder and of what it declares that it links: the linker then reports a
+# reference to a higher floor as undefined.
 function(assur_mechanism_folder)
   cmake_parse_arguments(arg "" "OPTIMISE" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
   if(NOT DEFINED arg_OPTIMISE)

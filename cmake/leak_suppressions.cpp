@@ -1,5 +1,6 @@
-// Linked into every program of a build with AddressSanitizer: the leaks that are not ours. Weak,
-// for libraries that are compiled as one file carry it too.
+// Turns the known leaks of other libraries into suppressions for LeakSanitizer. It is linked into
+// every program of a build with AddressSanitizer, and the function is weak because libraries that
+// are compiled as one file contain it, too.
 
 // CLN never frees the 26 bytes that its static cl_prin_globals_init_helper allocates on loading.
 // GiNaC loses a power that it has just allocated when the power divides by zero and throws.

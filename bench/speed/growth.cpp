@@ -1,6 +1,6 @@
-// How cost grows: time per configuration over the groups of a chain, emission time and size over
-// the number of models, compile time of a generated header. Writes growth.json, .md and .dat into
-// a directory: growth DIRECTORY.
+// Turns chains and models of growing number into their costs: time per configuration over the
+// groups of a chain, emission time and size over the number of models, compile time of a generated
+// header. Writes growth.json, .md and .dat into a directory: growth DIRECTORY.
 #include <benchmark/benchmark.h>
 
 #include <assur/assembly.hpp>

@@ -5,7 +5,7 @@ directory = ARG1
 columns = directory . "/speed_accuracy.dat"
 set datafile separator "\t"
 
-# By the number that a family or a scalar has in the columns.
+# The colours and marks, by the number that a family or a scalar has in the columns.
 array colours[7] = [0xd00000, 0x0072b2, 0x00875a, 0x707070, 0xc0509a, 0xb86000, 0x6a3d9a]
 array families[7] = ["generated", "by hand, LU", "autodiff", "differences", "special points", \
   "general solvers", "root finders"]

@@ -1,4 +1,4 @@
-// Turns a closure system into the points at which a program is asked.
+// Turns a closure system into the points at which a program is run.
 #pragma once
 
 #include "audit/rounding_bound.hpp"
@@ -11,7 +11,7 @@ struct ExpectedMatrix {
   running::MatrixSize size;
   std::vector<std::string> items;
   std::vector<GiNaC::ex> derived;
-  bool on_closures = false;  ///< is it asked only where the closures hold?
+  bool on_closures = false;  ///< whether it is computed only where the closures hold
 };
 
 /// A point, what the program is given there, and what it gives.
@@ -21,7 +21,7 @@ struct Asked {
   std::vector<double> computed;
 };
 
-/// Fewer points than this tell nothing.
+/// With fewer points than this a comparison tells nothing.
 constexpr std::size_t fewest_points = 3;
 
 /// Draws points for one statement.
@@ -33,20 +33,21 @@ class AskedPoints {
               const RunStatement& run)
       : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
 
-  /// The points of comparisons: where a given length is negative comes last, since a program may
-  /// refuse such lengths; unknown ones have either sign. Throws FormulaError where there are too
-  /// few, and NotAlgebraic.
+  /// Returns the points of comparisons. Points at which a given length is negative come last, since
+  /// a program may refuse such lengths; unknown lengths have either sign. Throws FormulaError if
+  /// there are too few points, and NotAlgebraic.
   [[nodiscard]] std::vector<Asked> drawn();
-  /// Points of few and small numbers, for counterexamples that can be checked with a pencil; may be
-  /// none.
+  /// Returns points of small numbers, for counterexamples that can be checked with a pencil. There
+  /// may be none.
   [[nodiscard]] std::vector<Asked> simple();
-  /// Whether the closures hold at the points. An entry that has a value anywhere is asked elsewhere
-  /// if no assembled points are found.
+  /// Whether the closures hold at the points. If no assembled points are found, entries that have a
+  /// value at any point are computed at points where the closures do not hold.
   [[nodiscard]] bool assembled() const { return assembled_; }
 
-  /// Exact, as a double; throws NotAlgebraic.
+  /// Returns the exact value, rounded to a double. Throws NotAlgebraic.
   [[nodiscard]] double value_at(const GiNaC::ex& expression, closures::ClosurePoints::Point& point);
-  /// Whether the program is given rates of a symbol: of an unknown where it asks for them.
+  /// Whether the program is given the rates of a symbol. It is given those of an unknown only where
+  /// its call mentions them.
   [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const;
   /// Whether the call of the program has this name in it.
   [[nodiscard]] bool mentions(const std::string& name) const;

@@ -26,8 +26,8 @@ struct RunPermission {
 
 /// Reads and audits one file; docs/reference/audit_format.md tells its form. Other files that it
 /// names are found from its own directory, scenes by `scenes`. Throws InputError with the place of
-/// what cannot be used; a printed formula that cannot be read is a finding. Progress
-/// counts statements.
+/// what cannot be used; a printed formula that cannot be read is a finding. Progress counts
+/// statements.
 [[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
                                      const RunPermission& run = {},
                                      const text::Progress& progress = {});

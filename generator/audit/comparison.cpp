@@ -12,9 +12,9 @@ namespace {
 constexpr int wanted_points = 3;
 /// The other signs of more roots than this are not tried: they would be thousands.
 constexpr std::size_t most_roots = 6;
-/// Roots of numbers that are no squares are compared as decimals of so many digits ...
+/// The number of digits in which roots of numbers that are no squares are compared as decimals.
 constexpr int decimal_digits = 60;
-/// ... of which so many must agree.
+/// The number of these digits that must agree.
 constexpr int agreeing_digits = 40;
 
 /// Raises the number of digits of evaluation for as long as it lives.

@@ -1,4 +1,4 @@
-// The answers of an audit: one for each thing that a source prints.
+// Turns what a source prints, item by item, into the findings of an audit.
 #pragma once
 
 #include <string>

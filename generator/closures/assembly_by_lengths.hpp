@@ -5,15 +5,15 @@
 
 namespace assur::generator::closures {
 
-/// Gives as many of the lengths as there are equations the values that make the equations zero.
-/// Taken are lengths that occur linearly and independently, those with constant coefficients (such
-/// as coordinates) first.
+/// Gives as many of the lengths as there are equations the values that make the equations zero. It
+/// chooses lengths that occur linearly and independently, and among these first the ones with
+/// constant coefficients, such as coordinates.
 class AssemblyByLengths {
  public:
   AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiNaC::lst& lengths);
 
-  /// False, with the values unchanged, if there are too few such lengths. Throws NotAlgebraic as
-  /// CircleAlgebra::at does.
+  /// Returns false, with the values unchanged, if there are too few such lengths. Throws
+  /// NotAlgebraic as CircleAlgebra::at does.
   [[nodiscard]] bool assemble(const CircleAlgebra& algebra, GiNaC::exmap& values) const;
 
  private:

@@ -1,4 +1,4 @@
-// The command `assur`: each subcommand is one pass through the pipeline.
+// Turns the command line of `assur` into one subcommand and an exit status.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <assur/mechanism/scene_file.hpp>

@@ -1,4 +1,4 @@
-// Gathers every step of a model's derivation, from its graph to its final polynomial, as text that
+// Turns every step of a model's derivation, from its graph to its final polynomial, into text that
 // the renderers lay out.
 #pragma once
 

@@ -1,3 +1,4 @@
+// Turns a derivation into a LaTeX document.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <vector>

@@ -1,4 +1,4 @@
-// Renders a derivation: as an annotated audit file, as a LaTeX document, or as JSON.
+// Turns a derivation into an annotated audit file, a LaTeX document, or JSON.
 #pragma once
 
 #include <string>

@@ -1,3 +1,4 @@
+// Turns a derivation into text that is an audit file at once.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <sstream>

@@ -1,4 +1,4 @@
-// Keeps what an elimination does, step by step, for people to read and to check.
+// Turns what an elimination does into a record of steps for people to read and to check.
 #pragma once
 
 #include <string>

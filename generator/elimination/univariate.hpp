@@ -1,5 +1,5 @@
-// Holds polynomials in one unknown whose coefficients are expressions: Laurent in exp(i x) or
-// plain.
+// Turns powers of one unknown with expressions as coefficients into polynomials, which are Laurent
+// polynomials in exp(i x) for an angle x and plain ones for a displacement.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// Equations f(q, d, u) = 0 in named variables, of a model of a group or of whatever else closes.
+// Turns named variables and residuals into equations f(q, d, u) = 0 of a group or of any closure.
 #pragma once
 
 #include <deque>

@@ -1,4 +1,5 @@
-// Holds what a paper prints about a group's models, word for word, to number and to compare.
+// Turns a group into the table that a paper prints of its models, word for word, for numbering the
+// models and for comparison.
 #pragma once
 
 #include <string>

@@ -59,7 +59,7 @@ TEST(BranchOption, PicksOneRowOfATableWithoutSweep) {
             (std::vector<std::string>{whole[0], whole[3]}));
 }
 
-/// Of a sweep the branch is the identity that its column tells, not the number at a step.
+/// A branch of a sweep is named by the identity in its column, not by the number at a step.
 TEST(BranchOption, PicksTheRowsOfOneBranchOfASweep) {
   const auto whole = lines_of(run_assur("solve --format csv " + leg).output);
   for (const int branch : {1, 3, 12}) {

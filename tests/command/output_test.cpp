@@ -48,7 +48,8 @@ TEST_P(UnwritableOutput, ToADescriptorThatIsReadIsRefused) {
   expect_refusal(run_process(GetParam().arguments, open("/dev/null", O_RDONLY | O_CLOEXEC)));
 }
 
-/// To derive the catalogue takes a second: by default one of its formats is printed.
+/// The commands whose output is compared. The catalogue takes a second to derive, so by default
+/// only one of its formats is printed.
 std::vector<Printing> printings() {
   std::vector<Printing> all = {
       {"SolveText", {"solve", four_bar}},

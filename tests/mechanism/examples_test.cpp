@@ -1,5 +1,5 @@
-// Checks every example scene, all of which have a sweep: it assembles all along its
-// sweep, and rigid bodies that know no groups agree with all that the solver says.
+// Checks every example scene, all of which have a sweep: it assembles all along its sweep, and
+// rigid bodies that know no groups agree with all that the solver says.
 #include <gtest/gtest.h>
 
 #include <algorithm>

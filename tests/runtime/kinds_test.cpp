@@ -13,8 +13,8 @@
 namespace assur::test::kinds_test {
 namespace {
 
-/// Of each kind of a model; `ctest -L long` draws the whole. Half of the groups cannot be compared,
-/// so that a model of few kinds needs more of each.
+/// The number of groups of each kind of a model; `ctest -L long` draws all of them. Half of the
+/// groups cannot be compared, so a model of few kinds needs more of each.
 template <typename Model>
 unsigned samples() {
   return is_whole_campaign() ? 25 : 4 + 12 / static_cast<unsigned>(Model::kinds.size());

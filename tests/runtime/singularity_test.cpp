@@ -78,8 +78,8 @@ class Singular : public testing::Test {
   using Group = SingularGroup<Model>;
   static constexpr int parameter_count = Model::dimension_count + Model::input_count;
 
-  /// Of the groups between two random ones, one whose core's determinant vanishes; false if its
-  /// sign is the same at both.
+  /// Draws a group between two random ones at which the determinant of the core vanishes. Returns
+  /// false if its sign is the same at both.
   bool draw(Group& group) {
     std::array<Group, 2> ends = {random_group(), random_group()};
     if (core(ends[0]) * core(ends[1]) >= 0) {

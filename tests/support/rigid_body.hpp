@@ -58,7 +58,7 @@ struct RigidBodies {
   [[nodiscard]] BodyFeature world_second(const BodyJoint& joint) const {
     return poses[static_cast<std::size_t>(joint.second)].world(joint.on_second);
   }
-  /// From the first feature's point to the second's, along the line.
+  /// The distance from the first feature's point to the second's, along the line.
   [[nodiscard]] Real displacement(const BodyJoint& joint) const {
     const BodyFeature a = world_first(joint);
     const BodyFeature b = world_second(joint);

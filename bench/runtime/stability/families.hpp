@@ -1,4 +1,4 @@
-// Families of tetrads, each driven toward one failure by a distance that goes to zero.
+// Turns a distance that goes to zero into tetrads that come near one failure each.
 #pragma once
 
 #include <array>

@@ -8,7 +8,7 @@
 
 namespace assur::stability {
 
-/// With t = tan(theta/2): cos theta = (1 - t^2)/(1 + t^2), sin theta = 2 t/(1 + t^2), and
+/// Let t = tan(theta/2). Then cos theta = (1 - t^2)/(1 + t^2), sin theta = 2 t/(1 + t^2), and
 ///     theta'  = m t',         m = 2/(1 + t^2),
 ///     theta'' = m t'' + m' t',  m' = -4 t t'/(1 + t^2)^2.
 /// t is taken from the angle itself, tan(atan2(sin, cos)/2), which loses nothing near pi. A

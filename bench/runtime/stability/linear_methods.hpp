@@ -1,4 +1,4 @@
-// Methods that take the configuration as it is and solve linear equations for its derivatives.
+// Turns a configuration, taken as it is, into its derivatives by linear equations, in several ways.
 #pragma once
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// The list of methods that the laboratory compares.
+// Turns the functions of methods into the list that the laboratory compares.
 #pragma once
 
 #include <vector>

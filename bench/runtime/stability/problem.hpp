@@ -1,4 +1,4 @@
-// What a method is given and what it hands back, and the change of scalar between the two worlds.
+// Turns a group and its motion into what a method is given and returns, in either scalar.
 #pragma once
 
 #include <assur/kinematics.hpp>

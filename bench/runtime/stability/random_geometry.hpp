@@ -1,4 +1,4 @@
-// Random groups in 50 digits that are assembled by construction.
+// Turns random numbers into groups in 50 digits that are assembled by construction.
 #pragma once
 
 #include <assur/tetrad/model_01.hpp>

@@ -78,7 +78,7 @@ class std::numeric_limits<assur::stability::Real> {
   static constexpr int digits10 = 50;
   static constexpr bool has_quiet_NaN = false;
   static assur::stability::Real epsilon() { return assur::stability::Real::epsilon(); }
-  /// As of other types without it; builds for sanitizers fill matrices with it.
+  /// Returns zero, as for other types that have no NaN; sanitizer builds fill matrices with it.
   static assur::stability::Real quiet_NaN() { return {}; }
 };
 

@@ -15,7 +15,7 @@ struct Row {
   std::string method;
   double distance = 0;
   double condition = 0;  ///< of J, the largest of the members
-  /// By quantity, the largest of the members that are right: the error against the assembled
+  /// The largest error of the members that are right, by quantity: against the assembled
   /// configuration, and against the configuration as given.
   std::array<double, 3> error{};
   std::array<double, 3> error_as_given{};

@@ -1,4 +1,5 @@
-// Methods that assemble the group anew nearby: central differences, complex step, Newton.
+// Turns groups that are assembled anew nearby into derivatives: central differences, complex step,
+// Newton.
 #pragma once
 
 #include <Eigen/LU>

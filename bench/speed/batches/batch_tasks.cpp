@@ -16,7 +16,7 @@ namespace assur::speed {
 
 namespace {
 
-/// As many as AVX2 has side by side; with AVX-512, the double is measured, too.
+/// The number of doubles in a register of AVX2; with AVX-512, twice as many are measured, too.
 constexpr std::size_t usual_lanes = 4;
 
 Entry entry_of(const Task& task, const std::string& method, ErrorTally& tally) {
@@ -36,8 +36,8 @@ void for_each_batch(const Add& add) {
   }
 }
 
-/// So many groups are solved by a call, and their answers go where those of the call before went,
-/// as one group's answers do: they stay in the cache.
+/// The number of groups that a call solves. Their answers overwrite those of the call before, as
+/// the answers of single groups do, so they stay in the cache.
 constexpr std::size_t at_once = 200;
 
 /// Calls `solve` with the first of each such piece of a slice, and how many it holds.

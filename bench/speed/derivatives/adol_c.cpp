@@ -42,7 +42,7 @@ struct Point {
   }
 };
 
-/// df along the first so many directions.
+/// The derivatives of f along the first directions.
 template <int Columns>
 Eigen::Matrix<double, 4, Columns> derivatives(const Point& at) {
   Vector<Variable, 4> f;
@@ -56,7 +56,7 @@ Eigen::Matrix<double, 4, Columns> derivatives(const Point& at) {
   return result;
 }
 
-/// By the first so many variables.
+/// The Jacobian with respect to the first `Columns` variables.
 template <int Columns>
 Eigen::Matrix<double, 4, Columns> jacobian(const Sample& sample) {
   Point at(sample);

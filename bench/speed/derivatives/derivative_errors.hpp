@@ -1,4 +1,4 @@
-// What the derivative tasks ask for, and the relative error of it.
+// Turns the answers to the derivative tasks and the truth into relative errors.
 #pragma once
 
 #include "derivatives/tetrad_samples.hpp"

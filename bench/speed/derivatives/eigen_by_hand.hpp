@@ -1,4 +1,5 @@
-// The loop closures of an RRR-RRR tetrad and their derivatives, written out as an engineer would.
+// Turns an RRR-RRR tetrad into its loop closures and their derivatives, written out as an engineer
+// would.
 #pragma once
 
 #include "derivatives/derivative_errors.hpp"

@@ -1,4 +1,5 @@
-// Random assembled RRR-RRR tetrads in motion, and their derivatives in 60 digits.
+// Turns random numbers into assembled RRR-RRR tetrads in motion, and their derivatives in 60
+// digits.
 #pragma once
 
 #include <assur/tetrad/model_01.hpp>

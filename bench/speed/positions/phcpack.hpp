@@ -1,4 +1,4 @@
-// All configurations of RRR-RRR by the homotopy continuation of PHCpack, the program `phc`.
+// Turns an RRR-RRR tetrad into all its configurations by the homotopy continuation of PHCpack.
 #pragma once
 
 #include <assur/tetrad/model_01.hpp>

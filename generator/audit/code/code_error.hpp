@@ -1,4 +1,4 @@
-// What of a user's code cannot be read, and where.
+// Turns a place in a user's code that cannot be read into an exception.
 #pragma once
 
 #include <stdexcept>
@@ -13,7 +13,7 @@ struct CodeError : std::runtime_error {
   closures::Place place;
 };
 
-/// What remains for code that is no list of plain assignments.
+/// The advice for code that is no list of plain assignments.
 inline const std::string by_running = "; audit it by running: 'printed run' with --run";
 
 }  // namespace assur::generator::audit::code

@@ -1,4 +1,4 @@
-// A new empty directory for one program, removed with it.
+// Turns the files of one program into a new directory, which is removed with the object.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// Turns a model, or every model of every group, into headers.
 #include <assur/text/names.hpp>
 #include <cctype>
 #include <optional>

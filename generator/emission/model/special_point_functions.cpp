@@ -95,15 +95,15 @@ SpecialPointFunctions special_point_functions(const equations::ClosureEquations&
 std::vector<std::string> special_point_lines(const equations::ClosureEquations& equations,
                                              const special_points::SpecialPoints& special) {
   if (!special.defined) {
-    return {"none: " + special.reason};
+    return {"This model has no special points: " + special.reason + "."};
   }
   std::vector<std::string> lines;
   for (const special_points::SpecialPoint& point : special.points) {
     std::string line;
     for (const special_points::SpecialPointSide& side : point.sides) {
-      line += line.empty() ? "S_" + word(equations, point) + ": " : ", ";
-      line += "by " + neighbour(equations, side) + " " + equations.unknowns[side.moving[0]].name +
-              " and " + equations.unknowns[side.moving[1]].name;
+      line += line.empty() ? "S_" + word(equations, point) + " is moved by " : ", and by ";
+      line += equations.unknowns[side.moving[0]].name + " and " +
+              equations.unknowns[side.moving[1]].name + " through " + neighbour(equations, side);
     }
     lines.push_back(line);
   }

@@ -97,7 +97,8 @@ class SceneNumbers {
     GiNaC::ex x, y, square;
   };
   [[nodiscard]] LongDirection lengthened(const Direction<SceneNumber>& direction) const;
-  /// To a modelled parameter, on which laws of drivers may depend as well.
+  /// Returns the derivative with respect to a modelled parameter, on which laws of drivers may
+  /// depend as well.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::ex& symbol) const;
 
   const mechanism::Plan& plan_;

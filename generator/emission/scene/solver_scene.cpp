@@ -12,9 +12,9 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// What a solver lists is an array of so many states at most, on the stack of who calls it.
+/// The most states that a solver lists: their array is on the stack of the caller.
 constexpr double most_listed = 4096;
-/// Which groups hold which others is a number of so many bits.
+/// The most groups of a solver: a number with one bit for each says which groups hold a group.
 constexpr std::size_t most_groups = 64;
 
 std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) {

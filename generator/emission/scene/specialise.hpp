@@ -17,10 +17,10 @@ struct NamedResults {
 /// folds exactly; numbers are those that the constants of `order` make. A quantity that becomes a
 /// number, or a symbol up to its sign, is put in place of its name, and so is a multiple that is
 /// used once, where it is scaled again; a number that is divided by constants becomes one of them.
-/// Numbers are taken out of reciprocals, and what is
-/// multiplied and divided by is cancelled. This is the last step before common subexpressions: in
-/// elimination, the two rounded parts of a direction would not satisfy cos^2 + sin^2 = 1. Throws
-/// InputError where a reciprocal is of zero.
+/// Numbers are taken out of reciprocals, and factors by which a term is both multiplied and divided
+/// are cancelled. This is the last step before common subexpressions: in elimination, the two
+/// rounded parts of a direction would not satisfy cos^2 + sin^2 = 1. Throws InputError where a
+/// reciprocal is of zero.
 [[nodiscard]] NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
                                        const std::vector<program::Result>& results,
                                        program::SymbolOrder& order, GiNaC::exmap values);

@@ -23,10 +23,12 @@ namespace assur::mechanism::campaign {
   return counter;
 }
 
-/// A number in (-1, 1), uniform and never an end: of a sample, for one of the things that deviate.
-[[nodiscard]] inline double uniform(std::uint64_t seed, std::uint64_t sample, std::uint32_t thing) {
+/// Returns the uniform random number of one parameter in one sample. It lies in (-1, 1) and is
+/// never one of the ends.
+[[nodiscard]] inline double uniform(std::uint64_t seed, std::uint64_t sample,
+                                    std::uint32_t parameter) {
   const std::array<std::uint32_t, 4> bits = philox(
-      {static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(sample >> 32U), thing, 0},
+      {static_cast<std::uint32_t>(sample), static_cast<std::uint32_t>(sample >> 32U), parameter, 0},
       {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U)});
   const std::uint64_t whole = (std::uint64_t{bits[0]} << 32U | bits[1]) >> 12U;  // 52 bits
   return (static_cast<double>(whole) + 0.5) * 0x1p-51 - 1;

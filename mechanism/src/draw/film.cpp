@@ -38,7 +38,7 @@ bool varies(const Mechanism& mechanism, const Request& request) {
                       [](const Parameter& one) { return one.tolerance.exists(); }));
 }
 
-/// The covariance of a point whose parameters vary so.
+/// The covariance of a point whose parameters have this spread.
 Eigen::Matrix2d covariance_of(const Point& point, const Spread& spread) {
   const auto& first = point.follows.first;
   if (spread.covariance.size() > 0) {

@@ -11,8 +11,8 @@ struct Colour {
   const char* dark;   ///< on nearly black
 };
 
-/// By Okabe and Ito, for the colour-blind too, without their yellow, which fades on white; on black
-/// all are lighter.
+/// The colours of Okabe and Ito, which colour-blind people can tell apart, too, without their
+/// yellow, which fades on white. On black all are lighter.
 inline constexpr std::array<Colour, 6> colours = {{{"#0072b2", "#5b9dff"},
                                                    {"#d55e00", "#ff8b3d"},
                                                    {"#009e73", "#35cfa0"},

@@ -11,7 +11,8 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// A curve of so many pieces looks smooth, whatever the steps of the scene's own table.
+/// The number of pieces of a curve: enough for it to look smooth, whatever the steps of the scene's
+/// own table are.
 constexpr int pieces = 180;
 
 class WayFollower {

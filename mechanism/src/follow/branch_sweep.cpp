@@ -1,3 +1,4 @@
+// Turns a sweep and the number of one branch into the configurations along it, up to its end.
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>

@@ -28,9 +28,9 @@ struct Side {
 [[nodiscard]] std::pair<PointIndex, PointIndex> meeting(const Side& side,
                                                         const std::vector<PointIndex>& among);
 
-/// Whether no other configuration is near the pair or the place where it will meet. Allowed are one
-/// right between the two, which becomes `through`, and those among `alone` that meet in the same
-/// place.
+/// Whether no other configuration is near the pair or the place where it will meet. Two exceptions
+/// are allowed: one configuration right between the two, which becomes `through`, and those among
+/// `alone` that meet in the same place.
 [[nodiscard]] bool is_apart_from_others(const ConfigurationPair& pair, double distance,
                                         const std::vector<PointIndex>& alone, PointIndex& through);
 

@@ -116,7 +116,8 @@ class SnapshotSolver {
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
   /// The snapshot with its configurations' points, and with whether these can be told apart.
   [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
-  /// Of a set at the present values: marks configurations whose paths all constraints tell.
+  /// Marks the configurations of a solution at the present values whose paths are known from all
+  /// constraints together.
   void mark_known_paths(Solution& solution) const;
   void set_point(const Configuration& configuration, ConfigurationPoint& point) const;
 

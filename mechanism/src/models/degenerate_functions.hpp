@@ -44,8 +44,8 @@ class DegenerateFunctions {
     }
   }
 
-  /// By how much the closures fail; where the angles do, by how much they move a point of the
-  /// group.
+  /// Computes by how much the closures fail or, where the angles fail, by how much that moves a
+  /// point of the group.
   static Status gap(const FlatVariables& flat_d, const FlatVariables& flat_u, double& result) {
     const auto d = support::unflattened<Dimensions>(flat_d);
     const auto u = support::unflattened<Inputs>(flat_u);

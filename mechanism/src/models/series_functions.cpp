@@ -39,7 +39,7 @@ Series integral(double start, const Series& rate) {
 }  // namespace
 
 Series pow(const Series& base, double exponent) {
-  // Of a base in parts of its value the powers stay in range, whatever the unit.
+  // The base is divided by its value, so that its powers stay in range, whatever the unit is.
   const double unit = base.value() == 0 ? 1 : base.value();
   Series part = base;
   for (double& coefficient : part.c) {

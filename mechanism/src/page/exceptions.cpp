@@ -1,8 +1,9 @@
-// Turns what C++ throws into exceptions of WebAssembly, and finds who catches them: the library of
-// C++ that Debian has for WebAssembly was made without.
+// Turns C++ exceptions into exceptions of WebAssembly, and finds the handlers that catch them.
 //
-// The names are those that the compiler calls, by the ABI of Itanium. All errors of the project,
-// of the standard library and of the library for JSON have one base at most, at the same address.
+// Debian's C++ library for WebAssembly is built without exceptions, so the functions of the Itanium
+// ABI that the compiler calls for them are defined here. They suffice for classes with at most one
+// base, at the same address, as all errors of the project, of the standard library and of the JSON
+// library are.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -16,12 +17,12 @@ namespace {
 struct Thrown {
   const std::type_info* type;
   void* (*destroy)(void*);  ///< in WebAssembly destructors return their argument
-  Thrown* outer;            ///< that was caught before, and is still looked at
-  int handlers;             ///< that look at it; negative where it was thrown again
+  Thrown* outer;            ///< the exception that was caught before and is still being handled
+  int handlers;             ///< number of handlers at work on it; negative if it is thrown again
   alignas(std::max_align_t) std::byte object[1];
 };
 
-/// The one that was caught last.
+/// The exception that was caught last.
 Thrown* caught = nullptr;
 
 Thrown* head_of(void* object) {
@@ -71,8 +72,8 @@ std::int32_t signed_at(const std::uint8_t*& at) {
 
 extern "C" {
 
-/// Where a function that may catch says which of its places it stands at, and reads which of its
-/// handlers is called: 0 for none.
+/// Where a function that may catch writes which of its call sites has thrown, and reads the number
+/// of the handler to run: 0 for none.
 struct LandingPad {
   std::uint32_t place;
   const std::uint8_t* table;
@@ -127,8 +128,9 @@ void __cxa_end_catch() {
   __builtin_wasm_throw(0, caught->object);
 }
 
-/// Finds the handler of what was thrown, in the table of the function that asks: how its types are
-/// encoded, for each of its places the first of a chain of actions, the actions, the types.
+/// Finds the handler of an exception in the table of the function that asks. The table holds how
+/// its types are encoded, the first of a chain of actions for each call site, the actions, and the
+/// types.
 int _Unwind_CallPersonality(void* object) {
   constexpr std::uint8_t left_out = 0xFF;
   __wasm_lpad_context.handler = 0;
@@ -136,14 +138,14 @@ int _Unwind_CallPersonality(void* object) {
   if (at == nullptr) {
     return 0;
   }
-  ++at;  // where places begin; they begin at the function
+  ++at;  // skips where the call sites are counted from: the start of the function
   const std::uint8_t encoding = *at++;
   const std::type_info* const* types = nullptr;
   if (encoding != left_out) {
     const std::uint32_t away = unsigned_at(at);
     types = reinterpret_cast<const std::type_info* const*>(at + away);
   }
-  ++at;  // how places are encoded; always as below
+  ++at;  // skips how the call sites are encoded: always as below
   const std::uint32_t length = unsigned_at(at);
   const std::uint8_t* const actions = at + length;
   std::uint32_t action = 0;

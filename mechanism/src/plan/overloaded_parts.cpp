@@ -26,7 +26,7 @@ class Overloading {
   }
 
   [[nodiscard]] std::vector<Table<LinkIndex, bool>> run(const OverConstrained& fault) {
-    std::vector<LinkIndex> overloaded;  // for each joint, a link of the part that it is of
+    std::vector<LinkIndex> overloaded;  // for each joint, a link of the part that it belongs to
     std::vector<std::vector<LinkIndex>> held;
     for (const Joint& joint : mechanism_.joints()) {
       if (std::ranges::find(fault.joints, joint.name) == fault.joints.end()) {
@@ -34,7 +34,7 @@ class Overloading {
       }
       std::vector<LinkIndex> links = links_of(joint);
       held.push_back(links);
-      // A joint of what is placed already is of a part with that.
+      // A joint between placed links belongs to a part with them.
       if (std::ranges::any_of(links, [&](LinkIndex link) { return !is_placed(link); })) {
         std::erase_if(links, [&](LinkIndex link) { return is_placed(link); });
       } else {
@@ -77,7 +77,8 @@ class Overloading {
   [[nodiscard]] bool is_placed(LinkIndex link) const {
     return link == mechanism_.ground() || carrier_[link].exists();
   }
-  /// Whether that is news.
+  /// Records that a placed link carries another one by a driver. Returns whether that link was not
+  /// placed before.
   bool carry(LinkIndex from, LinkIndex to) {
     const bool is_new = is_placed(from) && !is_placed(to);
     carrier_[to] = is_new ? from : carrier_[to];
@@ -95,7 +96,7 @@ class Overloading {
     }
     return is_within;
   }
-  /// With what carries the link.
+  /// Adds the link, the links that carry it, and the ground to the part.
   void keep(LinkIndex link, Table<LinkIndex, bool>& part) const {
     for (part[mechanism_.ground()] = true; link.exists(); link = carrier_[link]) {
       part[link] = true;
@@ -103,8 +104,8 @@ class Overloading {
   }
 
   const Mechanism& mechanism_;
-  Table<LinkIndex, LinkIndex> carrier_;  ///< what a driver moves a placed link against
-  Table<LinkIndex, LinkIndex> part_;     ///< of a link another one of its part, or itself
+  Table<LinkIndex, LinkIndex> carrier_;  ///< of a placed link: what a driver moves it against
+  Table<LinkIndex, LinkIndex> part_;     ///< of a link: another link of its part, or itself
 };
 
 }  // namespace
@@ -119,7 +120,7 @@ std::vector<Table<LinkIndex, bool>> overloaded_parts(const Mechanism& mechanism,
 
 std::vector<RedundantJoint> of_whole(const Mechanism& mechanism, const Table<LinkIndex, bool>& kept,
                                      std::vector<RedundantJoint> redundant) {
-  Table<FeatureIndex, FeatureIndex> features;  // of the part, in the order in which it has them
+  Table<FeatureIndex, FeatureIndex> features;  // by the index in the part, that in the whole
   for (const LinkIndex link : mechanism.links().keys()) {
     for (const FeatureIndex feature : mechanism.links()[link].features) {
       if (kept[link]) {

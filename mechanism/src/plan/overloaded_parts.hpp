@@ -1,4 +1,4 @@
-// Turns a mechanism with too many constraints into its parts in which they can be found one by one.
+// Turns a mechanism with too many constraints into the parts that have too many on their own.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -7,13 +7,14 @@
 
 namespace assur::mechanism::plan {
 
-/// For each part that has constraints too many, whether a link is of it, or carries it on drivers.
-/// Two parts share no link but such as the ground and drivers place, so that what is left out of
-/// one changes nothing in another. None where laws of drivers read joints.
+/// Returns, for each part that has too many constraints, which links belong to it or carry it by
+/// drivers. Two parts share only links that the ground and drivers place, so what is left out of
+/// one changes nothing in another. Returns no part if the law of a driver reads a joint.
 [[nodiscard]] std::vector<Table<LinkIndex, bool>> overloaded_parts(const Mechanism& mechanism,
                                                                    const OverConstrained& fault);
 
-/// What is left out of `mechanism.only(kept)`, by the features of the whole mechanism.
+/// Turns what is left out of `mechanism.only(kept)` into what is left out of the whole mechanism,
+/// whose features have other indices.
 [[nodiscard]] std::vector<RedundantJoint> of_whole(const Mechanism& mechanism,
                                                    const Table<LinkIndex, bool>& kept,
                                                    std::vector<RedundantJoint> redundant);

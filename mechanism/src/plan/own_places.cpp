@@ -8,7 +8,8 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// The parameters' values. One that reads itself, be it through others, is not a number.
+/// The values of the parameters. A parameter that reads itself, directly or through others, is not
+/// a number.
 Table<ParameterIndex, double> values_of_parameters(const Mechanism& mechanism) {
   Table<ParameterIndex, double> values(mechanism.parameters().size(),
                                        std::numeric_limits<double>::quiet_NaN());

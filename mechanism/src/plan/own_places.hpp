@@ -6,9 +6,9 @@
 
 namespace assur::mechanism::plan {
 
-/// Where the points of links lie in their links' frames, by the mechanism's own numbers. A point is
-/// nowhere, and in no other one's place, where its numbers cannot be told, as of parameters that
-/// read one another.
+/// The places of points in the frames of their links, computed from the mechanism's own numbers. A
+/// point whose numbers cannot be computed, as when parameters read one another, has no place and
+/// coincides with no other point.
 class OwnPlaces {
  public:
   explicit OwnPlaces(const Mechanism& mechanism);

@@ -11,22 +11,25 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// Of ways to leave out the last constraint: each is solved to see whether it holds.
+/// The largest number of ways to leave out the last constraint. Each is solved to see whether the
+/// constraints that are left out hold.
 constexpr std::size_t most_ways = 32;
 
-/// Of sets of constraints after which a further one is sought: a mechanism has thousands of them.
+/// The largest number of sets of left-out constraints to which a further one is sought: a mechanism
+/// may have thousands of such sets.
 constexpr int most_rounds = 100;
 
-/// What a mechanism with a constraint or two less is: solved for, or with fewer too many.
+/// A mechanism with one or two constraints less. It has either a structure or fewer constraints too
+/// many than before.
 struct Step {
   RedundantJoint redundant;
-  std::string from = {};   ///< the joint towards which a slot lies
-  std::size_t points = 0;  ///< to which that link's slot could lie
+  std::string from = {};   ///< the joint towards which the slot that stands in leads
+  std::size_t points = 0;  ///< number of points to which that slot could lead
   Mechanism mechanism = Mechanism();
   std::optional<Structure> structure = {};
   std::optional<OverConstrained> fault = {};
-  std::string link = {};    ///< that has the feature at which something is left out
-  bool loses_kept = false;  ///< the joint should not be left out
+  std::string link = {};    ///< the link with the feature at which something is left out
+  bool loses_kept = false;  ///< whether the joint is one that should be kept
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
   [[nodiscard]] std::size_t largest_group() const {
@@ -37,8 +40,9 @@ struct Step {
     }
     return largest;
   }
-  /// A slot on a bar leaves out its length alone: the bar follows its ends, be it square to what it
-  /// holds or not. One on a link with more joints does not let that link go by any bar.
+  /// A step comes before those of a larger rank. Slots on bars come early: a slot on a bar leaves
+  /// out the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
+  /// leaves out no single length.
   using Rank =
       std::tuple<int, bool, std::size_t, std::string, std::size_t, std::string, std::string>;
   [[nodiscard]] Rank rank() const {
@@ -46,7 +50,7 @@ struct Step {
   }
 };
 
-/// The mechanism with what stands in for a joint, or without it.
+/// The mechanism with a stand-in for a joint, or without the joint if it has none.
 Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
   const JointIndex joint = index_of(mechanism.joints(), redundant.name);
   return !redundant.stand_in.exists() ? mechanism.without(joint, redundant.other)
@@ -57,12 +61,12 @@ Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
 
 class Balancer {
  public:
-  /// `described`: how many features were described; further ones stand in for some.
+  /// `described` is the number of features that were described; the further ones are stand-ins.
   Balancer(const Mechanism& mechanism, std::size_t described, const OwnPlaces& places, LeftOut most,
            const std::vector<std::string>& kept)
       : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
 
-  /// The first is the best.
+  /// Returns the steps from a mechanism with this fault, the best one first.
   [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
@@ -154,7 +158,8 @@ class Balancer {
     return points;
   }
 
-  /// `less`: how many constraints less it has. Where not as many less are too many, links are free.
+  /// Lists a step after which the mechanism has `less` constraints less. If its surplus is not
+  /// smaller by as many, the step has set links free elsewhere and is not listed.
   void consider(Step step, int less) {
     step.mechanism = relaxed(mechanism_, step.redundant);
     try {
@@ -181,14 +186,15 @@ class Balancer {
   std::vector<Step> steps_;
 };
 
-/// Looks for what can be left out after what: the best way first, and the next one only where
-/// nothing can be left out after it.
+/// Searches depth first for the constraints to leave out one after another. The best step is tried
+/// first, and the next one only if no way leads on from there.
 class BalanceSearch {
  public:
   BalanceSearch(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
       : described_(mechanism.features().size()), places_(mechanism), most_(most), kept_(kept) {}
 
-  /// Of a mechanism of which constraints may be left out already.
+  /// Returns the ways to leave out what a mechanism still has too much of. Constraints may be left
+  /// out of it already.
   [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
                                                         const OverConstrained& fault) {
     std::vector<BalancedMechanism> result;

@@ -21,13 +21,13 @@ struct BalancedMechanism {
   std::vector<RedundantJoint> redundant;
 };
 
-/// What may be left out of a joint that has constraints too many.
+/// The most that may be left out of one joint. Without one constraint, a pin becomes a pin in a
+/// slot along its link, a slide becomes a pin in a slot, and a pin in a slot is left out as a
+/// whole. Without two constraints, a pin or a slide is left out as a whole.
 enum class LeftOut : unsigned char {
-  /// One constraint: a pin holds by a slot alone, along the link, a slide by a pin in a slot, a pin
-  /// in a slot not at all. Or two: any joint holds a link not at all.
-  joints,
-  doubles,     ///< the latter only where another joint holds the same two links
-  constraints  ///< the former alone
+  joints,      ///< one or two constraints
+  doubles,     ///< one constraint, or two where another joint holds the same two links
+  constraints  ///< one constraint
 };
 
 /// The mechanism without what is described to be left out of it, in the order of names; what is

@@ -15,10 +15,10 @@ namespace {
 
 using Poses = AllConstraints::Poses;
 
-/// A motion along the kernel of J, step by step.
+/// What became of a motion that was followed along the kernel of J in small steps.
 struct Way {
   bool goes_on = false;
-  int mobility = 0;  ///< the least on it
+  int mobility = 0;  ///< the least dimension of the kernel on the way
 };
 
 class FamilyTrial {
@@ -59,7 +59,7 @@ class FamilyTrial {
   }
 
  private:
-  /// Of the loose links' columns, to those of all links, and back.
+  /// Turns a step of the loose links into a step of all links, in which the others rest.
   [[nodiscard]] Eigen::VectorXd in_all(const Eigen::VectorXd& step) const {
     Eigen::VectorXd all = Eigen::VectorXd::Zero(constraints_.unknowns());
     for (std::size_t place = 0; place < loose_.size(); ++place) {
@@ -78,7 +78,7 @@ class FamilyTrial {
     return result;
   }
 
-  /// From no place in particular, but the same ones in every process.
+  /// Draws a random step of the loose links. Every process draws the same ones.
   [[nodiscard]] Eigen::VectorXd any_step() {
     Eigen::VectorXd step(3 * std::ssize(loose_));
     for (Eigen::Index row = 0; row < step.size(); ++row) {
@@ -89,7 +89,8 @@ class FamilyTrial {
     return step;
   }
 
-  /// By steps of Levenberg and Marquardt; whether nothing is left open but rounding.
+  /// Moves the loose links by steps of Levenberg and Marquardt until the constraints hold. Returns
+  /// whether they then hold within rounding.
   [[nodiscard]] bool close(Poses& poses) const {
     constexpr int most_steps = 100;
     constexpr double stiffest = 1e6;

@@ -1,4 +1,4 @@
-// Turns a family of a mechanism without its redundant constraints into what they leave of it.
+// Turns a family, found without the redundant constraints, into the mobility that they leave it.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -7,9 +7,10 @@
 
 namespace assur::mechanism::solve {
 
-/// The mobility that all constraints together leave a family: they are closed by the links that the
-/// family does not place, from many places, and a motion is followed from where they close. At most
-/// the family's own; zero where no motion was found, be it that some of its places are left.
+/// Returns the mobility that all constraints together leave a family, which is at most the family's
+/// own. The links that the family does not place are moved, from many starting positions, until all
+/// constraints hold, and from there a motion is followed. Zero means that no motion was found, even
+/// if single positions of the family remain.
 [[nodiscard]] int left_mobility(const Family& family, AllConstraints& constraints);
 
 }  // namespace assur::mechanism::solve

@@ -248,7 +248,7 @@ bool Placement::settle(const ReadingDriver& reading) {
     settled_->settle(reading.driver,
                      [&](JointIndex joint) { return counted_coordinate(joint, counting); });
   } catch (const MechanismError& error) {
-    // With another count the law might have a value, so that this would be listed.
+    // If turns were counted otherwise, the law might have a value, and the configuration be listed.
     note_doubts(counting.doubts);
     flaw_ = error.what();
     return false;

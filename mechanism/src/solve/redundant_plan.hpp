@@ -10,20 +10,22 @@
 
 namespace assur::mechanism::solve {
 
-/// Of a mechanism all of which is modelled. `more`: features that are evaluated beside those that
-/// the structure and the request read.
+/// Returns the plan of a mechanism none of whose constraints is left out. `more` are features that
+/// are evaluated beside those that the structure and the request read.
 [[nodiscard]] std::shared_ptr<const PlanData> planned_whole(
     const Mechanism& mechanism, const Request& request, Structure structure,
     const std::vector<FeatureIndex>& more = {});
 
-/// Of a mechanism with constraints that hold where the others do. Without whole joints its groups
-/// are the smallest, but they may move freely where the mechanism does not, as a coupler does on
-/// parallel cranks. Throws OverConstrained where they hold in no way in which they can be left out.
+/// Returns the plan of a mechanism without as many constraints as it has too many, if these hold
+/// where the others do. Whole joints are left out first, since that gives the smallest groups; such
+/// groups may move freely where the mechanism does not, as a coupler does on parallel cranks.
+/// Throws OverConstrained if no choice of constraints that can be left out is found to hold.
 [[nodiscard]] std::shared_ptr<const PlanData> planned_with_redundancy(
     const Mechanism& mechanism, const Request& request, const OverConstrained& excess);
 
-/// The same mechanism without others of its constraints: those plans first that have the joints
-/// that this one does without. Nothing is known of whether what they leave out holds.
+/// Returns the plans of the same mechanism in which other constraints are left out. Those that keep
+/// the joints that this plan does without come first. Whether the constraints that they leave out
+/// hold is not known.
 [[nodiscard]] std::vector<std::shared_ptr<const PlanData>> other_plans(const PlanData& plan);
 
 }  // namespace assur::mechanism::solve

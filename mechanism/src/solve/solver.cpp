@@ -77,7 +77,7 @@ class ConfigurationWalk {
   }
 
  private:
-  /// Of a search for one configuration, which has found it.
+  /// Returns what a search for the nearest configuration has found, if anything.
   [[nodiscard]] std::optional<Nearest> nearest() const {
     if (listed_ == 0) {
       return std::nullopt;
@@ -87,7 +87,8 @@ class ConfigurationWalk {
                    has_runner_up ? std::optional(std::sqrt(next_square_)) : std::nullopt};
   }
 
-  /// `cuts`: what is beyond limits is left as soon as it is placed.
+  /// Solves all groups and lists the configurations. If `cuts` is set, a placement beyond the
+  /// limits of joints is abandoned at once.
   void walk(const Search& search, bool cuts, Solution& result) {
     search_ = search;
     cuts_ = cuts;
@@ -97,7 +98,7 @@ class ConfigurationWalk {
     conclude();
   }
 
-  /// Whatever the last position was left in.
+  /// Resets the solver and the result, whatever state the last position left them in.
   void begin(Solution& result) {
     placement_.begin();
     gaps_.begin(search_.measures_gap);

@@ -1,7 +1,7 @@
-// Turns a model's variables by steps: angles turn, lengths shift; and examines them one by one.
+// Turns a model's variables and a step into moved variables: angles turn, and lengths shift.
 //
-// Geometry of directions, and loops over variables. All of it is total: there is no division, and
-// what is not finite on the way in is not finite on the way out.
+// All functions are total: none of them divides, and an input that is not finite makes a result
+// that is not finite.
 #pragma once
 
 #include <algorithm>

@@ -50,7 +50,7 @@ class PrintedModel {
 
   [[nodiscard]] const ExpressionMatrix& jacobian() const { return derivatives_.jacobian; }
 
-  /// With all matrices, the Jacobian as given.
+  /// Returns the audit file with all matrices, of which the Jacobian is the given one.
   [[nodiscard]] std::string with(const ExpressionMatrix& jacobian) const {
     return text_ + matrix("(2)", jacobian, equations_.unknowns) +
            matrix("(3)", derivatives_.dimension_jacobian, equations_.dimensions) +

@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// With limits on a slide that leave some configurations out; of two dyads, on a pin too. What is
-/// not wanted is not compiled.
+/// Emits a scene with limits on a slide that leave some configurations out. The scene with two
+/// dyads has limits on a pin, too. What is not wanted is not compiled.
 EmittedScene limited(const TemporaryDirectory& directory, bool whole) {
   const std::string example = whole ? "shaper_quick_return.json" : "slider_crank.json";
   Json scene = scene_json(fs::path(ASSUR_EXAMPLES) / example);

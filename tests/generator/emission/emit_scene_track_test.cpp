@@ -40,7 +40,8 @@ Tracked driven_slide() {
   return tracked;
 }
 
-/// By default a dyad alone, several, slides, a triad, and folds.
+/// The scenes to track. By default they have a single dyad, several dyads, slides, a triad and
+/// folds.
 std::vector<Tracked> tracked_scenes() {
   std::vector<Tracked> scenes = {example("four_bar_coupler_curve", "FourBarCouplerCurve"),
                                  example("shaper_quick_return", "ShaperQuickReturn"),

@@ -15,7 +15,7 @@ namespace {
 
 using namespace variable;
 
-/// Of an example: its independent parameters as they are, and all a little longer.
+/// An example with its independent parameters as they are, and with all of them a little longer.
 VariableScene example(const std::filesystem::path& file, const std::string& solver) {
   VariableScene scene{file.stem().string(), solver, scene_json(file), {}};
   const TemporaryDirectory directory;

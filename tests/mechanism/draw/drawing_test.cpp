@@ -87,7 +87,7 @@ TEST_P(ExampleDrawing, NumbersOfThePictureAreFiniteAndInsideIt) {
   EXPECT_GT(count, 50);
 }
 
-/// By widths of letters that are no narrower than those of common plain fonts.
+/// The widths of letters are no narrower than in common plain fonts.
 TEST_P(ExampleDrawing, TextsDoNotOverlap) {
   const Picture picture(drawing_);
   struct Extent {

@@ -43,7 +43,8 @@ struct FourBar {
         inner(difference_of_squares(DoubleDouble(ab) - ad, DoubleDouble(bc) - cd)),
         outer(difference_of_squares(DoubleDouble(bc) + cd, DoubleDouble(ab) + ad)) {}
 
-  /// With neither change point, or just that, but nothing that is one to within rounding.
+  /// Whether the mechanism is exactly at a change point or clearly away from it, not merely at one
+  /// to within rounding.
   [[nodiscard]] bool is_clear() const {
     const Real unit = Real(rounding) * crank * crank;
     const Real pass = std::abs(Real(crank) - ground);
@@ -65,7 +66,7 @@ struct FourBar {
     return inner + product() * std::pow(std::sin(phi / 2), 2) > 0 &&
            outer + product() * std::pow(std::cos(phi / 2), 2) > 0;
   }
-  /// From B to D.
+  /// The vector from B to D.
   [[nodiscard]] std::array<Real, 2> base(Real phi) const {
     return {Real(ground) - crank + 2 * crank * std::pow(std::sin(phi / 2), 2),
             -crank * std::sin(phi)};

@@ -62,7 +62,7 @@ class FoldCurve {
   }
 
  private:
-  /// Of the closure with respect to the twelve pose coordinates and the parameter.
+  /// The derivatives of the closure with respect to the twelve pose coordinates and the parameter.
   RealMatrix derivatives() {
     constexpr Real step = 1e-6L;
     RealMatrix matrix(12, 13);
@@ -175,7 +175,7 @@ const std::vector<FlatCase> flat_cases = {{{-2, 4, -6, 1, 7, -9}, 2},  {{-3, 5, 
                                           {{8, 9, 3, -8, 4, 5}, 4}};
 
 /// The mirror image of a pose at p belongs to -p; a branch that crosses must go through.
-/// By default two of the mechanisms are swept in the smallest steps, one of each number of
+/// By default two of the mechanisms are swept in the smallest steps, one for each number of
 /// branches.
 TEST(SweepEvents, FlattenedMechanismsCross) {
   double parameter_error = 0;

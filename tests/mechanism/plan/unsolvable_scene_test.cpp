@@ -35,7 +35,7 @@ TEST(Imbalance, NamesTheLinksThatKeepAFreedom) {
             "move; drive one of their joints, or add a joint");
 }
 
-/// As many freedoms as constraints, and no structure all the same.
+/// The freedoms are as many as the constraints, and yet the mechanism is no structure.
 TEST(Imbalance, NamesBothAtOnce) {
   Bars bars;
   bars.four_bar().bar("strut", "coupler.E", "ground.A").bar("loose", "crank.B", "");

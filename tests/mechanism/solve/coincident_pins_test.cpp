@@ -83,7 +83,7 @@ TEST(CoincidentPins, AreSoThroughOtherGroupsToo) {
   }
 }
 
-/// Of two bars in line the bounds know the middle pin only to the root of a rounding.
+/// The bounds place the middle pin of two bars in line only to the square root of a rounding error.
 TEST(CoincidentPins, AreSoBehindBarsInLine) {
   for (const auto& [c, s] : {std::pair(1.0, 0.0), std::pair(0.6, 0.8), std::pair(-0.8, 0.6)}) {
     SCOPED_TRACE(c);

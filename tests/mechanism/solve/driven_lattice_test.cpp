@@ -13,8 +13,9 @@
 namespace assur::test::driven_lattice_test {
 namespace {
 
-/// Of a mechanism's size. Where configurations meet they are known to 1e-8, and what hangs on them
-/// by a fold to the root of that, times its arm.
+/// The tolerance at singular configurations, as a part of the mechanism's size. Where
+/// configurations meet they are known to 1e-8; what depends on them by a fold is known to the
+/// square root of that, times its arm.
 constexpr double within_singular = 1e-3;
 
 /// Lattice scenes are singular exactly or by far not.
@@ -81,7 +82,7 @@ void check_rates(const RigidScene& rigid, const Configuration& configuration, Re
   tally.velocity = largest(tally.velocity, of_velocity);
   const RealVector listed = rates_of(rigid, configuration, &mechanism::Frame::acceleration);
   if (listed.allFinite()) {
-    // Of what cancels to nothing the laws' differences, too, know no more than a part of its terms.
+    // Where terms cancel, the differences of the laws are accurate relative to the terms only.
     const Real speed = v.cwiseAbs().maxCoeff();
     const double of_acceleration = relative(listed, rigid.acceleration(q, v),
                                             std::max(Real(1e-9L), speed * speed / rigid.reach()));

@@ -165,8 +165,8 @@ TEST_P(DriversAnywhere, ListWhateverNewtonFinds) {
   EXPECT_GT(arrived, searched);
 }
 
-/// Of all links to all parameters, against bodies that are assembled again with one moved. By
-/// default to a seventh of the parameters.
+/// The sensitivities of all links to all parameters are compared with bodies that are assembled
+/// again with one parameter changed. By default a seventh of the parameters is compared.
 TEST_P(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
   double worst = 0;
   int count = 0;

@@ -124,7 +124,8 @@ TEST(ReportedPart, KeepsWhatHasLimits) {
   EXPECT_TRUE(solved(scene).plan.structure().groups.empty());
 }
 
-/// Of the joints that keep a configuration out each is told, by the least in any.
+/// Every joint whose limits exclude a configuration is reported, with the least excess in any of
+/// them.
 TEST(Limits, AreToldByHowMuchTheyAreBroken) {
   Json scene = robot();
   const Solved all = solved(scene);

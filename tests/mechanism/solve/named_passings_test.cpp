@@ -20,7 +20,7 @@ SceneMaker with_ways() {
   return maker.line("ground", "way", {0, 0}, {1, 0}).line("ground", "rise", {0, 0}, {0, 1});
 }
 
-/// With a crank about M, as long as the arms of a rod on either side of its end B.
+/// A mechanism with a crank about M, as long as the arms of a rod on either side of its end B.
 SceneMaker with_crank_and_rod(double length) {
   return with_ways()
       .point("ground", "M", 0, 0)

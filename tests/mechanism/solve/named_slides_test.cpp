@@ -13,7 +13,7 @@ constexpr double second = 1;
 
 std::string at(double place) { return " at " + std::to_string(place); }
 
-/// With a crank about M, whose pin B is at (x, y) where phi is zero.
+/// A scene with a crank about M, whose pin B is at (x, y) where phi is zero.
 SceneMaker with_crank(double phi, double mx, double my, double x, double y) {
   SceneMaker maker;
   return maker.parameter("phi", phi)
@@ -23,7 +23,7 @@ SceneMaker with_crank(double phi, double mx, double my, double x, double y) {
       .point("crank", "B", x, y);
 }
 
-/// With a carriage that is driven along the x-axis.
+/// A scene with a carriage that is driven along the x-axis.
 SceneMaker with_carriage(double s) {
   SceneMaker maker;
   return maker.parameter("s", s)
@@ -298,7 +298,7 @@ std::vector<NamedSweep> sweeps() {
   const auto follows_half = [](double sense) {
     return Theorem{"the rocker turns half as fast through O", 1, [=](const Points& points) {
                      const JetPoint crank = points.at("B") - JetPoint{0, 25};
-                     // From -pi / 2, where the pin is in O, over (-pi, pi).
+                     // phi lies in (-pi, pi]; the pin is in O where phi is -pi / 2.
                      const double phi = std::atan2(crank.y.value, crank.x.value);
                      const JetPoint half = at_angle(phi / 2 + pi / 4, 45);
                      const JetPoint off = points.at("C") - Jet(sense) * half;

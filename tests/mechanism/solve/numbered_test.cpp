@@ -33,7 +33,7 @@ Json limited_row() {
   return scene;
 }
 
-/// By the names of the links, which way each is turned.
+/// The angle of each link, by its name.
 std::map<std::string, double> angles_of(const Plan& plan, const Configuration& configuration) {
   std::map<std::string, double> angles;
   for (const mechanism::LinkIndex link : configuration.links.keys()) {

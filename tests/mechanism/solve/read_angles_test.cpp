@@ -279,7 +279,7 @@ TEST(Laws, WithoutAValueDropTheirConfigurationsAlone) {
   EXPECT_EQ(report_json(all.report()).find("\"dropped\""), std::string::npos);
 }
 
-/// Of the two branches of the sweep one has rows where the law has a value, and no other has any.
+/// One of the two branches of the sweep has rows where the law has a value; the other has none.
 TEST(Laws, WithoutAValueDropRowsOfASweep) {
   Json scene = rack_on_drag_link(1, 41);
   scene["drivers"]["S"]["position"] = "sqrt(1.5 - joint(D))";

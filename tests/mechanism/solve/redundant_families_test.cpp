@@ -11,8 +11,8 @@
 namespace assur::test {
 namespace {
 
-/// With the tip of the first crank on the pivot of another one, these two cranks and the coupler
-/// turn about that pivot, but for the third crank, in any listing and unit.
+/// Where the tip of the first crank is on the pivot of another one, these two cranks and the
+/// coupler could turn about that pivot; the third crank blocks them, in any listing and unit.
 TEST(RedundantFamilies, ThatTheThirdCrankBlocksAreNone) {
   const std::array<Place, 2> others = {{{2, 0}, {1, 1}}};
   for (const std::string first : {"A", "F", "M"}) {

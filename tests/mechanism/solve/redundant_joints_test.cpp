@@ -152,14 +152,15 @@ TEST(RedundantJoints, ThatDoNotHoldAreRefused) {
   EXPECT_EQ(message_of(bars.json()), too_many_by("1e-06"));
 }
 
-/// By as much as the third crank is too long, in the scene's unit: it alone does not fit.
+/// The gap is that by which the third crank is too long, in the scene's unit: it alone does not
+/// fit.
 TEST(RedundantJoints, TellByHowMuchTheyDoNotHold) {
   EXPECT_EQ(message_of(five_bars(2, 1.6).json()), too_many_by("0.1"));
   EXPECT_EQ(message_of(five_bars(2, 16).json()), too_many_by("14.5"));
 }
 
-/// By how much the rocker is too long or too short at least, where B, G and a third crank of a
-/// length hold the coupler, and with it C: two circles, then a distance.
+/// The least amount by which the rocker is too long or too short, where B, G and a third crank of
+/// the given length hold the coupler, and with it C: two circles, then a distance.
 double length_that_misses(double third, double phi) {
   const Eigen::Vector2d tip(1.5 * std::cos(phi), 1.5 * std::sin(phi));
   const Eigen::Vector2d from_f = tip - Eigen::Vector2d(2, 0);

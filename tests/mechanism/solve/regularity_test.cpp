@@ -54,7 +54,7 @@ struct Promises {
   double worst_margin = 0;       ///< error in units of eps / margin
   double worst_regular = 0;      ///< error where `regularity` says ok
   double worst_second_look = 0;  ///< where the second look says ok
-  /// Of accelerations, where the second look says ok, and where the pivots do.
+  /// The worst errors of accelerations where the second look says ok, and where the pivots do.
   double worst_acceleration = 0, worst_acceleration_by_pivots = 0;
   int regular_in_motion = 0, regular_in_motion_by_pivots = 0;
 

@@ -65,7 +65,7 @@ TEST(RelativeGroups, HaveDeadCentres) {
       "fail to close by 0.05 at least");
 }
 
-/// With feet that do not meet there, the lift stops where the cylinder is longest.
+/// If the feet do not meet there, the lift stops where the cylinder is longest.
 TEST(RelativeGroups, SweepToTheirFolds) {
   Json scene = lift(1);
   scene["links"]["lower_right"]["D"] = {0.1, 0};

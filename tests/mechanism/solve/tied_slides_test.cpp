@@ -14,7 +14,7 @@
 namespace assur::test::tied_slides {
 namespace {
 
-/// By how much links fail to close, as the reason of no assembly says.
+/// The length by which links fail to close, read from the reason that there is no assembly.
 double told_gap(const Solved& found) {
   const std::string reason = found.plan.obstacle(found.values);
   const std::string words = "fail to close by ";

@@ -20,7 +20,7 @@ using namespace coinciding_points;
 const std::vector<std::string> moved = {"s", "t", "u", "v", "r"};
 using Rates = std::vector<double>;
 
-/// With derivatives of second order, and parameters that move.
+/// The scene with second derivatives, and with parameters that move.
 Json moving(Json scene, const Rates& rates) {
   for (std::size_t place = 0; place < moved.size(); ++place) {
     scene["parameters"][moved[place]] = {{"value", 0}, {"velocity", rates[place]}};

@@ -16,7 +16,8 @@ namespace {
 
 constexpr unsigned seed = 6174;
 
-/// With more than two, there may be others on the way to where two meet.
+/// Only models with two configurations are tested: with more, others may lie on the way to where
+/// two meet.
 template <typename Model>
 struct HasTwoConfigurations : std::bool_constant<Model::max_configurations == 2> {};
 template <typename Model>

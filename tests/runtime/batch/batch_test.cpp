@@ -29,7 +29,7 @@ constexpr unsigned seed = 9041;
 enum class Kind { general, lattice, odd };
 constexpr std::array<const char*, 3> kind_names = {" general", " lattice", " odd"};
 
-/// By how much coordinates of an odd group are moved, in parts of its lengths.
+/// The distance by which the coordinates of an odd group are moved, in parts of its lengths.
 double moved_by(std::size_t group) {
   constexpr std::array<double, 8> moved = {0, 1e2, 1e4, 0, 1e8, 0, 1e12, 0};
   return moved[group % moved.size()];

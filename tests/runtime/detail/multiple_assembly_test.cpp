@@ -35,7 +35,7 @@ struct Meeting {
 };
 
 TEST(MultipleAssembly, SettlesWhereSeveralMeet) {
-  // As far from where they meet as rounding of the closure lets tell, or a little less.
+  // These distances from the meeting point are just below what rounding of the closure can resolve.
   constexpr std::array<double, 3> away = {4e-8, 1e-5, 2e-4};
   for (int meeting = 2; meeting <= 4; ++meeting) {
     for (const double side : {1.0, -1.0}) {

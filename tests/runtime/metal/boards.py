@@ -34,7 +34,7 @@ class Board:
 
     def build(self, sources, elf, flags):
         run([self.tools + self.compiler, *common, *self.flags, "-fno-threadsafe-statics",
-             # As assur_add_solver does for a machine without an operating system.
+             # assur_add_solver does so for a machine without an operating system.
              "-DEIGEN_NO_DEBUG", "-nostartfiles", "-Wl,--gc-sections", f"-T{self.memory}",
              "-Wl,--defsym=stack_size=0x40000", *flags, *sources, self.start, "-lm", "-o", elf],
             cwd=elf.parent)

@@ -80,7 +80,7 @@ double hypot(double x, double y) {
   return larger * sqrt(1 + ratio * ratio);
 }
 
-/// Of a number that is not negative.
+/// The power of a number that is not negative.
 double pow(double x, double y) {
   if (x == 0 || x - x != 0) {
     return y == 0 ? 1 : x;
@@ -107,7 +107,7 @@ double pow(double x, double y) {
   return ldexp(sum, doublings);
 }
 
-// Of float: those of double, rounded.
+// The functions of float are those of double, rounded.
 float cosf(float x) { return static_cast<float>(cos(static_cast<double>(x))); }
 float sinf(float x) { return static_cast<float>(sin(static_cast<double>(x))); }
 void sincosf(float x, float* sine, float* cosine) {

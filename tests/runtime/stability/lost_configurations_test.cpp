@@ -15,7 +15,7 @@ template <typename Family>
 class LostConfigurations : public testing::Test {};
 TYPED_TEST_SUITE(LostConfigurations, TypesOf<ConfigurationFamilies>::Types, FamilyNames);
 
-/// Of 300 groups, by default 75, each list is as long as Sturm's theorem says and holds the
+/// The list of each of 300 groups, by default 75, is as long as Sturm's theorem says and holds the
 /// configurations of which the group was made (append_listing_rows), and the generated solver tells
 /// every one.
 TYPED_TEST(LostConfigurations, GeneratedLosesAndInventsNone) {

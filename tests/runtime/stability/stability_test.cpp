@@ -118,7 +118,7 @@ TYPED_TEST(Stability, AccelerationAddsItsConditionTimesRounding) {
             << " eps kappa of its terms, members checked " << checked << '\n';
 }
 
-/// With the configuration given, any stable way to solve the same equations is bounded alike.
+/// If the configuration is given, every stable way to solve the same equations has the same bound.
 TYPED_TEST(Stability, PivotingAndAutomaticDifferentiationAreBoundedAlike) {
   using Model = typename TypeParam::Model;
   this->on_each([&](double, const Member<Model>& member) {

@@ -1,4 +1,4 @@
-// Documents as another library writes and reads them.
+// Law: documents are written as another library writes them.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -165,7 +165,7 @@ void measure(const Sample& at, Typed typed, Errors& errors) {
                     return residual_at<Model, Complex>(cd, x, cq);
                   })));
 
-  // With the highest rates of the unknowns left out, J times them is nothing: rhs = -f's rate.
+  // The highest rates of the unknowns are left out, so the right-hand side is minus the rate of f.
   const auto along = [&](const Values& d1, const Values& q1, const Values& q2, const Values& u2,
                          const Values& u3) {
     return [&](long double t) {

@@ -1,4 +1,4 @@
-// The LaTeX that `assur derive` writes of a model, and the map that reads it.
+// Turns a model into the LaTeX that `assur derive` writes of it, and into the map that reads it.
 #pragma once
 
 #include <string>

@@ -54,8 +54,8 @@ struct SolverCompiler {
   std::string objects = {};
 };
 
-/// By default clang++, if there is one, with what solvers share compiled before: it takes a third
-/// of the time. Whole campaigns use the compiler of the project.
+/// By default this is clang++, if there is one, with the headers that solvers share compiled
+/// before: it takes a third of the time. Whole campaigns use the compiler of the project.
 inline SolverCompiler quick_compiler() {
   const std::string clang = ASSUR_CLANG;
   return clang.empty() || is_whole_campaign()

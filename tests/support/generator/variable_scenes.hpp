@@ -21,7 +21,7 @@ struct VariableScene {
   std::string variable = "all";
 };
 
-/// With a point off the coupler's line, and a length that is a formula.
+/// A four-bar with a point off the coupler's line, and a length that is a formula.
 inline VariableScene four_bar() {
   SceneMaker scene;
   scene.parameter("ground", 4)

@@ -1,4 +1,4 @@
-// Scenes of bars with revolute joints, for tests of how a scene falls into groups.
+// Turns bars with revolute joints into scenes, for tests of how a scene falls into groups.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -109,7 +109,7 @@ inline void expect_same_configurations(const Solved& one, const Solved& other,
     }
     EXPECT_LT(worst / (1 + rigid.reach()), is_regular ? 1e-7 : within_singular)
         << "configuration " << place + 1;
-    // Of a chain the bounds that decide depend on the frames of its links, and so on the listing.
+    // The bounds that decide for a chain depend on the frames of its links, and so on the listing.
     const Configuration& there = other.configurations()[place];
     EXPECT_TRUE(is_regular == (there.regularity == Status::ok) ||
                 (configuration.rates_known && there.rates_known))

@@ -181,7 +181,8 @@ class DyadChainRun {
         });
   }
 
-  /// Of what is placed; those of families with them, of those that are not placed nothing.
+  /// The regularity and the poses of all configurations, and the mobilities of all families, as
+  /// numbers to compare with those of another listing.
   static std::vector<std::complex<double>> numbers_of(const DyadChain& chain,
                                                       const ChainListing& listing,
                                                       const Solved& solved) {

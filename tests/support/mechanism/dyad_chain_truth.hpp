@@ -116,7 +116,7 @@ class ExactDyad {
     return answer;
   }
 
-  /// Of two slides, each along a direction through a place.
+  /// The answer for two slides, each of which runs along a direction through a place.
   [[nodiscard]] DyadAnswer where_lines_cross(const Gaussian& one, const Gaussian& from,
                                              const Gaussian& other, const Gaussian& to) const {
     const Rational sine = (other / one).im;
@@ -215,7 +215,7 @@ struct ChainTruth {
   /// of rounding, nor of slides that are parallel and do not close.
   bool known = true;
   std::vector<ChainConfiguration> configurations;
-  /// Of each family the links that stand: the ground, the cranks, and the dyads that hold it.
+  /// For each family the links that stand: the ground, the cranks, and the dyads that hold it.
   std::multiset<std::set<std::string>> families;
   int mobility = 0;
 };

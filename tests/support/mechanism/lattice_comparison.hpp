@@ -260,7 +260,7 @@ inline LatticeFaults lattice_faults(const LatticeTruth& truth, const LatticeAnsw
   faults.wrong_mobility =
       truth.mobility > 0 && answer.has_family && answer.mobility != truth.mobility ? 1 : 0;
   if (listed == truth.isolated) {
-    // As many as are regular in truth are: those that are conditioned best.
+    // The best conditioned ones count as regular, as many as there are regular ones in truth.
     for (int index = 0; index < listed; ++index) {
       const ListedConfiguration& at = *good[static_cast<std::size_t>(index)];
       if (index >= truth.regular()) {

@@ -50,10 +50,10 @@ class RandomChain {
     std::sort(groups_.begin(), groups_.end());
   }
 
-  /// As `described`, sorted.
+  /// The groups as `described` writes them, sorted.
   [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
 
-  /// With links, joints and the links of every joint in any order.
+  /// The chain with its links, its joints and the links of every joint in random order.
   [[nodiscard]] ListedChain listed(std::mt19937& engine) const {
     std::vector<int> place(names_.size());
     std::iota(place.begin(), place.end(), 0);

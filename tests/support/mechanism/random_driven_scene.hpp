@@ -59,7 +59,7 @@ class RandomDrivenScene {
   }
 
   [[nodiscard]] const Json& scene() const { return scene_; }
-  /// Of every link, as it was thrown.
+  /// The pose of every link, as it was thrown.
   [[nodiscard]] const std::map<std::string, BodyPose>& poses() const { return poses_; }
   /// The parameters that have a formula of their own, in which no other one occurs.
   [[nodiscard]] const std::vector<std::string>& free_parameters() const { return free_; }

@@ -57,7 +57,7 @@ struct SceneMaker {
     return *this;
   }
 
-  /// With a pin and an output for the points of each name.
+  /// The scene, with a pin and an output for the points of each name.
   [[nodiscard]] Json scene() const {
     Json result = json;
     std::map<std::string, std::vector<std::string>> places;

@@ -198,7 +198,7 @@ class ExactSolution {
     const Fraction square = dot(length, length);
     const Vector start = on(*pins[1], false) - on(*pins[0], false) +
                          moved(holder(*pins[1]), columns()) - moved(holder(*pins[0]), columns());
-    // Of the ways on which the pins move apart: none, one line, or the plane.
+    // The directions in which the pins move apart: none, one line, or the plane.
     std::vector<Vector> ways;
     for (std::size_t column = 0; column < columns(); ++column) {
       const Vector way = moved(holder(*pins[1]), column) - moved(holder(*pins[0]), column);
@@ -277,7 +277,7 @@ class SceneOfGroup {
   [[nodiscard]] long long any(int most) {
     return static_cast<long long>(random_() % static_cast<unsigned>(2 * most + 1)) - most;
   }
-  /// By right angles, or by those of a Pythagorean triangle.
+  /// A random turn by right angles, or by the angles of a Pythagorean triangle.
   [[nodiscard]] Vector any_turn() {
     const std::array<Vector, 6> turns = {{{1, 0},
                                           {0, 1},

@@ -27,7 +27,7 @@ struct XmlElement {
   }
 };
 
-/// As much of XML as a picture has: elements, attributes, text and the four entities. Throws
+/// Reads as much of XML as a picture has: elements, attributes, text and the four entities. Throws
 /// std::runtime_error for whatever is not well-formed.
 class XmlReader {
  public:

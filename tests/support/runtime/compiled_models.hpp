@@ -15,8 +15,8 @@ template <typename Model>
                                            const typename Model::template Inputs<double>& u,
                                            const support::Displacement& displaced = {});
 
-/// As many configurations as Sturm's theorem counts over rational numbers; exact_assembly_count of
-/// sturm.hpp.
+/// Returns the number of configurations that Sturm's theorem counts over rational numbers:
+/// exact_assembly_count of sturm.hpp.
 template <typename Model>
 [[nodiscard]] int exact_assembly_count(const typename Model::template Dimensions<double>& d,
                                        const typename Model::template Inputs<double>& u);

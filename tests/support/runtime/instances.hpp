@@ -5,7 +5,7 @@
 
 namespace assur::test {
 
-/// Of models, those that are rigid, as arguments of `Of<Model>::pointer`.
+/// The pointer `Of<Model>::pointer` of a rigid model; null for any other.
 template <template <typename> typename Of, typename Model>
 constexpr auto instance() {
   if constexpr (Model::rigid) {

@@ -1,5 +1,5 @@
-// Slow and common ways to find the real roots of a trigonometric polynomial, for comparison: none
-// of them knows whether it found them all.
+// Turns a trigonometric polynomial into its real roots by slow and common methods, for comparison:
+// none of them knows whether it found them all.
 #pragma once
 
 #include <Eigen/Dense>

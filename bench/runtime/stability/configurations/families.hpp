@@ -1,4 +1,4 @@
-// Families of tetrads whose configurations, not their derivatives, are driven toward a failure.
+// Turns a distance into tetrads whose configurations, not their derivatives, come near a failure.
 #pragma once
 
 #include <array>
@@ -46,10 +46,10 @@ struct AskedAsItIs {
 /// theta_EDF. At distance 0 the root is double, and both configurations are regular: every length
 /// is a rational number there, scaled so that doubles hold the group exactly.
 ///
-/// With theta_BCG alike, E sees C and D, and G and F, under one angle a or -a. So two triangles, of
-/// sides EC, ED, CD and EG, EF, GF, have cos a in common. The first has integer sides. The second,
-/// with EG = t EF and GF = (1 + l t) EF, is the line of slope l through a rational point of
-/// t^2 + 1 - 2 t cos a = (GF/EF)^2.
+/// If theta_BCG is the same, E sees C and D, and G and F, under one angle a or -a. So two
+/// triangles, of sides EC, ED, CD and EG, EF, GF, have cos a in common. The first has integer
+/// sides. The second, with EG = t EF and GF = (1 + l t) EF, is the line of slope l through a
+/// rational point of t^2 + 1 - 2 t cos a = (GF/EF)^2.
 struct SharedUnknown {
   using Model = Model01;
   static constexpr const char* name = "shared-unknown";
@@ -237,7 +237,7 @@ struct AllToInfinity {
       Matrix<Real, Model::equation_count, Model::unknown_count> J;
       Model::residual(g.d, g.u, g.q, f);
       Model::jacobian(g.d, g.u, g.q, J);
-      // Of the unknowns the slides are the last two.
+      // The slides are the last two unknowns.
       const Real determinant = J(0, 2) * J(1, 3) - J(0, 3) * J(1, 2);
       group.known[0].s_C -= (f(0) * J(1, 3) - f(1) * J(0, 3)) / determinant;
       group.known[0].s_D -= (f(1) * J(0, 2) - f(0) * J(1, 2)) / determinant;

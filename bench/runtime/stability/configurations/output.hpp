@@ -58,7 +58,8 @@ inline void write_listing_columns(const std::vector<ListingRow>& rows,
   }
 }
 
-/// Of all distances but 0, and of distance 0: lost, invented, and the largest error.
+/// Writes, for all distances but 0 and for distance 0, how many configurations are lost and
+/// invented, and the largest error.
 inline void write_listing_table(const std::vector<ListingRow>& rows, std::ostream& out) {
   const std::vector<std::string> families = families_of(rows);
   out << "| method |";

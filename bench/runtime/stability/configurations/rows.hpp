@@ -84,8 +84,8 @@ void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& m
   row.invented += static_cast<int>(std::count(taken.begin(), taken.end(), false));
 }
 
-/// Of so many members at each distance. The first of the methods is the library. False if the truth
-/// of some member is not vouched for.
+/// Appends the rows of a family, from a number of members at each distance. The first of the
+/// methods is the library. Returns false if the truth of some member is not vouched for.
 template <typename Family>
 [[nodiscard]] bool append_listing_rows(
     const std::vector<ListingMethod<typename Family::Model>>& list, std::vector<ListingRow>& rows,

@@ -22,11 +22,11 @@ struct GroupGeometry {
   std::vector<HeldAxis<Scalar>> held_axes;
   /// How well the links' features define their frames, from zero to one. A held axis is firm.
   double firmness = 0;
-  /// Of some external slides of a degenerate model: by how much the line that holds one is to be
-  /// moved back across itself.
+  /// The lengths by which the lines that hold some external slides of a degenerate model are to be
+  /// moved back across themselves, each with the joint.
   std::vector<std::pair<int, Scalar>> held_offsets;
 
-  /// By how much that of an external joint of the model is.
+  /// Returns that length for an external joint of the model; zero if it has none.
   [[nodiscard]] double offset_of(int joint) const {
     for (const auto& [own, offset] : held_offsets) {
       if (own == joint) {

@@ -77,9 +77,9 @@ struct Output {
   FeatureIndex point;
 };
 
-/// One planar mechanism: its parts, without what is wanted of it. Every function
-/// that adds a part throws MechanismError where the part does not fit what is there, and then
-/// leaves the mechanism as it was.
+/// One planar mechanism: its parts, without what is wanted of it. Every function that adds a part
+/// throws MechanismError if the part does not fit the others, and then leaves the mechanism as it
+/// was.
 ///
 ///     Mechanism four_bar("a four-bar");
 ///     four_bar.add_parameter("phi", "60*deg");

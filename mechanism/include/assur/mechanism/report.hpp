@@ -21,7 +21,7 @@ struct Report {
   bool alone = false;
 };
 
-/// The JSON object of the scene format (docs/guide/scenes.md).
+/// Returns the JSON object of the scene format (docs/reference/scene_format.md#the-answer).
 [[nodiscard]] std::string report_json(const Report& report);
 /// Tables for people, angles in degrees.
 [[nodiscard]] std::string report_text(const Report& report);

@@ -20,11 +20,11 @@
 
 namespace assur::detail {
 
-/// The search in the precision of the scalar, with a polynomial and roots in that or one of more
-/// digits, `Work`, of a group whose longest length is near one. It vouches for its
-/// list where every root of the final polynomial is certainly simple, however dimensions and inputs
-/// were rounded, and completes to a configuration that closes: a simple root belongs to one
-/// configuration at most.
+/// The search for the configurations of a group whose longest length is near one. It works in the
+/// precision of the scalar; `Work`, the scalar of the polynomial and its roots, may have more
+/// digits. The search vouches for its list where every root of the final polynomial is certainly
+/// simple, however dimensions and inputs were rounded, and completes to a configuration that
+/// closes: a simple root belongs to one configuration at most.
 template <typename Model, typename Scalar, typename Work>
 class GeneralSearch {
   using Dimensions = typename Model::template Dimensions<Scalar>;

@@ -9,8 +9,8 @@
 namespace assur::detail {
 
 /// Shortens a Newton step that turns a link too far for its linearisation: as a whole, so that an
-/// angle moves by at most half a radian, where short levers count less. Such a
-/// link's turn moves no joint far and need not hold back the others; it is cut alone.
+/// angle moves by at most half a radian, where short levers count less. The turn of a link with
+/// short levers moves no joint far and need not hold back the others; it is cut alone.
 template <typename Model, typename Scalar>
 void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,
                  Vector<Scalar, Model::unknown_count>& step) {
@@ -31,7 +31,7 @@ void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_coun
   for_each_angle([&](int index) { longest = max EIGEN_NOT_A_MACRO(longest, lever(index)); });
   Scalar largest(0);
   for_each_angle([&](int index) {
-    // From a quarter of the longest on a lever counts in full.
+    // A lever of at least a quarter of the longest one counts in full.
     const Scalar weight = min EIGEN_NOT_A_MACRO(Scalar(1), Scalar(4) * lever(index) / longest);
     largest = max EIGEN_NOT_A_MACRO(largest, weight * abs(step(index)));
   });

@@ -25,7 +25,8 @@ struct DoubleWord;
 using DoubleDouble = DoubleWord<double>;
 using DoubleFloat = DoubleWord<float>;
 
-// Exact: a + b = high + low. No product occurs, so fused contraction cannot change it.
+/// Returns the exact sum: a + b = high + low. No product occurs, so fused contraction cannot change
+/// it.
 template <typename Part>
 constexpr DoubleWord<Part> two_sum(Part a, Part b) {
   const Part sum = a + b;
@@ -33,14 +34,14 @@ constexpr DoubleWord<Part> two_sum(Part a, Part b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-// Exact when |a| >= |b| or a == 0.
+/// Returns the sum in the same way, exactly if |a| >= |b| or a == 0.
 template <typename Part>
 constexpr DoubleWord<Part> fast_two_sum(Part a, Part b) {
   const Part sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-// Exact: a = high + low, both of at most half of the digits (Veltkamp).
+/// Splits a number exactly: a = high + low, both of at most half of the digits (Veltkamp).
 template <typename Part>
 constexpr DoubleWord<Part> halves_of(Part a) {
   constexpr int half = (std::numeric_limits<Part>::digits + 1) / 2;
@@ -50,7 +51,7 @@ constexpr DoubleWord<Part> halves_of(Part a) {
   return {high, a - high};
 }
 
-// Whether the processor has a fused product of such numbers.
+/// Whether the processor has a fused product of such numbers.
 #if defined(__FMA__) || defined(__aarch64__)
 template <typename Part>
 inline constexpr bool has_fused_product = true;
@@ -67,9 +68,10 @@ inline constexpr bool has_fused_product<float> = true;
 #endif
 #endif
 
-// Exact: a * b = high + low (unless the low part underflows). Where the processor has no fused
-// product, a library's may be slow, or round twice: then by Dekker's, in which every product of
-// halves is exact. Compilers that may fuse products do have the processor's.
+/// Returns the exact product: a * b = high + low (unless the low part underflows). Where the
+/// processor has no fused product, that of a library may be slow or round twice; then the method is
+/// Dekker's, in which every product of halves is exact. Compilers that may fuse products do have
+/// the processor's.
 template <typename Part>
 constexpr DoubleWord<Part> two_prod(Part a, Part b) {
   const Part product = a * b;
@@ -167,7 +169,8 @@ struct PartOf<DoubleWord<Part>> {
 
 }  // namespace assur::numeric
 
-// epsilon() is twice the largest relative error of the operations above, as it is for the parts.
+/// The value of epsilon() is twice the largest relative error of the operations above, as it is for
+/// the parts.
 template <typename Part>
 class std::numeric_limits<assur::numeric::DoubleWord<Part>> : public std::numeric_limits<Part> {
  public:

@@ -69,8 +69,8 @@ struct Matrix4 {
   return {{dot(A.column(0), x), dot(A.column(1), x), dot(A.column(2), x), dot(A.column(3), x)}};
 }
 
-/// Gauss's elimination with full pivoting: L U, the rows and columns of a
-/// matrix in the order in which they were eliminated.
+/// Gauss's elimination of a matrix with full pivoting: the factors L and U, with the rows and
+/// columns of the matrix in the order in which they were eliminated.
 class Elimination {
  public:
   /// A pivot of at most `threshold` times the largest counts as zero.

@@ -1,6 +1,4 @@
 // Turns a bracket that holds one root of a polynomial into that root.
-//
-// Closes in on the one root of a polynomial in an interval. Used by trigonometric_roots.hpp.
 #pragma once
 
 #include <array>
@@ -9,18 +7,20 @@
 
 namespace assur::numeric {
 
+/// An interval that holds exactly one root.
 template <class Scalar>
-struct Bracket {  // holds exactly one root
+struct Bracket {
   std::size_t chart;
-  bool negative_left;  // the sign of the polynomial at the left end
+  bool negative_left;  ///< the sign of the polynomial at the left end
   Scalar left, right, t;
   bool done = false;
 };
 
-// One step, to be repeated with iteration = 0, 1, ... until done. `power` holds ascending
-// coefficients; below `noise`, the value of the polynomial is rounding. Three steps of Halley's
-// method nearly always do; roots close to each other need more: then the zero of the local parabola
-// is taken, on its rising or its falling side as the bracket tells.
+/// Makes one step towards the root, to be repeated with iteration = 0, 1, ... until it is done.
+/// `power` holds ascending coefficients; below `noise`, the value of the polynomial is rounding.
+/// Three steps of Halley's method nearly always suffice. Roots close to each other need more steps,
+/// which take the zero of the local parabola on its rising or its falling side, as the bracket
+/// tells.
 template <class Scalar, std::size_t Size>
 inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, Scalar noise,
                     int iteration) {

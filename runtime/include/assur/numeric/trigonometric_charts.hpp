@@ -1,27 +1,21 @@
 // Turns a trigonometric polynomial into Bernstein form on four charts, with error bounds.
 //
-// A trigonometric polynomial T of order N on four charts of 90 degrees, in Bernstein and in power
-// form; cutting, and counting sign variations of, Bernstein coefficients. Used by
-// trigonometric_roots.hpp.
-//
-// Error bounds. With (x, y) = (cos th/2, sin th/2), T is a form F of degree D = 2N in (x, y). Let u
-// = epsilon/2, S = sum |cosine[k]| + |sine[k]|, e the error of the given coefficients.
-//  1. A Bernstein coefficient is the symmetric multilinear form of F at D vectors of length <= 1,
-//  hence (Banach, 1938)
-//     at most the maximum of |F| on the unit circle, max |T|. So an error e of every given
-//     coefficient changes no Bernstein coefficient, of a chart or of any part of it, by more than
-//     (1 + sqrt(2) N) e.
-//  2. A table entry is a weighted mean of at most four of the numbers 0, +-1, +-sqrt(1/2): error <=
-//  6u. The product
-//     with it adds u and meets at most four more roundings in the sum: 11u S together; 12u S covers
-//     higher orders.
-//  3. Turning: cos, sin of k times the turn are within 10u, the product with the harmonic adds 3u:
-//  14u S is used.
+// Error bounds. With (x, y) = (cos th/2, sin th/2), the polynomial T of order N is a form F of
+// degree D = 2N in (x, y). Let u = epsilon/2, let S be the sum of |cosine[k]| + |sine[k]|, and let
+// e be the error of the given coefficients.
+//  1. A Bernstein coefficient is the symmetric multilinear form of F at D vectors of length at most
+//     one, hence (Banach, 1938) at most the maximum of |F| on the unit circle, which is max |T|. So
+//     an error e of every given coefficient changes no Bernstein coefficient, of a chart or of any
+//     part of it, by more than (1 + sqrt(2) N) e.
+//  2. A table entry is a weighted mean of at most four of the numbers 0, +-1 and +-sqrt(1/2), with
+//     an error of at most 6u. The product with it adds u and meets at most four more roundings in
+//     the sum, which makes 11u S together; 12u S covers higher orders.
+//  3. When a chart is turned, the cosine and sine of k times the turn are within 10u, and the
+//     product with the harmonic adds 3u; 14u S is used.
 //  4. A cut takes D convex combinations mu p + lambda q one after another, each with an error of at
-//  most 3u M, M the
-//     largest coefficient of the arc; 4D u M is used. M falls with the width of the arc near a
-//     multiple root, so the bound does not pile up with depth. (A rounded mu = 1 - lambda only
-//     changes the length of the dividing vector.)
+//     most 3u M, where M is the largest coefficient of the arc; 4D u M is used. M falls with the
+//     width of the arc near a multiple root, so the bound does not pile up with depth. (A rounded
+//     mu = 1 - lambda only changes the length of the dividing vector.)
 #pragma once
 
 #include <array>
@@ -49,17 +43,17 @@ constexpr int binomial(std::size_t n, std::size_t k) {
   return static_cast<int>(value);
 }
 
-// The cosine and the sine of an angle, or the two coefficients of one frequency.
+/// The cosine and the sine of an angle, or the two coefficients of one frequency.
 template <class Scalar>
 struct Harmonic {
   Scalar cosine, sine;
 
-  // An angle, less `shift`. For coefficients: those of the function as seen from a chart centred at
-  // `shift`.
+  /// Returns the angle less `shift`, or, for coefficients, those of the function as seen from a
+  /// chart centred at `shift`.
   [[nodiscard]] Harmonic less(Harmonic shift) const {
     return {cosine * shift.cosine + sine * shift.sine, sine * shift.cosine - cosine * shift.sine};
   }
-  // The harmonic less right angles, exactly.
+  /// Returns the harmonic less a number of right angles, exactly.
   [[nodiscard]] Harmonic less_quarters(std::size_t quarters) const {
     switch (quarters % 4) {
       case 0:
@@ -77,8 +71,8 @@ struct Harmonic {
 template <class Scalar, std::size_t N>
 using Harmonics = std::array<Harmonic<Scalar>, N + 1>;
 
-// Linear maps from harmonics to the Bernstein coefficients on the arc [-pi/4, pi/4], and to the
-// coefficients of p(t) = (1 + t^2)^N T with t = tan(th/2).
+/// Linear maps from harmonics to the Bernstein coefficients on the arc [-pi/4, pi/4], and to the
+/// coefficients of p(t) = (1 + t^2)^N T with t = tan(th/2).
 template <class Scalar, std::size_t N>
 struct ChartTables {
   static constexpr std::size_t degree = 2 * N;
@@ -90,7 +84,7 @@ struct ChartTables {
     std::array<Polynomial, N + 1> cosine{};
     std::array<Polynomial, N + 1> sine{};
 
-    // On the chart centred at chart * pi/2.
+    /// Returns the coefficients on the chart centred at chart * pi/2.
     [[nodiscard]] Polynomial apply(const Harmonics<Scalar, N>& harmonics, std::size_t chart) const {
       Polynomial image{};
       for (std::size_t k = 0; k <= N; ++k) {
@@ -159,9 +153,9 @@ inline Scalar cut_error(const std::array<Scalar, Size>& b) {
   return Scalar(2 * static_cast<int>(Size - 1)) * std::numeric_limits<Scalar>::epsilon() * largest;
 }
 
-// The largest number of sign variations that coefficients within `error` of b can have. The signs
-// of the first and the last are taken as known: they were certain when the arc was cut there,
-// though the error may have grown since.
+/// Returns the largest number of sign variations that coefficients within `error` of b can have.
+/// The signs of the first and the last are taken as known: they were certain when the arc was cut
+/// there, though the error may have grown since.
 template <class Scalar, std::size_t Size>
 inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
   int count = negative(b[Size - 1]) != negative(b[Size - 2]);
@@ -182,9 +176,9 @@ inline int count_variations(const std::array<Scalar, Size>& b, Scalar error) {
   return count;
 }
 
-// De Casteljau: the Bernstein coefficients of the parts before and after the fraction lambda.
-// Taking in one coefficient after the other, instead of level by level, lets compilers keep the
-// triangle in registers.
+/// Computes, by de Casteljau's method, the Bernstein coefficients of the parts before and after the
+/// fraction lambda. Taking in one coefficient after the other, instead of level by level, lets
+/// compilers keep the triangle in registers.
 template <class Scalar, std::size_t Size>
 inline void cut_at(Scalar lambda, const std::array<Scalar, Size>& b,
                    std::array<Scalar, Size>& before, std::array<Scalar, Size>& after) {

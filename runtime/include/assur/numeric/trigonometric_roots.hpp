@@ -30,31 +30,32 @@
 namespace assur::numeric {
 
 enum class RootStatus {
-  certified,  // `roots` holds every real root, and all of them are simple
-  undecided,  // besides `roots` there are clusters: repeat with a more precise Scalar and
-              // coefficients
-  vanishing,  // T does not exceed its own error bound: no angle can be excluded
-  invalid     // a coefficient is not finite, or coefficient_error is negative or not a number
+  certified,  ///< `roots` holds every real root, and all of them are simple
+  undecided,  ///< besides `roots` there are clusters: repeat with a more precise Scalar and
+              ///< coefficients
+  vanishing,  ///< T does not exceed its own error bound: no angle can be excluded
+  invalid     ///< a coefficient is not finite, or coefficient_error is negative or not a number
 };
 
-// Angles serve to look at and to sort: a word of floats has them in float, all else in double.
+/// The type of angles, which are only displayed and sorted: float for scalars made of floats,
+/// double for all others.
 template <class Scalar>
 using AngleOf =
     std::conditional_t<std::is_same_v<typename PartOf<Scalar>::Type, float>, float, double>;
 
 template <class Scalar>
 struct TrigonometricRoot {
-  AngleOf<Scalar> angle;  // in [0, 2 pi)
-  Scalar cosine, sine;    // of the root, in the precision of Scalar
-  Scalar slope;           // dT/dth there; the error of the root is about (error of T) / |slope|
+  AngleOf<Scalar> angle;  ///< in [0, 2 pi)
+  Scalar cosine, sine;    ///< of the root, in the precision of Scalar
+  Scalar slope;           ///< dT/dth there; the error of the root is about (error of T) / |slope|
 };
 
-// The arc angle +- half_width holds max_roots roots, or max_roots - 2, ..., with multiplicity, that
-// could not be told apart. T is certainly not zero at the ends of an arc inside it that holds them
-// all.
+/// An arc, angle +- half_width, of roots that could not be told apart. It holds max_roots roots
+/// with multiplicity, or fewer by an even number. T is certainly not zero at the ends of an arc
+/// inside it that holds them all.
 template <class Scalar>
 struct RootCluster {
-  AngleOf<Scalar> angle;  // where T is flattest: the nearly multiple root; in [0, 2 pi)
+  AngleOf<Scalar> angle;  ///< where T is flattest: the nearly multiple root; in [0, 2 pi)
   AngleOf<Scalar> half_width;
   int max_roots;
 };
@@ -65,15 +66,15 @@ struct TrigonometricRoots {
   std::size_t root_count = 0;
   std::size_t cluster_count = 0;
   std::array<TrigonometricRoot<Scalar>, 2 * N>
-      roots;  // the first root_count are set, by ascending angle
-  std::array<RootCluster<Scalar>, 2 * N> clusters;  // the first cluster_count are set
+      roots;  ///< the first root_count are set, by ascending angle
+  std::array<RootCluster<Scalar>, 2 * N> clusters;  ///< the first cluster_count are set
 };
 
 template <class Scalar, std::size_t N>
 class TrigonometricRootSearch {
   static_assert(N >= 1 && N <= 3, "the error bounds are derived for N <= 3");
   static constexpr std::size_t D = 2 * N;
-  static constexpr int max_depth = 128;  // two levels at least halve an arc
+  static constexpr int max_depth = 128;  ///< two levels at least halve an arc
   using Angle = AngleOf<Scalar>;
   static constexpr Angle two_pi = static_cast<Angle>(6.28318530717958647693);
   // Sums between the inverse of this and this are far from overflow and underflow.
@@ -83,10 +84,10 @@ class TrigonometricRootSearch {
 
   struct Arc {
     Polynomial bernstein;
-    Scalar left, right;  // in t
-    Scalar error;        // of every Bernstein coefficient
+    Scalar left, right;  ///< in t
+    Scalar error;        ///< of every Bernstein coefficient
     int max_roots, depth;
-    bool wide;  // more than half of the arc it was cut from
+    bool wide;  ///< whether it is more than half of the arc from which it was cut
   };
 
   const ChartTables<Scalar, N>& tables;
@@ -95,7 +96,7 @@ class TrigonometricRootSearch {
   Harmonics<Scalar, N> harmonics;
   Harmonic<Scalar> turn_back{Scalar(1), Scalar(0)};
   Angle turn_angle = 0;
-  std::array<Polynomial, 4> bernstein, power;  // by chart
+  std::array<Polynomial, 4> bernstein, power;  ///< by chart
   std::array<Bracket<Scalar>, D> brackets;
   std::size_t bracket_count = 0;
 
@@ -120,7 +121,7 @@ class TrigonometricRootSearch {
   }
 
  private:
-  // Copies and scales the coefficients.
+  /// Copies and scales the coefficients.
   RootStatus prepare(const TrigonometricPolynomial<Scalar, N>& polynomial,
                      Scalar coefficient_error) {
     for (std::size_t k = 0; k <= N; ++k) {
@@ -155,8 +156,9 @@ class TrigonometricRootSearch {
     for (const Harmonic<Scalar>& h : harmonics) sum += magnitude(h.cosine) + magnitude(h.sine);
   }
 
-  // Charts whose ends all have a certain sign: as they are, or turned by 2 atan(attempt / 16). A
-  // root spoils only one attempt unless T is close to zero along a good part of the circle.
+  /// Finds charts, as they are or turned by 2 atan(attempt / 16), at whose ends the sign is
+  /// certain. A root spoils only one attempt unless T is close to zero along a good part of the
+  /// circle.
   bool choose_cuts() {
     if (cut_circle()) return true;
     const Harmonics<Scalar, N> original = harmonics;
@@ -220,7 +222,8 @@ class TrigonometricRootSearch {
     }
   }
 
-  // Searches both parts of the arc, cut at the fraction lambda, unless the sign there is uncertain.
+  /// Searches both parts of the arc, cut at the fraction lambda, unless the sign there is
+  /// uncertain.
   bool cut(std::size_t chart, const Arc& arc, Scalar lambda) {
     const Scalar middle = arc.left + lambda * (arc.right - arc.left);
     if (!(lambda > Scalar(0) && lambda < Scalar(1) && middle > arc.left && middle < arc.right)) {
@@ -249,7 +252,7 @@ class TrigonometricRootSearch {
     return true;
   }
 
-  // With m = max_roots: a zero of p^(m-1) in the arc, found from the middle, and p^(m)/m! there.
+  /// With m = max_roots, finds a zero of p^(m-1) in the arc from the middle on, and p^(m)/m! there.
   [[nodiscard]] std::array<Scalar, 2> flattest(std::size_t chart, const Arc& arc) const {
     const std::size_t order = static_cast<std::size_t>(arc.max_roots) - 1;
     Scalar t = (arc.left + arc.right) / Scalar(2);
@@ -268,8 +271,8 @@ class TrigonometricRootSearch {
     return {t, slope / Scalar(arc.max_roots)};
   }
 
-  // First guess: where the control polygon crosses zero. Its sign changes once, but for uncertain
-  // coefficients.
+  /// Returns a first guess: where the control polygon crosses zero. Its sign changes once, but for
+  /// uncertain coefficients.
   void bracket(std::size_t chart, const Arc& arc) {
     const Polynomial& b = arc.bernstein;
     std::size_t i = 1;
@@ -281,7 +284,7 @@ class TrigonometricRootSearch {
     brackets[bracket_count++] = {chart, negative(b[0]), arc.left, arc.right, guess};
   }
 
-  // All roots advance in turn by one step, so that the processor can overlap them.
+  /// All roots advance in turn by one step, so that the processor can overlap them.
   void refine() {
     const Scalar noise = std::numeric_limits<Scalar>::epsilon() / Scalar(2) * sum;
     bool open = bracket_count > 0;
@@ -320,7 +323,8 @@ class TrigonometricRootSearch {
   }
 };
 
-// coefficient_error bounds the absolute error of every given coefficient; 0 if they are exact.
+/// Returns the real roots of a trigonometric polynomial. `coefficient_error` bounds the absolute
+/// error of every given coefficient; it is 0 if they are exact.
 template <class Scalar, std::size_t N>
 [[nodiscard]] TrigonometricRoots<Scalar, N> trigonometric_roots(
     const TrigonometricPolynomial<Scalar, N>& polynomial, Scalar coefficient_error) {

@@ -15,7 +15,7 @@ struct KeptLimits {
   Truth kept;
   Truth certain;
 
-  /// Both. One that is certainly not kept decides.
+  /// Whether both are kept. That is certain, too, where one of them is certainly not kept.
   friend KeptLimits operator&&(const KeptLimits& one, const KeptLimits& other) {
     return {one.kept & other.kept, (one.certain & other.certain) | (one.certain & !one.kept) |
                                        (other.certain & !other.kept)};

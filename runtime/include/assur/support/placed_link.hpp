@@ -41,8 +41,8 @@ struct Place {
   Scalar y = 0;
 };
 
-/// Such a point, in the frame in which that one moves: see `carried` and
-/// `carried_twice`, of an arm that turns with the frame.
+/// Turns such a point into a point of the frame in which its own frame moves. Its arm turns with
+/// its frame: see `carried` and `carried_twice`.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Place<Scalar>& place) {

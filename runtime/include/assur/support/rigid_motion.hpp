@@ -32,8 +32,8 @@ template <typename Scalar>
 /// The second derivative along two directions x and y:
 ///     p_xy = X_xy + theta_xy r' - theta_x theta_y r + theta_x (R p'_y)' + theta_y (R p'_x)'
 ///            + R p'_xy.
-/// With both along time this is the acceleration: the centripetal and Coriolis terms are the
-/// middle.
+/// If both directions are time, this is the acceleration, and the middle terms are the centripetal
+/// and the Coriolis acceleration.
 template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 2> carried_twice(const Vector<Scalar, 3>& frame_xy,
                                               const Scalar& theta_x, const Scalar& theta_y,

@@ -109,7 +109,7 @@ if(NOT status EQUAL 2 OR NOT messages MATCHES "--want: no result named 'speed'")
   message(FATAL_ERROR "an unknown result: ${status}\n${messages}")
 endif()
 
-# As a subdirectory of another project, from the sources.
+# Builds assur as a subdirectory of another project, from the sources.
 file(REMOVE_RECURSE ${WORK}/build)
 run(${configure} -DASSUR_SOURCE=${SOURCE}/../../../.. -DASSUR_GENERATOR_EXECUTABLE=${WORK}/install/bin/assur)
 expect_generation(TRUE)

@@ -90,7 +90,7 @@ struct Seen {
     worst = std::fmax(worst, error);
     wrong += std::isnan(error) ? 1 : 0;
   }
-  /// Of lists that need not have the same order, each with the nearest that is left.
+  /// Compares each state with the nearest truth that is left, since the orders may differ.
   void compare(const States<float>& states, States<double> truths, int count) {
     for (int index = 0; index < count; ++index) {
       const auto from = truths.begin() + index;

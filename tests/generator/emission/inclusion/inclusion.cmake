@@ -52,7 +52,7 @@ message(STATUS "${compiled} solvers")
 if(compiled LESS 15)
   message(SEND_ERROR "only ${compiled} scenes have a solver")
 endif()
-# With positions alone, so little is left that compilers see all of it.
+# A solver of positions alone is so small that compilers see all of it.
 emit(${CMAKE_CURRENT_LIST_DIR}/scotch_yoke.json --want position)
 set(yoke ${solver})
 list(GET WHOLE 0 first)

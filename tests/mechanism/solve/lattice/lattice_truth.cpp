@@ -104,7 +104,7 @@ class LatticeEquations {
     }
   }
 
-  /// By how much the shift of a joint's second link is more than that of its first.
+  /// The difference between the shifts of a joint's second link and of its first.
   [[nodiscard]] Polynomials moved(const LatticeJoint& joint) const {
     const Polynomials first = turned(joint.prismatic ? joint.along : joint.at, joint.first);
     const Polynomials second = turned(joint.at, joint.second);

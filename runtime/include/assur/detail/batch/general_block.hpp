@@ -45,7 +45,7 @@ class GeneralBlock {
   static constexpr std::size_t capacity = 32;
   static_assert(capacity % Lanes == 0, "a block holds a whole number of packs");
 
-  /// Searches so many groups from `first` on, as many as fill packs.
+  /// Searches `count` groups, which fill packs, from `first` on.
   void solve(const Columns<const Dimensions<double>>& dimensions,
              const Columns<const Inputs<double>>& inputs, std::size_t first, std::size_t count) {
     begin();
@@ -222,7 +222,7 @@ class GeneralBlock {
     const Pack left = Pack::load(&arcs_.brackets().left[first]);
     const Pack right = Pack::load(&arcs_.brackets().right[first]);
     const Pack t = (left + right) * Pack(0.5) + (right - left) * Pack(0.5) * bracket.roots();
-    // Where no root was found in so many steps, nothing can be completed.
+    // A root that was not found within the allowed steps cannot be completed.
     select(bracket.open(), Pack(std::numeric_limits<double>::quiet_NaN()), t).store(&found_[first]);
   }
 

@@ -1,9 +1,10 @@
 // Turns trigonometric polynomials into arcs of the circle that hold one root each, several at once.
 //
-// What `numeric::TrigonometricRootSearch` does of one polynomial (four charts in Bernstein form,
-// Descartes' rule, arcs that are cut in the middle), with the same bounds. Arcs of all polynomials
-// of a block are cut together, level by level: however different the polynomials are, packs are
-// full. Where a sign is not certain, the polynomial is left to those who look at one alone.
+// The method and its bounds are those of `numeric::TrigonometricRootSearch` for one polynomial:
+// four charts in Bernstein form, Descartes' rule, and arcs that are cut in the middle. The arcs of
+// all polynomials of a block are cut together, level by level, so that packs are full however
+// different the polynomials are. A polynomial with an uncertain sign is left to the search for one
+// polynomial.
 #pragma once
 
 #include <algorithm>
@@ -15,8 +16,8 @@
 
 namespace assur::detail::batch {
 
-/// The Bernstein coefficients of `numeric::ChartTables` on one of four charts. The cosines' part is
-/// the same from both ends, the sines' the opposite.
+/// Computes the Bernstein coefficients on one of four charts from `numeric::ChartTables`. Read from
+/// the other end, the part of the cosines is the same and the part of the sines has the other sign.
 template <std::size_t Chart, std::size_t N, typename Pack>
 [[gnu::always_inline]] inline void put_bernstein(const numeric::Harmonics<Pack, N>& harmonics,
                                                  std::array<Pack, 2 * N + 1>& bernstein) {
@@ -70,10 +71,11 @@ struct PackArcs {
   Pack owner;        ///< whose arc it is, times four, and on which of four charts
 };
 
-/// Reads the same by columns; some more than there are can be read once `end` has written them.
+/// A list of such arcs by columns. Once `end` has been called, packs can be read beyond the last
+/// arc.
 template <std::size_t Size, std::size_t Capacity>
 struct ArcList {
-  /// So many packs are read at once.
+  /// The largest number of packs that are read at once.
   static constexpr std::size_t most_packs = 4;
   static constexpr std::size_t room = Capacity + most_packs * numeric::most_lanes;
   std::size_t count = 0;
@@ -154,8 +156,9 @@ class ArcSearch {
     brackets_.count = 0;
     open_[0].count = 0;
   }
-  /// The charts of several polynomials, the first of which is that of `owner`, whose Bernstein
-  /// coefficients have such errors. False, of a lane, where a sign is not certain.
+  /// Adds the charts of several polynomials whose Bernstein coefficients have the given errors. The
+  /// first polynomial is that of `owner`. Returns a bit for each lane: whether all signs are
+  /// certain.
   [[nodiscard]] unsigned add(const numeric::Harmonics<Pack, N>& harmonics, const Pack& error,
                              std::size_t owner) {
     constexpr double edge = 1.4142135623730951 - 1;  // tan(pi/8)

@@ -84,7 +84,7 @@ class Table {
   [[nodiscard]] auto end() const { return items_.end(); }
   [[nodiscard]] const std::vector<Item>& items() const { return items_; }
 
-  /// By their items, as vectors are compared.
+  /// Compares tables by their items, as vectors are compared.
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the zero of orderings for a pointer
   friend auto operator<=>(const Table&, const Table&) = default;
 
