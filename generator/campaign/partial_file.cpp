@@ -113,7 +113,7 @@ void expect_writable(const std::filesystem::path& file) {
     }
   }
   const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
-  if (access(directory.c_str(), W_OK) != 0) {
+  if (::access(directory.c_str(), W_OK) != 0) {
     refuse(file, errno);
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/names.hpp>
+#include <assur/text/numbers.hpp>
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <charconv>

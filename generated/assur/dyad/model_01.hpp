@@ -23,8 +23,9 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   none: every link has an external joint
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   This model has no special points: every link has an external joint.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     4, 6, 0
@@ -64,19 +65,23 @@ struct Model01 {
   static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
-  static constexpr int first_unknown = 1;    ///< of the final polynomial
-  static constexpr int second_unknown = -1;  ///< of the reduced equations; -1: none
+  static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
+  /// Index of the second unknown of the reduced equations; -1 if there is none.
+  static constexpr int second_unknown = -1;
   static constexpr int pivot_count = 2;
-  static constexpr int core_pivot_count = 1;  ///< of the core, listed first
-  static constexpr int determinant_sign = -1;  ///< of det J against their product
+  static constexpr int core_pivot_count = 1;  ///< number of pivots of the core, which come first
+  /// Sign of det J relative to the product of the pivots.
+  static constexpr int determinant_sign = -1;
 
-  static constexpr int discriminant_degree = 4;  ///< of the final polynomial, in the lengths
+  /// Degree, in the lengths, of the discriminant of the final polynomial.
+  static constexpr int discriminant_degree = 4;
   /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
   /// its roots are regular configurations that close and differ by more than rounding; zero where
   /// that does not follow.
   static constexpr double discriminant_error = 4.98e-13, regular_discriminant = 9.1e-07;
-  static constexpr int first_key = 1;  ///< then: of those that put them in order, the first that
-                                       ///<     differs
+  /// Index of the first ordering key by which two roots above that value differ; 0 where that value
+  /// is zero.
+  static constexpr int first_key = 1;
 
   /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {

@@ -24,8 +24,9 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   none: the group is no structure
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   This model has no special points: the group is no structure.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     10, 10, 0

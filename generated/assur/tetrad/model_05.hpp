@@ -28,9 +28,10 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   S_CD: by BCG theta_BCG and s_C, by EDF theta_BCG and theta_EDF
-///   S_GF: by BCG theta_BCG and s_G, by EDF theta_BCG and theta_EDF
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   S_CD is moved by theta_BCG and s_C through BCG, and by theta_BCG and theta_EDF through EDF
+///   S_GF is moved by theta_BCG and s_G through BCG, and by theta_BCG and theta_EDF through EDF
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
@@ -75,11 +76,13 @@ struct Model05 {
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
-  static constexpr int first_unknown = 0;    ///< of the final polynomial
-  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
+  /// Index of the second unknown of the reduced equations; -1 if there is none.
+  static constexpr int second_unknown = 1;
   static constexpr int pivot_count = 1;
-  static constexpr int core_pivot_count = 1;  ///< of the core, listed first
-  static constexpr int determinant_sign = -1;  ///< of det J against their product
+  static constexpr int core_pivot_count = 1;  ///< number of pivots of the core, which come first
+  /// Sign of det J relative to the product of the pivots.
+  static constexpr int determinant_sign = -1;
 
 
   /// What it means that a pivot of the structured elimination vanishes.

@@ -28,9 +28,10 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   S_CD: by BCG theta_CD and s_B, by EDF theta_CD and s_E
-///   S_GF: by BCG theta_GF and s_B, by EDF theta_GF and s_E
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   S_CD is moved by theta_CD and s_B through BCG, and by theta_CD and s_E through EDF
+///   S_GF is moved by theta_GF and s_B through BCG, and by theta_GF and s_E through EDF
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 24, 0
@@ -75,13 +76,16 @@ struct Model11 {
   static constexpr bool has_special_points = true;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
-  static constexpr int first_unknown = 2;    ///< of the final polynomial
-  static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int first_unknown = 2;  ///< index of the final polynomial's unknown
+  /// Index of the second unknown of the reduced equations; -1 if there is none.
+  static constexpr int second_unknown = 3;
   static constexpr int pivot_count = 4;
-  static constexpr int core_pivot_count = 2;  ///< of the core, listed first
-  static constexpr int determinant_sign = -1;  ///< of det J against their product
+  static constexpr int core_pivot_count = 2;  ///< number of pivots of the core, which come first
+  /// Sign of det J relative to the product of the pivots.
+  static constexpr int determinant_sign = -1;
 
-  static constexpr int discriminant_degree = 6;  ///< of the final polynomial, in the lengths
+  /// Degree, in the lengths, of the discriminant of the final polynomial.
+  static constexpr int discriminant_degree = 6;
   /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
   /// its roots are regular configurations that close and differ by more than rounding; zero where
   /// that does not follow.
@@ -89,8 +93,9 @@ struct Model11 {
   /// What the numbers above are for the discriminant, these are for the divisor of the formula.
   static constexpr int leading_degree = 2;
   static constexpr double leading_error = 3.98e-11;
-  static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
-                                       ///<     differs
+  /// Index of the first ordering key by which two roots above that value differ; 0 where that value
+  /// is zero.
+  static constexpr int first_key = 0;
 
   /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {

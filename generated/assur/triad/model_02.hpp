@@ -28,8 +28,9 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   none: link CEG does not close exactly one loop
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   This model has no special points: link CEG does not close exactly one loop.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     14, 19, 0
@@ -70,11 +71,13 @@ struct Model02 {
   static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
-  static constexpr int first_unknown = 0;    ///< of the final polynomial
-  static constexpr int second_unknown = 3;  ///< of the reduced equations; -1: none
+  static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
+  /// Index of the second unknown of the reduced equations; -1 if there is none.
+  static constexpr int second_unknown = 3;
   static constexpr int pivot_count = 3;
-  static constexpr int core_pivot_count = 1;  ///< of the core, listed first
-  static constexpr int determinant_sign = -1;  ///< of det J against their product
+  static constexpr int core_pivot_count = 1;  ///< number of pivots of the core, which come first
+  /// Sign of det J relative to the product of the pivots.
+  static constexpr int determinant_sign = -1;
 
 
   /// What it means that a pivot of the structured elimination vanishes.

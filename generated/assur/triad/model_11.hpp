@@ -28,8 +28,9 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links, by each neighbour moved in parallel by two unknowns:
-///   none: link CEG does not close exactly one loop
+/// Special points of the closure links. Through either neighbour of its link, a point is moved in
+/// parallel by two unknowns.
+///   This model has no special points: link CEG does not close exactly one loop.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
@@ -70,19 +71,23 @@ struct Model11 {
   static constexpr bool has_special_points = false;
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
-  static constexpr int first_unknown = 0;    ///< of the final polynomial
-  static constexpr int second_unknown = 1;  ///< of the reduced equations; -1: none
+  static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
+  /// Index of the second unknown of the reduced equations; -1 if there is none.
+  static constexpr int second_unknown = 1;
   static constexpr int pivot_count = 1;
-  static constexpr int core_pivot_count = 1;  ///< of the core, listed first
-  static constexpr int determinant_sign = -1;  ///< of det J against their product
+  static constexpr int core_pivot_count = 1;  ///< number of pivots of the core, which come first
+  /// Sign of det J relative to the product of the pivots.
+  static constexpr int determinant_sign = -1;
 
-  static constexpr int discriminant_degree = 2;  ///< of the final polynomial, in the lengths
+  /// Degree, in the lengths, of the discriminant of the final polynomial.
+  static constexpr int discriminant_degree = 2;
   /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
   /// its roots are regular configurations that close and differ by more than rounding; zero where
   /// that does not follow.
   static constexpr double discriminant_error = 2.73e-11, regular_discriminant = 0;
-  static constexpr int first_key = 0;  ///< then: of those that put them in order, the first that
-                                       ///<     differs
+  /// Index of the first ordering key by which two roots above that value differ; 0 where that value
+  /// is zero.
+  static constexpr int first_key = 0;
 
   /// What it means that a pivot of the structured elimination vanishes.
   static constexpr std::array<const char*, pivot_count> pivots = { {
