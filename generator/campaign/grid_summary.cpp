@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/campaign.hpp>
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <cmath>
 #include <limits>
@@ -124,16 +125,16 @@ std::uint64_t GridSummary::first_refused() const {
 std::string grid_text(const GridSummary& summary) {
   const Description& description = summary.description();
   std::string text =
-      description.text_of("name") + "\n" + with_noun(summary.cells().size(), "cell") +
+      description.text_of("name") + "\n" + text::with_noun(summary.cells().size(), "cell") +
       (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) + "\n";
   for (const NamedAxis& axis : summary.axes()) {
     text += "  " + axis.name + " from " + label(axis.from) + " to " + label(axis.to) + " in " +
-            with_noun(axis.count, "value") + "\n";
+            text::with_noun(axis.count, "value") + "\n";
   }
   text += "\n";
   for (const auto& [configurations, cells] : summary.counts()) {
-    text += "  " + with_noun(cells, "cell") + " with " +
-            with_noun(configurations, "configuration") + "\n";
+    text += "  " + text::with_noun(cells, "cell") + " with " +
+            text::with_noun(configurations, "configuration") + "\n";
   }
   text += "  " + std::to_string(summary.changes()) +
           " pairs of neighbours between which the number of configurations changes\n";
