@@ -21,9 +21,6 @@ struct Asked {
   std::vector<double> computed;
 };
 
-/// Fewer points than this tell nothing.
-constexpr std::size_t fewest_points = 3;
-
 /// Draws points for one statement.
 class AskedPoints {
  public:
