@@ -21,9 +21,6 @@ struct Asked {
   std::vector<double> computed;
 };
 
-/// With fewer points than this a comparison tells nothing.
-constexpr std::size_t fewest_points = 3;
-
 /// Draws points for one statement.
 class AskedPoints {
  public:

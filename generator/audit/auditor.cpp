@@ -102,14 +102,18 @@ void Auditor::read_scene(const closures::PlacedText& rest) {
     }
   }
   if (file.empty() || !after.empty()) {
-    reader_.fail(rest.place, "expected scene FILE [branch N]");
+    reader_.fail(rest.place, "expected 'scene FILE [branch N]'");
   }
   const std::string path = (directory_ / file.text).string();
   if (!scenes_) {
     reader_.fail(file.place, "scenes cannot be read here");
   }
-  for (const auto& [name, value] : scenes_(path, configuration, settings_)) {
-    define(name, value);
+  try {
+    for (const auto& [name, value] : scenes_(path, configuration, settings_)) {
+      define(name, value);
+    }
+  } catch (const text::InputError& error) {
+    reader_.fail(file.place, error.what());
   }
 }
 

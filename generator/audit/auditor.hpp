@@ -50,6 +50,7 @@ class Auditor {
   void read_printed_closure(const closures::PlacedText& label, closures::PlacedText rest);
   void read_printed_matrix(const closures::Statement& statement, const closures::PlacedText& label,
                            const closures::PlacedText& rest);
+  [[nodiscard]] closures::PlacedText take_code_file(closures::PlacedText& rest) const;
   void read_printed_code(const closures::PlacedText& label, closures::PlacedText rest);
   void read_printed_run(const closures::Statement& statement, const closures::PlacedText& label,
                         closures::PlacedText rest);

@@ -1,5 +1,6 @@
 #include "audit/equation_audit.hpp"
 
+#include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::audit {
@@ -12,7 +13,8 @@ const std::string turned_round = "printed with all signs reversed";
 GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedText& text) {
   const auto [left, right] = closures::cut(text, '=');
   const GiNaC::ex side = closures::read_formula(left, system);
-  return right.empty() ? side : side - closures::read_formula(right, system);
+  const bool one_side = closures::split(text, '=').size() == 1;  // `a =` lacks one
+  return one_side ? side : side - closures::read_formula(right, system);
 }
 
 }  // namespace
@@ -45,7 +47,8 @@ Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
     finding.comparison = compare(points, read, -derived, false);
     finding.note = turned_round;
   }
-  if (!finding.agrees() && !points.system().follows_closures(read)) {
+  if (!finding.agrees() && !points.system().follows_closures(read) &&
+      closures::can_be_multiplied_out(read - derived)) {
     finding.note = "printed minus derived: " + closures::formula_text((read - derived).expand());
   }
   return finding;
@@ -103,8 +106,11 @@ Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame,
 Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
                        const closures::PlacedText& left, const closures::PlacedText& right,
                        const closures::LocalNames& locals) {
-  const std::string printed = left.text + " = " + right.text;
+  const std::string printed = left.text + (right.empty() ? "" : " = " + right.text);
   try {
+    if (right.empty()) {
+      throw closures::FormulaError("expected an equation LEFT = RIGHT", left.place);
+    }
     const GiNaC::ex one = closures::read_formula(left, points.system(), locals);
     const GiNaC::ex other = closures::read_formula(right, points.system(), locals);
     return audit_equation(points, item, one, other, {printed, left.place});

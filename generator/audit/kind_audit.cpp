@@ -47,7 +47,7 @@ std::vector<Finding> audit_kinds(const structure::Group& group,
     const std::vector<closures::PlacedText> parts = closures::split(row, ':');
     if (parts.size() < 2 || parts.size() > 3) {
       throw closures::AuditSyntaxError(file, row.place,
-                                       "expected NUMBER : KIND, KIND, ... [: FAMILY]");
+                                       "expected 'NUMBER : KIND, KIND, ... [: FAMILY]'");
     }
     const std::size_t number = row_number(parts[0], models.size(), file);
     const structure::Model& model = models[number - 1];

@@ -41,11 +41,14 @@ void NumericExample::define(const std::string& name, double value) {
 }
 
 NumericExample::Value NumericExample::read_number(const closures::PlacedText& number) {
+  if (number.empty()) {
+    throw closures::FormulaError("a number is missing", number.place);
+  }
   double value = 0;
   const char* begin = number.text.data();
   const char* const last = begin + number.text.size();
   const auto [end, error] = std::from_chars(begin, last, value);
-  if (number.empty() || error != std::errc() || end != last) {
+  if (error != std::errc() || end != last) {
     throw closures::FormulaError("expected a number, found '" + number.text + "'", number.place);
   }
   const std::size_t mark = number.text.find_first_of("eE");

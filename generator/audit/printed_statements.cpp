@@ -1,4 +1,5 @@
 // Turns `printed` statements of an audit file, one after the other, into findings.
+#include <assur/text/counts.hpp>
 #include <assur/text/input_file.hpp>
 #include <set>
 
@@ -12,19 +13,28 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// The parts of a text before and after a word; the second is empty where there is none.
+/// The parts of a text before and after a word; where there is none, the second is empty and stands
+/// behind the text.
 std::pair<closures::PlacedText, closures::PlacedText> cut_at_word(const closures::PlacedText& text,
                                                                   const std::string& word) {
   const std::string padded = text.text + " ";
   const std::size_t at = padded.find(" " + word + " ");
   if (at == std::string::npos) {
-    return {text, {}};
+    return {text, {"", text.at(text.text.size() + 1)}};
   }
   return {closures::trimmed({text.text.substr(0, at), text.place}),
           closures::trimmed({padded.substr(at + word.size() + 2), text.at(at + word.size() + 3)})};
 }
 
 }  // namespace
+
+closures::PlacedText Auditor::take_code_file(closures::PlacedText& rest) const {
+  closures::PlacedText file = closures::take_file(rest);
+  if (file.empty()) {
+    reader_.fail(file.place, "the name of a file is missing");
+  }
+  return file;
+}
 
 void Auditor::answer(const std::string& label, closures::Place place, std::size_t columns,
                      std::vector<Finding> findings) {
@@ -68,6 +78,9 @@ void Auditor::read_printed(const closures::Statement& statement, closures::Place
 
 void Auditor::read_printed_closure(const closures::PlacedText& label, closures::PlacedText rest) {
   const closures::PlacedText name = closures::take_word(rest);
+  if (name.empty()) {
+    reader_.fail(name.place, "the name of a closure is missing");
+  }
   if (reader_.system().closure_named(name.text) == nullptr) {
     reader_.fail(name.place, "no closure named '" + name.text + "' is derived");
   }
@@ -85,7 +98,7 @@ PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
   const auto [head, columns] = cut_at_word(rest, "by");
   closures::PlacedText rows = head;
   if (!closures::take_keyword(rows, "of") || columns.empty()) {
-    reader_.fail(rest.place, "expected of ROWS by COLUMNS");
+    reader_.fail(rest.place, "expected 'of ROWS by COLUMNS'");
   }
   return {reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
 }
@@ -95,14 +108,14 @@ void Auditor::read_printed_matrix(const closures::Statement& statement,
                                   const closures::PlacedText& rest) {
   PrintedMatrix matrix = matrix_frame(rest);
   if (statement.rows.size() != matrix.rows.size()) {
-    reader_.fail(statement.head.place, "expected " + std::to_string(matrix.rows.size()) +
-                                           " rows, found " + std::to_string(statement.rows.size()));
+    reader_.fail(statement.head.place, "expected " + text::with_noun(matrix.rows.size(), "row") +
+                                           ", found " + std::to_string(statement.rows.size()));
   }
   for (const closures::PlacedText& row : statement.rows) {
     const std::vector<closures::PlacedText> entries = closures::split(row, ',');
     if (entries.size() != matrix.columns.size()) {
-      reader_.fail(row.place, "expected " + std::to_string(matrix.columns.size()) +
-                                  " entries, found " + std::to_string(entries.size()));
+      reader_.fail(row.place, "expected " + text::with_noun(matrix.columns.size(), "entry") +
+                                  ", found " + std::to_string(entries.size()));
     }
     for (const closures::PlacedText& entry : entries) {
       matrix.entries.push_back({entry, {}});
@@ -112,7 +125,7 @@ void Auditor::read_printed_matrix(const closures::Statement& statement,
 }
 
 void Auditor::read_printed_code(const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_file(rest);
+  const closures::PlacedText file = take_code_file(rest);
   const closures::PlacedText array = closures::take_word(rest);
   if (!text::is_identifier(array.text)) {
     reader_.fail(array.place, "expected the name of a matrix in the code");
@@ -162,7 +175,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
   closures::PlacedText formulas = frame;
   if (cut_at_word(frame, "by").second.empty()) {
     if (!closures::take_keyword(formulas, "of")) {
-      reader_.fail(frame.place, "expected of ROWS by COLUMNS, or of FORMULA, FORMULA, ...");
+      reader_.fail(frame.place, "expected 'of ROWS by COLUMNS' or 'of FORMULA, FORMULA, ...'");
     }
     // A closure's value says something off the closures alone.
     expected.on_closures = !reader_.system().closures().empty();
@@ -188,7 +201,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
 
 void Auditor::read_printed_run(const closures::Statement& statement,
                                const closures::PlacedText& label, closures::PlacedText rest) {
-  const closures::PlacedText file = closures::take_file(rest);
+  const closures::PlacedText file = take_code_file(rest);
   RunStatement run = read_run_statement(directory_, file, statement.rows);
   if (!run_.given) {
     reader_.fail(file.place,
@@ -214,9 +227,6 @@ void Auditor::read_printed_equation(const closures::PlacedText& label, closures:
     rest = closures::trimmed({rest.text.substr(1), rest.at(2)});
   }
   const auto [left, right] = closures::cut(rest, '=');
-  if (right.empty()) {
-    reader_.fail(rest.place, "expected an equation LEFT = RIGHT");
-  }
   std::vector<closures::LocalNames> cases = {{}};
   for (const closures::PlacedText& loop :
        loops.empty() ? std::vector<closures::PlacedText>{} : closures::split(loops, ',')) {
@@ -246,10 +256,13 @@ void Auditor::read_printed_equation(const closures::PlacedText& label, closures:
 void Auditor::read_printed_kinds(const closures::Statement& statement,
                                  const closures::PlacedText& label, closures::PlacedText rest) {
   if (!closures::take_keyword(rest, "of")) {
-    reader_.fail(rest.place, "expected printed kinds LABEL of GROUP");
+    reader_.fail(rest.place, "expected 'printed kinds LABEL of GROUP'");
   }
-  answer("kinds " + label.text, label.place, 0,
-         audit_kinds(group_by_name(rest), statement.rows, reader_.file()));
+  const structure::Group& group = group_by_name(rest);
+  if (statement.rows.empty()) {  // nothing would be compared, and nothing agrees with nothing
+    reader_.fail(statement.head.place, "expected rows 'NUMBER : KIND, KIND, ... [: FAMILY]'");
+  }
+  answer("kinds " + label.text, label.place, 0, audit_kinds(group, statement.rows, reader_.file()));
 }
 
 void Auditor::read_printed_number(const closures::PlacedText& rest) {
@@ -259,7 +272,7 @@ void Auditor::read_printed_number(const closures::PlacedText& rest) {
   closures::PlacedText unit = right;
   const closures::PlacedText number = closures::take_word(unit);
   if (formula.empty() || right.empty() || names.empty()) {
-    reader_.fail(rest.place, "expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA");
+    reader_.fail(rest.place, "expected 'printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA'");
   }
   const closures::PlacedText name = names.back();
   reader_.expect_new(name);

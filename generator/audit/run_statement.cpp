@@ -15,12 +15,17 @@ using closures::FormulaError;
 using closures::PlacedText;
 using running::Language;
 
-double number(const PlacedText& text, double least, double most) {
-  double value = 0;
+constexpr std::size_t most_points = 400;
+constexpr double most_rounding = 0.01;
+
+/// The number that a text is as a whole; `expected` says which numbers are good.
+template <typename Number>
+Number number(const PlacedText& text, Number least, Number most, const std::string& expected) {
+  Number value = 0;
   const char* const end = text.text.data() + text.text.size();
   const auto [last, error] = std::from_chars(text.text.data(), end, value);
   if (error != std::errc() || last != end || !(value >= least && value <= most)) {
-    throw FormulaError("'" + text.text + "' is not a number that can stand here", text.place);
+    throw FormulaError("expected " + expected + ", found '" + text.text + "'", text.place);
   }
   return value;
 }
@@ -80,9 +85,13 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
       {"where", [&](const PlacedText& text) { run.where.push_back(text); }},
       {"points",
        [&](const PlacedText& text) {
-         run.points = static_cast<std::size_t>(number(text, 3, 400));
+         run.points = number(text, fewest_points, most_points,
+                             "a whole number from " + std::to_string(fewest_points) + " to " +
+                                 std::to_string(most_points));
        }},
-      {"rounding", [&](const PlacedText& text) { run.rounding = number(text, 0, 0.01); }}};
+      {"rounding", [&](const PlacedText& text) {
+         run.rounding = number(text, 0.0, most_rounding, "a number from 0 to 0.01");
+       }}};
   for (const PlacedText& row : rows) {
     PlacedText rest = row;
     const PlacedText key = closures::take_word(rest);
@@ -103,7 +112,9 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
   std::error_code missing;
   program.file = std::filesystem::canonical(directory / file.text, missing);
   if (missing || !std::filesystem::is_regular_file(program.file)) {
-    throw FormulaError("no file '" + (directory / file.text).string() + "'", file.place);
+    throw FormulaError(
+        (directory / file.text).string() + ": cannot be read (does it exist, and is it a file?)",
+        file.place);
   }
   if (run.result.empty()) {
     throw FormulaError("say what is called: 'result FUNCTION(QUANTITY, ...)'", file.place);

@@ -6,6 +6,9 @@
 
 namespace assur::generator::audit {
 
+/// Fewer points than this tell nothing.
+constexpr std::size_t fewest_points = 3;
+
 struct RunStatement {
   running::UserProgram program;
   closures::PlacedText result;              ///< where the expression stands

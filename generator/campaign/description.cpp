@@ -154,10 +154,6 @@ std::string difference(const Description& one, const Description& other) {
   return first == second ? "" : differs("columns", first, second);
 }
 
-std::string with_noun(std::uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string number_text(double number) {
   if (!std::isfinite(number)) {
     return "-";

@@ -53,9 +53,6 @@ struct Description {
 /// A number with the fewest digits that tell it from all others; `-` for none.
 [[nodiscard]] std::string number_text(double number);
 
-/// A number of things by their noun: `1 cell`, `2 cells`.
-[[nodiscard]] std::string with_noun(std::uint64_t count, const std::string& noun);
-
 /// FNV-1a with 64 bits, in hexadecimal digits.
 [[nodiscard]] std::string hash_of(const std::string& text);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/campaign.hpp>
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/numbers.hpp>
 #include <cmath>
@@ -125,18 +126,18 @@ std::uint64_t GridSummary::first_refused() const {
 std::string grid_text(const GridSummary& summary) {
   const Description& description = summary.description();
   std::string text =
-      description.text_of("name") + "\n" + with_noun(summary.cells().size(), "cell") +
+      description.text_of("name") + "\n" + text::with_noun(summary.cells().size(), "cell") +
       (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) + "\n";
   for (const NamedAxis& axis : summary.axes()) {
     text += "  " + axis.name + " from " + text::short_number(axis.from, 4) + " to " +
-            text::short_number(axis.to, 4) + " in " + with_noun(axis.count, "value") + "\n";
+            text::short_number(axis.to, 4) + " in " + text::with_noun(axis.count, "value") + "\n";
   }
   text += "\n";
   for (const auto& [configurations, cells] : summary.counts()) {
-    text += "  " + with_noun(cells, "cell") + " with " +
-            with_noun(configurations, "configuration") + "\n";
+    text += "  " + text::with_noun(cells, "cell") + " with " +
+            text::with_noun(configurations, "configuration") + "\n";
   }
-  text += "  " + with_noun(summary.changes(), "pair") +
+  text += "  " + text::with_noun(summary.changes(), "pair") +
           " of neighbours between which the number of configurations changes\n";
   for (const Counted& one : counted) {
     if (const std::uint64_t cells = count_if(summary, one.flag); cells > 0) {

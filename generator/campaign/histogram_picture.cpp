@@ -1,5 +1,6 @@
 // Turns what a sample says of its outputs into histograms, as SVG.
 #include <algorithm>
+#include <assur/text/counts.hpp>
 #include <assur/text/numbers.hpp>
 #include <cmath>
 #include <numbers>
@@ -112,9 +113,9 @@ class Panel {
 }  // namespace
 
 std::string histogram_picture(const SampleSummary& summary) {
-  std::string body =
-      words(margin, 20, "start",
-            summary.description().text_of("name") + ": " + with_noun(summary.count(), "sample"));
+  std::string body = words(
+      margin, 20, "start",
+      summary.description().text_of("name") + ": " + text::with_noun(summary.count(), "sample"));
   body += words(margin, 38, "start",
                 "red: worst case; green: rss / sqrt(3); blue: normal law of the sample's mean and "
                 "deviation");

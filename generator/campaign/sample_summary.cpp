@@ -1,6 +1,7 @@
 #include "campaign/sample_summary.hpp"
 
 #include <array>
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/numbers.hpp>
 #include <cmath>
@@ -218,11 +219,11 @@ void describe_nominal(const std::vector<mechanism::NominalPoint>& points,
 
 std::string sample_text(const SampleSummary& summary) {
   const Description& description = summary.description();
-  std::string text = description.text_of("name") + "\n" + with_noun(summary.count(), "sample") +
-                     (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) +
-                     ", seed " + description.text_of("seed") + ", near to " +
-                     description.text_of("configuration") +
-                     "\nuniform and independent: " + description.text_of("tolerances") + "\n\n";
+  std::string text =
+      description.text_of("name") + "\n" + text::with_noun(summary.count(), "sample") +
+      (description.shard.is_whole() ? "" : " of shard " + description.shard.text()) + ", seed " +
+      description.text_of("seed") + ", near to " + description.text_of("configuration") +
+      "\nuniform and independent: " + description.text_of("tolerances") + "\n\n";
   for (std::size_t outcome = 0; outcome < mechanism::outcome_words.size(); ++outcome) {
     const std::uint64_t count = summary.count_of(static_cast<Outcome>(outcome));
     if (count > 0) {

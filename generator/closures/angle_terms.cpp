@@ -1,6 +1,7 @@
 #include "closures/angle_terms.hpp"
 
 #include "closures/circle_algebra.hpp"
+#include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -8,6 +9,9 @@ namespace assur::generator::closures {
 namespace {
 
 void add_terms(const GiNaC::ex& angle, int factor, const ClosureSystem& system, AngleTerms& sum) {
+  if (!can_be_multiplied_out(angle)) {
+    throw NotAlgebraic("an angle has too many terms to be a sum of multiples of declared angles");
+  }
   const GiNaC::ex expanded = angle.expand();
   if (GiNaC::is_a<GiNaC::add>(expanded)) {
     for (const GiNaC::ex& term : expanded) {

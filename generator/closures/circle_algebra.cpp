@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -28,6 +29,9 @@ bool makes_roots(const GiNaC::ex& expression) {
 equations::Vector2 turned_by_multiple(equations::Vector2 direction, equations::Vector2 step,
                                       int factor) {
   step.y = factor < 0 ? -step.y : step.y;
+  if (!can_be_multiplied_out(direction.x * GiNaC::pow(step.x + step.y, std::abs(factor)))) {
+    throw NotAlgebraic("an angle has too many terms when its cosine is multiplied out");
+  }
   for (int count = std::abs(factor); count > 0; --count) {
     direction = {(direction.x * step.x - direction.y * step.y).expand(),
                  (direction.x * step.y + direction.y * step.x).expand()};
@@ -124,6 +128,9 @@ std::vector<GiNaC::ex> CircleAlgebra::operands(const GiNaC::ex& expression) cons
 }
 
 equations::Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
+  if (!can_be_multiplied_out(angle)) {
+    throw NotAlgebraic("an angle has too many terms to be a sum of multiples of declared angles");
+  }
   const GiNaC::ex expanded = angle.expand();
   equations::Vector2 direction{1, 0};
   const auto add = [&](const GiNaC::ex& term) {
@@ -188,6 +195,9 @@ equations::Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
 }
 
 GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
+  if (!can_be_multiplied_out(radicand)) {
+    throw NotAlgebraic("what stands under a root has too many terms when it is multiplied out");
+  }
   const GiNaC::ex normal = radicand.normal();
   if (GiNaC::is_a<GiNaC::numeric>(normal)) {
     return GiNaC::sqrt(normal);
@@ -202,6 +212,9 @@ GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
 }
 
 bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
+  if (!can_be_multiplied_out(algebraic)) {
+    return false;
+  }
   try {
     return has_no_rest(algebraic);
   } catch (const std::invalid_argument&) {
@@ -258,7 +271,11 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned rever
 GiNaC::ex CircleAlgebra::at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
                             unsigned reversed) const {
   try {
-    return algebraic.subs(with_roots(point, reversed), unmatched).expand();
+    const GiNaC::ex value = algebraic.subs(with_roots(point, reversed), unmatched);
+    if (!can_be_multiplied_out(value, max_terms_of_value)) {  // powers of sums of roots
+      throw NotAlgebraic("a power of roots has too many terms when it is multiplied out");
+    }
+    return value.expand();
   } catch (const GiNaC::pole_error&) {
     throw NotAlgebraic("division by zero");
   }

@@ -25,7 +25,7 @@ class NotAlgebraic : public std::runtime_error {
 [[nodiscard]] bool makes_roots(const GiNaC::ex& expression);
 
 /// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
-/// out.
+/// out. Throws NotAlgebraic where that has too many terms.
 [[nodiscard]] equations::Vector2 turned_by_multiple(equations::Vector2 direction,
                                                     equations::Vector2 step, int factor);
 
@@ -39,7 +39,7 @@ class CircleAlgebra {
   /// where the expression is one. Throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
   /// Whether the algebraic form is zero modulo the relations. False does not prove the contrary
-  /// where roots depend on each other.
+  /// where roots depend on each other, or where it has too many terms to multiply them out.
   [[nodiscard]] bool vanishes(const GiNaC::ex& algebraic) const;
   /// The algebraic form at a point that gives values to lengths, cosines and sines. Throws
   /// NotAlgebraic where a root is of a negative number or a denominator vanishes. `reversed` has a

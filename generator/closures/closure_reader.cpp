@@ -55,6 +55,9 @@ void ClosureReader::fail(Place joined, const std::string& what) const {
 }
 
 void ClosureReader::expect_new(const PlacedText& name) const {
+  if (name.empty()) {
+    fail(name.place, "a name is missing");
+  }
   if (!text::is_identifier(name.text) || text::is_reserved_name(name.text)) {
     fail(name.place, "'" + name.text + "' cannot be a name");
   }
@@ -77,6 +80,9 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
   for (const PlacedText& name : words(list)) {
     const bool known =
         symbols_only ? system_.symbol_named(name.text) != nullptr : system_.is_known(name.text);
+    if (!known && system_.is_known(name.text)) {
+      fail(name.place, "'" + name.text + "' is not the name of a length or an angle");
+    }
     if (!known) {
       fail(name.place, "no symbol named '" + name.text + "'" +
                            text::suggestion_or_choice(name.text, system_.names()));
@@ -84,7 +90,7 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
     names.push_back(name.text);
   }
   if (names.empty()) {
-    fail(list.place, "names are missing");
+    fail(list.place, "the names are missing");
   }
   return names;
 }
@@ -99,6 +105,9 @@ void ClosureReader::read_model(const PlacedText& kind) {
 
 void ClosureReader::read_symbols(const PlacedText& rest, bool angles) {
   const auto [names, meaning] = cut(rest, ':');
+  if (names.empty()) {
+    fail(names.place, "the names are missing");
+  }
   for (const PlacedText& name : words(names)) {
     expect_new_in_formulas(name);
     system_.declare(name.text, angles, meaning.text);
@@ -127,7 +136,7 @@ void ClosureReader::read_loop(const PlacedText& rest) {
   const auto [names, vectors] = cut(rest, '=');
   const std::vector<PlacedText> both = words(names);
   if (both.size() != 2) {
-    fail(names.place, "expected loop X_CLOSURE Y_CLOSURE = VECTOR");
+    fail(names.place, "expected 'loop X_CLOSURE Y_CLOSURE = VECTOR'");
   }
   expect_new_in_formulas(both[0]);
   expect_new_in_formulas(both[1]);
@@ -139,7 +148,7 @@ void ClosureReader::read_loop(const PlacedText& rest) {
 void ClosureReader::read_closure(const PlacedText& rest) {
   const std::vector<PlacedText> parts = split(rest, '=');
   if (parts.size() < 2 || parts.size() > 3) {
-    fail(rest.place, "expected closure NAME = EXPRESSION [= EXPRESSION]");
+    fail(rest.place, "expected 'closure NAME = EXPRESSION [= EXPRESSION]'");
   }
   expect_new_in_formulas(parts[0]);
   const GiNaC::ex left = read_formula(parts[1], system_);

@@ -7,6 +7,7 @@
 
 #include "closures/angle_terms.hpp"
 #include "closures/circle_algebra.hpp"
+#include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
 namespace assur::generator::closures {
@@ -22,6 +23,14 @@ std::string function_name(const GiNaC::ex& function) {
   return GiNaC::ex_to<GiNaC::function>(function).get_name();
 }
 
+/// Throws NotAlgebraic for what has too many terms.
+GiNaC::ex multiplied_out(const GiNaC::ex& expression) {
+  if (!can_be_multiplied_out(expression)) {
+    throw NotAlgebraic("it has too many terms when its powers and products are multiplied out");
+  }
+  return expression.expand();
+}
+
 class Translation {
  public:
   Translation(const ClosureSystem& system, const std::vector<std::string>& types,
@@ -34,7 +43,7 @@ class Translation {
   equations::ImplicitEquations run() {
     for (const ClosureSystem::Closure& closure : system_.closures()) {
       try {
-        result_.residuals.push_back(scalar(closure.expression).expand());
+        result_.residuals.push_back(multiplied_out(scalar(closure.expression)));
       } catch (const NotAlgebraic& error) {
         throw NotAlgebraic("closure " + closure.name + ": " + error.what());
       }
@@ -153,7 +162,7 @@ class Translation {
       if (GiNaC::is_a<GiNaC::power>(*definition)) {
         known->second = power(*definition, name);
       } else {
-        const GiNaC::ex value = scalar(*definition).expand();
+        const GiNaC::ex value = multiplied_out(scalar(*definition));
         known->second = result_.vocabulary.name(fresh(name), value, text(*definition));
       }
     }
@@ -189,8 +198,8 @@ class Translation {
     const bool rooted = halves % 2 != 0;
     GiNaC::ex root = 1;
     if (rooted) {
-      root = result_.vocabulary.name_root(fresh(name.empty() ? "root" : name), value.expand(),
-                                          "sqrt(" + text(base) + ")");
+      root = result_.vocabulary.name_root(fresh(name.empty() ? "root" : name),
+                                          multiplied_out(value), "sqrt(" + text(base) + ")");
     }
     if (halves > 0) {
       return GiNaC::pow(value, whole) * root;
@@ -205,7 +214,7 @@ class Translation {
 
   /// One over a value: `inverse_a5` of a length, else by number.
   GiNaC::ex reciprocal(const GiNaC::ex& value, const std::string& degeneracy) {
-    const GiNaC::ex denominator = value.expand();
+    const GiNaC::ex denominator = multiplied_out(value);
     if (denominator.is_zero()) {
       throw NotAlgebraic("division by zero: " + degeneracy);
     }
@@ -284,7 +293,7 @@ class Translation {
       throw NotAlgebraic("'" + text(function) + "' is used as an angle and is a number");
     }
     equations::Vocabulary& vocabulary = result_.vocabulary;
-    const GiNaC::ex first = scalar(function.op(0)).expand();
+    const GiNaC::ex first = multiplied_out(scalar(function.op(0)));
     if (called == "acos" || called == "asin") {
       const bool is_cosine = called == "acos";
       const GiNaC::ex given =
@@ -293,11 +302,12 @@ class Translation {
                                                    1 - given * given, text(function) + " ends");
       return is_cosine ? equations::Vector2{given, other} : equations::Vector2{other, given};
     }
-    const GiNaC::ex second = called == "atan2" ? scalar(function.op(1)).expand() : GiNaC::ex(1);
+    const GiNaC::ex second =
+        called == "atan2" ? multiplied_out(scalar(function.op(1))) : GiNaC::ex(1);
     const std::string degeneracy =
         called == "atan2" ? text(function) + " has no direction" : "never";
     const GiNaC::ex size = vocabulary.name_root(
-        fresh("size_" + name), (first * first + second * second).expand(), degeneracy);
+        fresh("size_" + name), multiplied_out(first * first + second * second), degeneracy);
     const GiNaC::ex inverse = reciprocal(size, degeneracy);
     return {vocabulary.name(fresh("cos_" + name), second * inverse, "cosine of " + name),
             vocabulary.name(fresh("sin_" + name), first * inverse, "sine of " + name)};

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "closures/extent.hpp"
+
 namespace assur::generator::closures {
 
 namespace {
@@ -123,6 +125,8 @@ class Reader {
     if (called == "derivative") return derivative(node, first);
     const GiNaC::ex second = scalar(node.arguments[1]);
     if (node.operation == Operation::divide) return quotient(first, second, node);
+    if (node.operation == Operation::multiply)
+      expect_degree(meter_.of(first).degree + meter_.of(second).degree, node);
     if (node.operation == Operation::power || node.operation == Operation::other) {  // pow(e, n)
       return power(first, second, node);
     }
@@ -167,11 +171,22 @@ class Reader {
     return *found;
   }
 
+  /// Degrees multiply where powers stand within powers or abbreviations, so that a short text may
+  /// ask for more than any time suffices for.
+  void expect_degree(double degree, const text::Expression& at) const {
+    if (degree > max_degree) {
+      fail("the degree of this is higher than " + std::to_string(max_degree) +
+               ", the highest that is read",
+           at);
+    }
+  }
+
   [[nodiscard]] GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
-                                   const text::Expression& at) const {
+                                   const text::Expression& at) {
     if (below.is_zero()) {
       fail("division by zero", at);
     }
+    expect_degree(meter_.of(above).degree + meter_.of(below).degree, at);
     return above / below;
   }
 
@@ -191,7 +206,7 @@ class Reader {
   }
 
   [[nodiscard]] GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,
-                                const text::Expression& at) const {
+                                const text::Expression& at) {
     if (!(2 * exponent).info(GiNaC::info_flags::integer)) {
       fail("only whole and half powers can be compared", at);
     }
@@ -204,12 +219,18 @@ class Reader {
     if (is_too_long(base, exponent)) {
       fail("the power of a number has too many digits", at);
     }
+    if (!GiNaC::is_a<GiNaC::numeric>(base)) {
+      expect_degree(
+          meter_.of(base).degree * std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double()),
+          at);
+    }
     return GiNaC::pow(base, exponent);
   }
 
   const PlaceOf& place_of_;
   ClosureSystem& system_;
   const LocalNames& locals_;
+  ExtentMeter meter_{&system_};
 };
 
 }  // namespace

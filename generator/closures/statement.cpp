@@ -4,6 +4,7 @@
 #include <cctype>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace assur::generator::closures {
 
@@ -110,7 +111,9 @@ std::vector<PlacedText> split(const PlacedText& text, char separator) {
 std::pair<PlacedText, PlacedText> cut(const PlacedText& text, char separator) {
   const std::size_t at = find_outside(text.text, separator, 0);
   if (at == std::string::npos) {
-    return {trimmed(text), {}};
+    PlacedText whole = trimmed(text);
+    const Place behind = whole.at(whole.text.size() + 1);
+    return {std::move(whole), {"", behind}};
   }
   return {trimmed(part(text, 0, at)), trimmed(part(text, at + 1, text.text.size()))};
 }

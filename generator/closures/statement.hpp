@@ -52,8 +52,8 @@ struct Statement {
 [[nodiscard]] PlacedText trimmed(const PlacedText& text);
 /// The parts between the separators that stand outside parentheses, trimmed.
 [[nodiscard]] std::vector<PlacedText> split(const PlacedText& text, char separator);
-/// The parts before and after the first separator outside parentheses; the second is empty, with an
-/// empty place, where there is none.
+/// The parts before and after the first separator outside parentheses; where there is none, the
+/// second is empty and stands behind the text.
 [[nodiscard]] std::pair<PlacedText, PlacedText> cut(const PlacedText& text, char separator);
 /// The words between white space.
 [[nodiscard]] std::vector<PlacedText> words(const PlacedText& text);

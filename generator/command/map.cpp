@@ -1,6 +1,7 @@
 // Turns the options of `assur map` into rows, a summary and a picture of a grid of parameters.
 #include <algorithm>
 #include <assur/mechanism/error.hpp>
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/quoted.hpp>
 #include <cmath>
@@ -97,7 +98,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
     settings = " --set " + axis->name + "=" + campaign::number_text(value) + settings;
     rest /= axis->count;
   }
-  remarks() << campaign::with_noun(refused, "cell") << (refused == 1 ? " is" : " are")
+  remarks() << text::with_noun(refused, "cell") << (refused == 1 ? " is" : " are")
             << " refused; `assur solve SCENE" << settings << "` tells the reason"
             << (refused == 1 ? "" : " for the first") << '\n';
 }

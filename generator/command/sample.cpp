@@ -1,6 +1,7 @@
 // Turns the options of `assur sample` into rows, a summary and a picture of random deviations.
 #include <array>
 #include <assur/mechanism/error.hpp>
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <limits>
@@ -43,7 +44,7 @@ void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::S
       settings += " --set " + mechanism.parameters()[sampling.deviations()[place].parameter].name +
                   "=" + campaign::number_text(numbers[place]);
     }
-    remarks() << campaign::with_noun(summary.count_of(outcome), "sample")
+    remarks() << text::with_noun(summary.count_of(outcome), "sample")
               << (summary.count_of(outcome) == 1 ? " is " : " are ")
               << mechanism::outcome_words[static_cast<std::size_t>(outcome)] << "; sample "
               << sample << ": " << sampling.reason_of(sample) << " (" << settings.substr(1)

@@ -1,6 +1,7 @@
 #include "document/document.hpp"
 
 #include <algorithm>
+#include <assur/text/counts.hpp>
 #include <assur/text/names.hpp>
 #include <iterator>
 #include <utility>
@@ -42,9 +43,10 @@ class DocumentBuilder {
     begin("Structure");
     const structure::JointTable<structure::Joint>& joints = group_.joints();
     prose("The " + group_.name() + " is an Assur group of class " +
-          std::to_string(group_.assur_class()) + ": " + counted(group_.links().size(), "link") +
-          ", " + counted(joints.size(), "joint") + ", " +
-          counted(from_.closures.size(), "independent loop") + " (" +
+          std::to_string(group_.assur_class()) + ": " +
+          text::with_noun(group_.links().size(), "link") + ", " +
+          text::with_noun(joints.size(), "joint") + ", " +
+          text::with_noun(from_.closures.size(), "independent loop") + " (" +
           text::joined(from_.closures, ", ", [](const DerivedClosure& each) { return each.loop; }) +
           "). Its kinds are spelled " + group_.spelling() +
           ", R for a revolute and P for a prismatic joint.");
@@ -243,7 +245,7 @@ class DocumentBuilder {
     }
     prose("The polynomial has degree " + std::to_string(elimination.degree) + " in " +
           (elimination.is_angle ? "(cos, sin) of " : "") + elimination.unknown + ": at most " +
-          counted(elimination.max_configurations, "configuration") + ".");
+          text::with_noun(elimination.max_configurations, "configuration") + ".");
   }
 
   void back_substitution(const DerivedBackSubstitution& back) {

@@ -26,10 +26,6 @@ std::string term_text(const DerivedTerm& term, const std::string& base) {
 
 }  // namespace
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 std::string series_text(const DerivedSeries& series) {
   const std::string sum = text::joined(
       series.terms, " + ", [&](const DerivedTerm& term) { return term_text(term, series.base); });

@@ -8,8 +8,6 @@
 
 namespace assur::generator::document {
 
-/// `1 loop`, `2 loops`.
-[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
 /// `U = P1*C2 - P2*C1 = (U_0_re + i*U_0_im) + ...`.
 [[nodiscard]] std::string series_text(const DerivedSeries& series);
 /// The formula in brackets where it is a sum.

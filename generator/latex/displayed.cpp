@@ -74,7 +74,7 @@ class Scanner {
     } else if (token.is("$")) {
       dollars();
     } else if (token.is("\\(")) {
-      at_ = position_of("\\)", at_ + 1, token) + 1;
+      at_ = position_of("\\)", at_ + 1, token.place, token.text) + 1;
     } else if (const auto command = commands_.find(token.text); command != commands_.end()) {
       display_command(command->second);
     } else if (std::find(headings.begin(), headings.end(), token.text) != headings.end()) {
@@ -91,14 +91,14 @@ class Scanner {
     }
   }
 
-  [[nodiscard]] std::size_t position_of(const char* closing, std::size_t from,
-                                        const Token& opened) const {
+  [[nodiscard]] std::size_t position_of(const char* closing, std::size_t from, Place opened,
+                                        const std::string& opening) const {
     for (std::size_t at = from; at < tokens_.size(); ++at) {
       if (tokens_[at].is(closing)) {
         return at;
       }
     }
-    throw FormulaError(opened.text + " is not closed", opened.place);
+    throw FormulaError(opening + " is not closed", opened);
   }
 
   void heading(const Token& token) {
@@ -128,7 +128,7 @@ class Scanner {
   }
 
   void shown_between(const char* closing) {
-    const std::size_t end = position_of(closing, at_ + 1, tokens_[at_]);
+    const std::size_t end = position_of(closing, at_ + 1, tokens_[at_].place, tokens_[at_].text);
     show(slice(tokens_, at_ + 1, end), false);
     at_ = end + 1;
   }
@@ -137,7 +137,7 @@ class Scanner {
     const Token& opened = tokens_[at_];
     const bool two = at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("$");
     const std::size_t from = at_ + (two ? 2 : 1);
-    const std::size_t end = position_of("$", from, opened);
+    const std::size_t end = position_of("$", from, opened.place, two ? "$$" : "$");
     if (two) {
       if (end + 1 >= tokens_.size() || !tokens_[end + 1].is("$")) {
         throw FormulaError("$$ is not closed", opened.place);

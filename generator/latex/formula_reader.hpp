@@ -54,9 +54,9 @@ class FormulaReader {
   /// \sum_{i=1}^{4} and the product behind it.
   Expression explicit_sum(const Tokens& tokens, std::size_t behind, std::size_t at);
   Expression product();
-  /// Whether a factor may stand behind another without a sign between them.
-  /// `\frac12` begins there.
+  /// Whether `\frac12`, a fraction of two numbers, begins at a place.
   [[nodiscard]] bool is_fraction_of_numbers(std::size_t at) const;
+  /// Throws unless a factor may stand behind another without a sign between them.
   void expect_clear_product(const Factor& left, const Token& next, bool spaced) const;
 
   // Factors.

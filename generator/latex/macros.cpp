@@ -8,7 +8,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// No paper needs as many; definitions that use each other have no end.
+/// No call in a paper needs as many; definitions that use each other have no end.
 constexpr std::size_t most_replacements = 20000;
 constexpr std::size_t most_tokens = 2000000;
 
@@ -36,7 +36,7 @@ class Expander {
         global_ = false;
       } else if (token.is("\\let")) {
         define_alike();
-      } else if (token.is("\\mathcode") || changes_letters(token)) {
+      } else if (token.is("\\mathcode") || token.is("\\catcode")) {
         throw FormulaError(token.text + " changes what letters mean, which is not followed",
                            token.place);
       } else if (token.is("\\DeclareMathOperator")) {
@@ -169,13 +169,6 @@ class Expander {
     define(name, known == macros_.end() ? Macro{0, other} : known->second);
   }
 
-  /// That of `@` is changed by packages, and stands in no formula.
-  [[nodiscard]] bool changes_letters(const Token& token) const {
-    const std::size_t behind = rest_.size();
-    return token.is("\\catcode") &&
-           !(behind > 1 && (rest_[behind - 2].is("\\@") || rest_[behind - 2].is("@")));
-  }
-
   void define_operator() {
     take("*");
     const Tokens name = argument();
@@ -198,8 +191,10 @@ class Expander {
       throw FormulaError("the definition of " + call.text + " cannot be followed; write it out",
                          call.place);
     }
-    if (++replacements_ > most_replacements) {
-      throw FormulaError("the definition of " + call.text + " has no end", call.place);
+    if (++replacements_[call.from] > most_replacements) {
+      throw FormulaError("expanding " + call.text + " takes more than " +
+                             std::to_string(most_replacements) + " replacements; write it out",
+                         call.place);
     }
     std::vector<Tokens> arguments;
     while (arguments.size() < macro.arguments) {
@@ -221,8 +216,10 @@ class Expander {
       made.back().from = call.from;
       made.back().to = call.to;
     }
-    if (rest_.size() + made.size() > most_tokens) {
-      throw FormulaError("the definition of " + call.text + " has no end", call.place);
+    if (result_.size() + rest_.size() + made.size() > most_tokens) {
+      throw FormulaError("expanding " + call.text + " makes more than " +
+                             std::to_string(most_tokens) + " tokens of the paper; write it out",
+                         call.place);
     }
     rest_.insert(rest_.end(), made.rbegin(), made.rend());
   }
@@ -234,7 +231,8 @@ class Expander {
   using Definition = std::pair<std::string, std::optional<Macro>>;
   std::vector<std::vector<Definition>> groups_;  ///< what stood before in those that are open
   bool global_ = false;                          ///< what is defined outlives its group
-  std::size_t replacements_ = 0;
+  /// By the place of the call in the file, which what is made of it has, too.
+  std::map<std::size_t, std::size_t> replacements_;
   Place last_{1, 1};
 };
 

@@ -251,6 +251,12 @@ void Notations::add(const Tokens& notation, const std::string& formula) {
   notations_.insert(place, std::move(added));
 }
 
+bool Notations::contains(const Tokens& notation) const {
+  const std::vector<std::string> pattern = symbols_of(notation);
+  return std::any_of(notations_.begin(), notations_.end(),
+                     [&](const Notation& each) { return each.pattern == pattern; });
+}
+
 std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& tokens,
                                         std::size_t at) {
   std::vector<std::string> captured;

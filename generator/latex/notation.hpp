@@ -43,6 +43,8 @@ class Notations {
   /// of the `?` of the formula, in their order, commas as underscores; the last for all that
   /// follow. An empty formula: the paper defines it.
   void add(const Tokens& notation, const std::string& formula);
+  /// Whether a notation was added already, however it is spelled.
+  [[nodiscard]] bool contains(const Tokens& notation) const;
 
   /// What stands at a token: by the longest notation of the map; or else by the name of a quantity
   /// that is spelled as the symbol is, `a_{1}` as `a_1` or `a1`. Nothing if there is none. Throws

@@ -42,7 +42,7 @@ void expect_utf8(const std::string& text, const std::string& file) {
 
 class Tokenizer {
  public:
-  explicit Tokenizer(const std::string& text) : text_(text) {}
+  Tokenizer(const std::string& text, Place begin) : text_(text), place_(begin) {}
 
   Tokens run() {
     bool spaced = false;
@@ -114,7 +114,7 @@ class Tokenizer {
 
   const std::string& text_;
   std::size_t at_ = 0;
-  Place place_{1, 1};
+  Place place_;
   Tokens tokens_;
 };
 
@@ -123,9 +123,9 @@ class Tokenizer {
 bool Token::is_letter() const { return text.size() == 1 && is_ascii_letter(text[0]); }
 bool Token::is_digit() const { return text.size() == 1 && text[0] >= '0' && text[0] <= '9'; }
 
-Tokens tokens_of(const std::string& text, const std::string& file) {
+Tokens tokens_of(const std::string& text, const std::string& file, Place begin) {
   expect_utf8(text, file);
-  return Tokenizer(text).run();
+  return Tokenizer(text, begin).run();
 }
 
 bool opens(const Token& token) { return token.is("(") || token.is("[") || token.is("\\{"); }

@@ -33,9 +33,11 @@ template <typename List>
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The tokens of a file; what stands in verbatim is left out. Throws InputError for a text that is
-/// not UTF-8, and FormulaError for a backslash that ends it.
-[[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file);
+/// The tokens of a file, or of a text that begins at some place in it; what stands in verbatim is
+/// left out. Throws InputError for a text that is not UTF-8, and FormulaError for a backslash that
+/// ends it.
+[[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file,
+                               Place begin = {1, 1});
 
 /// Brackets that are printed.
 [[nodiscard]] bool opens(const Token& token);

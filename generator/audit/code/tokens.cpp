@@ -199,7 +199,7 @@ class Lexer {
       }
     }
     if (!is_one_of(letter(), "{}[]()<>;:,.+-*/%^&|!~=?")) {
-      fail("this letter cannot be read" + by_running);
+      fail("this character cannot be read" + by_running);
     }
     add(Token::Kind::mark, at_ + 1);
   }

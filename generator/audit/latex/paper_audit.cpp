@@ -30,6 +30,19 @@ std::string case_text(const Case& values) {
                       [](const auto& pair) { return pair.first + " = " + pair.second; });
 }
 
+/// Why a paper of these equations says nothing that could be audited.
+std::string why_nothing(const std::vector<generator::latex::Displayed>& equations,
+                        const PaperMap& map) {
+  if (equations.empty()) {
+    return "no displayed equation was found";
+  }
+  const bool skipped = std::all_of(equations.begin(), equations.end(), [&](const auto& equation) {
+    return map.skips(equation.label, equation.section);
+  });
+  return skipped ? "the map skips every equation"
+                 : "the equations only define what the map takes as printed";
+}
+
 class PaperAuditor {
  public:
   PaperAuditor(const std::string& paper, const std::string& file, PaperMap& map)
@@ -44,9 +57,8 @@ class PaperAuditor {
       kept.insert(command);
     }
     try {
-      const Tokens tokens =
-          generator::latex::expanded(generator::latex::tokens_of(paper_, report_.file), kept);
-      stated_ = paper_statements(tokens, map_);
+      tokens_ = generator::latex::expanded(generator::latex::tokens_of(paper_, report_.file), kept);
+      stated_ = paper_statements(tokens_, map_);
     } catch (const FormulaError& error) {
       throw closures::AuditSyntaxError(report_.file, error.place, error.what());
     }
@@ -56,7 +68,9 @@ class PaperAuditor {
       audit(stated);
     }
     if (report_.statements.empty()) {
-      throw text::InputError(report_.file + ": nothing to audit; no displayed equation was found");
+      throw text::InputError(
+          report_.file + ": nothing to audit: " +
+          why_nothing(generator::latex::displayed(tokens_, map_.commands()), map_));
     }
     return std::move(report_);
   }
@@ -189,6 +203,7 @@ class PaperAuditor {
   const std::string& paper_;
   PaperMap& map_;
   PaperFormulas formulas_;
+  Tokens tokens_;
   std::vector<Stated> stated_;
   AuditReport report_;
 };

@@ -14,8 +14,9 @@ namespace {
 
 using closures::PlacedText;
 
-/// `1..13` as the numbers from 1 to 13; any other word as it is. `f1..4` as f1, f2, f3, f4.
-std::vector<std::string> spread(const std::string& word) {
+/// `1..13` as the numbers from 1 to 13, `f1..4` as f1, f2, f3, f4, and a word without dots as it
+/// is. Throws FormulaError for a range of nothing, or of more than anybody writes.
+std::vector<std::string> spread(const std::string& word, closures::Place place) {
   const std::size_t dots = word.find("..");
   if (dots == std::string::npos) {
     return {word};
@@ -30,7 +31,9 @@ std::vector<std::string> spread(const std::string& word) {
   const bool good = !first.empty() && first.size() < 4 && !last.empty() && last.size() < 4 &&
                     std::all_of(last.begin(), last.end(), is_digit);
   if (!good || std::stoi(first) > std::stoi(last)) {
-    return {word};
+    throw closures::FormulaError(
+        "expected a range such as 1..4, upwards and of numbers below 1000, found '" + word + "'",
+        place);
   }
   std::vector<std::string> list;
   for (int number = std::stoi(first); number <= std::stoi(last); ++number) {
@@ -52,6 +55,9 @@ std::optional<PlacedText> behind(const PlacedText& text, const std::string& word
   return rest;
 }
 
+/// What audit files have beside declarations: in a paper, the paper itself says what is printed.
+const std::vector<std::string> of_the_audit = {"printed", "scene", "group", "given", "value"};
+
 const std::vector<std::string> own_keywords = {"closures", "display",  "index", "sum",
                                                "skip",     "brackets", "blanks"};
 
@@ -68,13 +74,15 @@ PaperMap::PaperMap(const std::string& text, const std::string& file)
       fail(error.place, error.what());
     }
   }
+  expect_known_names();
 }
 
 void PaperMap::fail(closures::Place place, const std::string& what) const {
-  throw closures::AuditSyntaxError(file_, place, what);
+  throw closures::AuditSyntaxError(file_, closures::place_in(statement_, place), what);
 }
 
 void PaperMap::read(const closures::Statement& statement) {
+  statement_ = statement;
   PlacedText rest = closures::joined(statement);
   const PlacedText line = rest;
   const PlacedText keyword = closures::take_word(rest);
@@ -103,12 +111,18 @@ void PaperMap::read(const closures::Statement& statement) {
   if (!notation && reader_.read(statement)) {
     return;
   }
+  if (!notation && contains(of_the_audit, keyword.text)) {
+    fail(keyword.place,
+         "'" + keyword.text +
+             "' is a statement of audit files, and a map has none of them; leave it out");
+  }
   read_notation(line);
 }
 
 void PaperMap::read_closures(const PlacedText& file) {
-  static const std::vector<std::string> of_the_audit = {"printed", "scene", "group", "given",
-                                                        "value"};
+  if (file.empty()) {
+    fail(file.place, "the name of a file is missing");
+  }
   const std::string path = (std::filesystem::path(file_).parent_path() / file.text).string();
   std::string text;
   try {
@@ -120,16 +134,19 @@ void PaperMap::read_closures(const PlacedText& file) {
     PlacedText rest = statement.head;
     const PlacedText keyword = closures::take_word(rest);
     if (!contains(of_the_audit, keyword.text) && !reader_.read(statement)) {
-      throw closures::AuditSyntaxError(path, keyword.place, "no statement '" + keyword.text + "'");
+      throw closures::AuditSyntaxError(
+          path, keyword.place,
+          "no statement '" + keyword.text + "'" +
+              text::suggestion(keyword.text, closures::ClosureReader::keywords()));
     }
   }
 }
 
 /// `\numbered{EQUATION}{NUMBER}`
 void PaperMap::read_display(const PlacedText& rest) {
-  const Tokens tokens = generator::latex::tokens_of(rest.text, file_);
+  const Tokens tokens = generator::latex::tokens_of(rest.text, file_, rest.place);
   if (tokens.empty() || !tokens[0].is_command()) {
-    fail(rest.place, "expected display \\COMMAND{EQUATION}{NUMBER}");
+    fail(rest.place, "expected 'display \\COMMAND{EQUATION}{NUMBER}'");
   }
   DisplayCommand command{0, 0, 0};
   for (std::size_t at = 1; at < tokens.size();) {
@@ -143,9 +160,11 @@ void PaperMap::read_display(const PlacedText& rest) {
     }
   }
   if (command.equation == 0) {
-    fail(rest.place, "expected display \\COMMAND{EQUATION}{NUMBER}");
+    fail(rest.place, "expected 'display \\COMMAND{EQUATION}{NUMBER}'");
   }
-  commands_[tokens[0].text] = command;
+  if (!commands_.emplace(tokens[0].text, command).second) {
+    fail(rest.place, "the command '" + tokens[0].text + "' is given twice; leave one out");
+  }
 }
 
 void PaperMap::read_index(const PlacedText& rest,
@@ -153,11 +172,14 @@ void PaperMap::read_index(const PlacedText& rest,
   const auto [name, range] = closures::cut(rest, '=');
   std::vector<std::string> values;
   for (const PlacedText& word : closures::words(range)) {
-    const std::vector<std::string> some = spread(word.text);
+    const std::vector<std::string> some = spread(word.text, word.place);
     values.insert(values.end(), some.begin(), some.end());
   }
   if (name.text.size() != 1 || values.empty()) {
     fail(rest.place, "expected an index and its values, such as j = 1..4");
+  }
+  if (indices_.contains(name.text) || summed_.contains(name.text)) {
+    fail(name.place, "the index '" + name.text + "' is given twice; leave one out");
   }
   list[name.text] = values;
 }
@@ -165,20 +187,45 @@ void PaperMap::read_index(const PlacedText& rest,
 void PaperMap::read_skip(const PlacedText& rest) {
   if (const std::optional<PlacedText> sections = behind(rest, "sections")) {
     for (const PlacedText& title : closures::split(*sections, ',')) {
-      skipped_sections_.insert(title.text);
+      if (title.empty()) {
+        fail(title.place, "the title of a section is missing");
+      }
+      skipped_sections_.emplace(title.text, closures::place_in(statement_, title.place));
     }
     return;
   }
+  if (rest.empty()) {
+    fail(rest.place, "expected equations, such as 'skip (2) (9)', or 'skip sections TITLE, ...'");
+  }
   for (const PlacedText& label : closures::words(rest)) {
-    skipped_.emplace(label.text, label.place);
+    skipped_.emplace(label.text, closures::place_in(statement_, label.place));
   }
 }
 
-void PaperMap::expect_skipped(const std::set<std::string>& labels) const {
+void PaperMap::expect_skipped(const std::set<std::string>& labels,
+                              const std::set<std::string>& sections) const {
   for (const auto& [label, place] : skipped_) {
     if (!labels.contains(label)) {
-      fail(place, "the paper has no equation " + label + " that could be skipped");
+      throw closures::AuditSyntaxError(
+          file_, place, "the paper has no equation " + label + " that could be skipped");
     }
+  }
+  for (const auto& [title, place] : skipped_sections_) {
+    if (!sections.contains(title)) {
+      throw closures::AuditSyntaxError(
+          file_, place,
+          "the paper has no equation in a section '" + title + "' that could be skipped" +
+              text::suggestion(title, {sections.begin(), sections.end()}));
+    }
+  }
+}
+
+void PaperMap::expect_new(const PlacedText& notation, const Tokens& tokens) const {
+  const std::vector<std::string> symbols = generator::latex::symbols_of(tokens);
+  if (notations_.contains(tokens) ||
+      std::any_of(matrices_.begin(), matrices_.end(),
+                  [&](const Matrix& matrix) { return matrix.pattern == symbols; })) {
+    fail(notation.place, "the notation '" + notation.text + "' is given twice; leave one out");
   }
 }
 
@@ -188,20 +235,24 @@ void PaperMap::read_notation(const PlacedText& line) {
     fail(line.place, "expected NOTATION = QUANTITY, or a statement of a map" +
                          text::suggestion(line.text, own_keywords));
   }
-  const Tokens tokens = generator::latex::tokens_of(notation.text, file_);
+  const Tokens tokens = generator::latex::tokens_of(notation.text, file_, notation.place);
+  expect_new(notation, tokens);
   if (meaning.text == "as printed") {
     notations_.add(tokens, "");
     return;
   }
   if (const std::optional<PlacedText> matrix = behind(meaning, "matrix")) {
-    Matrix added{generator::latex::symbols_of(tokens), "", ""};
+    Matrix added{generator::latex::symbols_of(tokens), {}, {}, statement_};
     if (matrix->text != "by its titles") {
       const std::size_t by = matrix->text.find(" by ");
       if (!matrix->text.starts_with("of ") || by == std::string::npos) {
-        fail(meaning.place, "expected matrix of ROWS by COLUMNS, or matrix by its titles");
+        fail(meaning.place, "expected 'matrix of ROWS by COLUMNS' or 'matrix by its titles'");
       }
-      added.rows = matrix->text.substr(3, by - 3);
-      added.columns = matrix->text.substr(by + 4);
+      added.rows = closures::trimmed({matrix->text.substr(3, by - 3), matrix->at(4)});
+      added.columns = closures::trimmed({matrix->text.substr(by + 4), matrix->at(by + 5)});
+      if (added.rows.empty() || added.columns.empty()) {
+        fail((added.rows.empty() ? added.rows : added.columns).place, "the names are missing");
+      }
     }
     matrices_.push_back(std::move(added));
     return;
@@ -214,17 +265,64 @@ void PaperMap::read_notation(const PlacedText& line) {
     fail(meaning.at(error.column), error.what());
   }
   notations_.add(tokens, meaning.text);
+  formulas_.push_back({statement_, meaning});
 }
 
-std::vector<std::string> PaperMap::names(const std::string& list, bool symbols_only,
-                                         closures::Place place) const {
+void PaperMap::expect_known_names() const {
+  const auto fail_in = [&](const closures::Statement& statement,
+                           const closures::FormulaError& error) {
+    throw closures::AuditSyntaxError(file_, closures::place_in(statement, error.place),
+                                     error.what());
+  };
+  for (const Formula& formula : formulas_) {
+    if (formula.text.text.find('?') != std::string::npos) {
+      continue;  // the paper says what is put there
+    }
+    try {
+      expect_known_names(text::parse_expression(formula.text.text, closures::formula_functions()),
+                         formula.text);
+    } catch (const closures::FormulaError& error) {
+      fail_in(formula.statement, error);
+    }
+  }
+  for (const Matrix& matrix : matrices_) {
+    try {
+      static_cast<void>(names(matrix.rows, false));
+      for (const PlacedText& word : closures::words(matrix.columns)) {
+        if (word.text != "?") {
+          static_cast<void>(names(word, true));
+        }
+      }
+    } catch (const closures::FormulaError& error) {
+      fail_in(matrix.statement, error);
+    }
+  }
+}
+
+void PaperMap::expect_known_names(const text::Expression& tree, const PlacedText& formula) const {
+  if (tree.kind == text::Expression::Kind::name && !system().is_known(tree.name)) {
+    throw closures::FormulaError("no symbol named '" + tree.name + "'" +
+                                     text::suggestion_or_choice(tree.name, system().names()),
+                                 formula.at(tree.column));
+  }
+  for (const text::Expression& argument : tree.arguments) {
+    expect_known_names(argument, formula);
+  }
+}
+
+std::vector<std::string> PaperMap::names(const PlacedText& list, bool symbols_only) const {
   std::vector<std::string> all;
-  for (const PlacedText& word : closures::words({list, place})) {
-    for (const std::string& name : spread(word.text)) {
-      if (symbols_only ? system().symbol_named(name) == nullptr : !system().is_known(name)) {
+  for (const PlacedText& word : closures::words(list)) {
+    for (const std::string& name : spread(word.text, word.place)) {
+      const bool known = system().is_known(name);
+      if (known && symbols_only && system().symbol_named(name) == nullptr) {
+        throw closures::FormulaError("'" + name + "' is not the name of a length or an angle",
+                                     word.place);
+      }
+      if (!known) {
         throw closures::FormulaError(
             "no symbol named '" + name + "'" + text::suggestion_or_choice(name, system().names()),
-            place);
+            word.place);
       }
       all.push_back(name);
     }
@@ -265,21 +363,20 @@ std::optional<PrintedMatrix> PaperMap::matrix_frame(const Tokens& notation) cons
   const std::vector<std::string> symbols = generator::latex::symbols_of(notation);
   for (const Matrix& matrix : matrices_) {
     if (const auto captured = generator::latex::matched(matrix.pattern, symbols)) {
-      const closures::Place place = notation[0].place;
       if (matrix.rows.empty()) {
         return PrintedMatrix{};
       }
       // A `?` of the columns is a notation of the paper.
       std::vector<std::string> columns;
-      for (const PlacedText& word : closures::words({matrix.columns, place})) {
+      for (const PlacedText& word : closures::words(matrix.columns)) {
         if (word.text != "?") {
-          const std::vector<std::string> some = names(word.text, true, place);
+          const std::vector<std::string> some = names(word, true);
           columns.insert(columns.end(), some.begin(), some.end());
           continue;
         }
         columns.push_back(quantity_named((*captured)[0], notation));
       }
-      return PrintedMatrix{names(matrix.rows, false, place), columns, {}};
+      return PrintedMatrix{names(matrix.rows, false), columns, {}};
     }
   }
   return std::nullopt;

@@ -26,8 +26,9 @@ class PaperMap {
   /// A notation that stands for a whole matrix.
   struct Matrix {
     std::vector<std::string> pattern;
-    std::string rows;  ///< empty: as its titles say
-    std::string columns;
+    closures::PlacedText rows;  ///< empty: as its titles say
+    closures::PlacedText columns;
+    closures::Statement statement;
   };
 
   [[nodiscard]] closures::ClosureReader& reader() { return reader_; }
@@ -43,19 +44,21 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
-  /// Throws AuditSyntaxError where the map skips an equation that is not one of these.
-  void expect_skipped(const std::set<std::string>& labels) const;
+  /// Throws AuditSyntaxError where the map skips an equation that is not one of these, or those of
+  /// another section.
+  void expect_skipped(const std::set<std::string>& labels,
+                      const std::set<std::string>& sections) const;
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);
   }
   /// The frame of the matrix whose notation these tokens are as a whole, or nothing; both lists are
-  /// empty where its titles say them. Throws FormulaError for names that are not known.
+  /// empty where its titles say them. Throws FormulaError where a `?` is no quantity.
   [[nodiscard]] std::optional<PrintedMatrix> matrix_frame(const Tokens& notation) const;
   /// The quantity that a whole side is, without power and dots.
   [[nodiscard]] std::optional<generator::latex::Meaning> quantity(const Tokens& side) const;
   /// The names of a list such as `f1 f2` or `a1..13`.
-  [[nodiscard]] std::vector<std::string> names(const std::string& list, bool symbols_only,
-                                               closures::Place place) const;
+  [[nodiscard]] std::vector<std::string> names(const closures::PlacedText& list,
+                                               bool symbols_only) const;
 
  private:
   void read(const closures::Statement& statement);
@@ -65,19 +68,33 @@ class PaperMap {
                   std::map<std::string, std::vector<std::string>>& list);
   void read_skip(const closures::PlacedText& rest);
   void read_notation(const closures::PlacedText& line);
+  /// Throws where a notation is given a second meaning, of which one would be passed over.
+  void expect_new(const closures::PlacedText& notation, const Tokens& tokens) const;
+  /// Throws for names that nothing declares, neither above a notation nor below it.
+  void expect_known_names() const;
+  void expect_known_names(const text::Expression& tree, const closures::PlacedText& formula) const;
   /// The quantity that a symbol among the tokens stands for.
   [[nodiscard]] std::string quantity_named(const std::string& symbol, const Tokens& tokens) const;
+  /// The place is one of the joined text of the statement that is being read.
   [[noreturn]] void fail(closures::Place place, const std::string& what) const;
 
+  /// A formula of the map, and the statement that it stands in.
+  struct Formula {
+    closures::Statement statement;
+    closures::PlacedText text;
+  };
+
   std::string file_;
+  closures::Statement statement_;  ///< the one being read
   closures::ClosureReader reader_;
   Notations notations_;
   std::vector<Matrix> matrices_;
   std::map<std::string, std::vector<std::string>> indices_;
   std::map<std::string, std::vector<std::string>> summed_;
   std::map<std::string, DisplayCommand> commands_;
-  std::map<std::string, closures::Place> skipped_;
-  std::set<std::string> skipped_sections_;
+  std::map<std::string, closures::Place> skipped_;  ///< places in the file
+  std::map<std::string, closures::Place> skipped_sections_;
+  std::vector<Formula> formulas_;
   bool brackets_multiply_ = false;
   bool blanks_are_zero_ = false;
 };

@@ -97,13 +97,13 @@ void compile(const UserProgram& program, const MatrixSize& size, const WorkDirec
   const ProcessEnd end = run_tool(program, arguments, program.directory, work.path(),
                                   {seconds, limits.most_megabytes << 20U});
   if (end.kind == ProcessEnd::Kind::too_long) {
-    throw ProgramError("compiling did not end within " + seconds_text(seconds));
+    throw ProgramError("compiling it did not end within " + seconds_text(seconds));
   }
   if (end.output.find(entry_is_unclear) != std::string::npos) {
     fail_on_entry(size);
   }
   if (end.kind != ProcessEnd::Kind::ended || end.code != 0) {
-    throw ProgramError("does not compile: " + first_error(end.output, work.path().string()));
+    throw ProgramError("it does not compile: " + first_error(end.output, work.path().string()));
   }
 }
 
@@ -131,14 +131,15 @@ ProcessEnd run(const UserProgram& program, const MatrixSize& size, const WorkDir
 std::string signal_text(int signal) {
   const char* const name = sigabbrev_np(signal);
   const std::string what = strsignal(signal);
-  return "ended by a signal: " + what + (name == nullptr ? "" : std::string(" (SIG") + name + ")");
+  return "it was ended by a signal: " + what +
+         (name == nullptr ? "" : std::string(" (SIG") + name + ")");
 }
 
 /// Throws for every end but a quiet one. `done` points have their values.
 void expect_quiet(const ProcessEnd& end, const std::string& complaint, const MatrixSize& size,
                   std::size_t done, std::size_t all, const RunLimits& limits) {
   if (!complaint.empty() && complaint[0] == '!') {
-    throw ProgramError("ended with " + complaint.substr(1), done);
+    throw ProgramError("it ended with " + complaint.substr(1), done);
   }
   if (complaint == entry_is_unclear) {
     fail_on_entry(size);
@@ -150,13 +151,13 @@ void expect_quiet(const ProcessEnd& end, const std::string& complaint, const Mat
   }
   const std::size_t point = done < all ? done : ProgramError::none;
   if (end.kind == ProcessEnd::Kind::too_long) {
-    throw ProgramError("did not end within " + seconds_text(limits.seconds), point);
+    throw ProgramError("it did not end within " + seconds_text(limits.seconds), point);
   }
   if (end.kind == ProcessEnd::Kind::killed) {
     throw ProgramError(signal_text(end.code), point);
   }
   if (end.code != 0 || done < all) {
-    throw ProgramError("ended with status " + std::to_string(end.code) + " after " +
+    throw ProgramError("it ended with status " + std::to_string(end.code) + " after " +
                            std::to_string(done) + " of " + std::to_string(all) + " points",
                        point);
   }
@@ -191,7 +192,7 @@ std::vector<std::vector<double>> program_values(const UserProgram& program, cons
       char* last = nullptr;
       entries.push_back(std::strtod(word.c_str(), &last));
       if (last == word.c_str() || *last != '\0') {
-        throw ProgramError("gave '" + word.substr(0, 40) + "', which is not a number",
+        throw ProgramError("it gave '" + word.substr(0, 40) + "', which is not a number",
                            values.size());
       }
     }

@@ -234,14 +234,55 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"VectorOfNumbers", "length a\nloop x y = a\n",
               "f.audit:2:12: expected a sum of point(x, y) and polar(length, angle)"},
         Fault{"Rows", "length a\nclosure f = a\nprinted matrix J of f by a\n",
-              "f.audit:3:1: expected 1 rows, found 0"},
+              "f.audit:3:1: expected 1 row, found 0"},
         Fault{"Entries", "length a\nclosure f = a\nprinted matrix J of f by a\n  1, 2\n",
-              "f.audit:4:3: expected 1 entries, found 2"},
+              "f.audit:4:3: expected 1 entry, found 2"},
         Fault{"Printed", "printed matricks J\n",
               "f.audit:1:9: expected closure, matrix, code, run, equation, kinds or number after "
               "'printed'"},
         Fault{"NoClosure", "printed closure (1) f : 0\n",
               "f.audit:1:21: no closure named 'f' is derived"},
+        Fault{"TwoEntries", "length a b\nclosure f = a\nprinted matrix J of f by a b\n  1\n",
+              "f.audit:4:3: expected 2 entries, found 1"},
+        Fault{"NoColumns", "length a\nclosure f = a\nprinted matrix J of f\n",
+              "f.audit:3:18: expected 'of ROWS by COLUMNS'"},
+        Fault{"RowsOfNothing", "length a\nclosure f = a\nprinted matrix J of by a\n",
+              "f.audit:3:20: the names are missing"},
+        Fault{"NoRowsOfKinds", "printed kinds T of tetrad\n",
+              "f.audit:1:1: expected rows 'NUMBER : KIND, KIND, ... [: FAMILY]'"},
+        Fault{"UnknownClosure", "length a\nclosure f = a\nunknown f\n",
+              "f.audit:3:9: 'f' is not the name of a length or an angle"},
+        Fault{"NoLength", "length\n", "f.audit:1:7: the names are missing"},
+        Fault{"NoAngle", "angle : phi\n", "f.audit:1:7: the names are missing"},
+        Fault{"NoUnknown", "unknown\n", "f.audit:1:8: the names are missing"},
+        Fault{"NamelessLet", "let = 2\n", "f.audit:1:5: a name is missing"},
+        Fault{"LetOfNothing", "let a\n", "f.audit:1:6: a formula is missing"},
+        Fault{"LoopOfNothing", "loop f3 f4\n", "f.audit:1:11: a formula is missing"},
+        Fault{"GivenOfNothing", "given AB\n", "f.audit:1:9: a number is missing"},
+        Fault{"ValueOfNothing", "value BD\n",
+              "f.audit:1:9: the expression ends where a number, a name or '(' is expected"},
+        Fault{"NamesOfALoop", "length a\nprinted equation (1) for k in : k = a\n",
+              "f.audit:2:31: the names are missing"},
+        Fault{"NameOfAClosure", "printed closure (1)\n",
+              "f.audit:1:20: the name of a closure is missing"},
+        Fault{"NameOfAFile", "printed code J\n", "f.audit:1:15: the name of a file is missing"},
+        Fault{"NameOfAProgram", "printed run J\n", "f.audit:1:14: the name of a file is missing"},
+        Fault{"NoProgram", "printed run J no.cpp\n  result f()\n",
+              "f.audit:1:15: no.cpp: cannot be read (does it exist, and is it a file?)"},
+        Fault{"PointsOfARun", "printed run J no.cpp\n  points x\n",
+              "f.audit:2:10: expected a whole number from 3 to 400, found 'x'"},
+        Fault{"HalfAPoint", "printed run J no.cpp\n  points 4.5\n",
+              "f.audit:2:10: expected a whole number from 3 to 400, found '4.5'"},
+        Fault{"RoundingOfARun", "printed run J no.cpp\n  rounding 1\n",
+              "f.audit:2:12: expected a number from 0 to 0.01, found '1'"},
+        Fault{"HighPower", "length r\nlet u = r^10000000\n",
+              "f.audit:2:19: the degree of this is higher than 1000, the highest that is read"},
+        Fault{"PowerOfAPower", "length r\nlet u = ((r + 1)^100)^100\n",
+              "f.audit:2:26: the degree of this is higher than 1000, the highest that is read"},
+        Fault{"PowerOfAnAbbreviation", "length r\nlet u = r^1000\nlet w = 1/u^2\n",
+              "f.audit:3:14: the degree of this is higher than 1000, the highest that is read"},
+        Fault{"ProductOfPowers", "length r\nlet u = r^600*r^600\n",
+              "f.audit:2:20: the degree of this is higher than 1000, the highest that is read"},
         Fault{"NoKind", "model RRR-RRX\n",
               "f.audit:1:7: no group has a kind 'RRR-RRX'; a tetrad's is spelled like RRP-RRR"},
         Fault{"NoGroup", "printed kinds T of tertad\n",
@@ -250,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
               "f.audit:2:3: expected the number of a model, 1 to 24, found '25'"},
         Fault{"NoNumber", "given a = b\n", "f.audit:1:11: expected a number, found 'b'"},
         Fault{"NoFormula", "printed number a = 2\n",
-              "f.audit:1:16: expected printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA"},
+              "f.audit:1:16: expected 'printed number [LABEL] NAME = NUMBER [UNIT] is FORMULA'"},
         Fault{"NothingPrinted", "length a\n",
               "f.audit: nothing to audit; say what the source prints with 'printed'"},
         Fault{"BehindTheFirstLine", "length a\nlet b = a +\n   2*a +\n  (c + 2)\n",
@@ -260,6 +301,53 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoCode", "length a\nclosure f = a\nprinted code J no.cpp J of f by a\n",
               "f.audit:3:16: no.cpp: cannot be read (does it exist, and is it a file?)"}),
     [](const testing::TestParamInfo<Fault>& fault) { return fault.param.name; });
+
+/// What cannot be read is a finding like others, so that the rest of the file is audited.
+TEST(Audit, APrintedFormulaThatCannotBeReadIsAFinding) {
+  const auto evidence = [](const std::string& printed) {
+    const Finding finding = only_finding(slider_crank + "printed " + printed + "\n");
+    EXPECT_EQ(finding.comparison.verdict, Verdict::unreadable) << printed;
+    EXPECT_EQ(finding.place.line, 6U) << printed;
+    return finding.comparison.evidence;
+  };
+  EXPECT_EQ(evidence("equation (6) : r"), "expected an equation LEFT = RIGHT");
+  EXPECT_EQ(evidence("equation (6) : d(k, = 0"), "expected an equation LEFT = RIGHT");
+  EXPECT_EQ(evidence("equation (6) for k in f1 : d(k, r)"), "expected an equation LEFT = RIGHT");
+  EXPECT_EQ(evidence("closure (6) f1 : r ="), "a formula is missing");
+  EXPECT_EQ(evidence("closure (6) f1 : r^10000000 = 0"),
+            "the degree of this is higher than 1000, the highest that is read");
+}
+
+/// Each of these would be multiplied out into millions of terms.
+TEST(Audit, HighPowersTakeNoTime) {
+  const std::string many = "length a b c e\nangle p q t\nunknown a\nclosure f = a - b\n";
+  const auto verdict = [&](const std::string& printed) {
+    return only_finding(many + "printed " + printed + "\n").comparison.verdict;
+  };
+  EXPECT_EQ(verdict("closure (1) f : a^1000 = 0"), Verdict::differs);
+  EXPECT_EQ(verdict("closure (1) f : (a + b + c + e)^300 = 0"), Verdict::differs);
+  EXPECT_EQ(verdict("equation (1) : (a + b + c + e)^300 = (a + b + c + e)^299*(b + c + e + a)"),
+            Verdict::agrees);
+  EXPECT_EQ(verdict("equation (1) : (a + b + c + e)^300 = a*(a + b + c + e)^299 + "
+                    "(b + c + e)*(a + b + c + e)^299"),
+            Verdict::agrees);
+  EXPECT_EQ(verdict("equation (1) : sqrt((a + b + c + e)^301 + 1) = 1"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : cos((p + q + t)^300) = 1"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : cos(64*p + 64*q + 64*t) = 1"), Verdict::undecided);
+}
+
+TEST(Audit, AFaultOfASceneHasThePlaceOfItsName) {
+  const SceneReader broken = [](const std::string& file, int,
+                                const std::vector<std::string>&) -> std::map<std::string, double> {
+    throw text::InputError(file + ": no links");
+  };
+  try {
+    static_cast<void>(audit_text("given a = 1\nscene  s.json branch 9\n", "f.audit", broken));
+    FAIL() << "nothing was thrown";
+  } catch (const text::InputError& error) {
+    EXPECT_STREQ(error.what(), "f.audit:2:8: s.json: no links");
+  }
+}
 
 TEST(Audit, SurvivesRandomText) {
   constexpr unsigned seed = 2017;

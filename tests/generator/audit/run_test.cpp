@@ -176,7 +176,8 @@ INSTANTIATE_TEST_SUITE_P(
     Unusable, RunProgram,
     testing::ValuesIn(share_of<Program>(
         {Program{"Crashes", "a.cpp", CPP("*(volatile int*)0 = 1; return {};"), CALL, 2,
-                 "mine.audit:7:10: a.cpp cannot be audited: ended by a signal: Segmentation fault "
+                 "mine.audit:7:10: a.cpp cannot be audited: it was ended by a signal: Segmentation "
+                 "fault "
                  "(SIGSEGV), at point 1"},
          Program{"Throws", "a.cpp", CPP("throw 1;"), CALL, 2, "Aborted (SIGABRT), at point 1"},
          Program{"Hangs", "a.cpp", CPP("for (volatile int i = 0;; i = i) {} return {};"), CALL, 2,
@@ -210,7 +211,8 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"WrongSize", "a.cpp", CPP("return {{1, 2, 3}, {4, 5, 6}};"), CALL, 2,
                  "the result is 2 by 3, not 2 by 2, at point 1"},
          Program{"Empty", "a.cpp", CPP("return {};"), CALL, 2, "the result is 0 by 0, not 2 by 2"},
-         Program{"DoesNotCompile", "a.cpp", CPP("return lamda;"), CALL, 2, "does not compile: "},
+         Program{"DoesNotCompile", "a.cpp", CPP("return lamda;"), CALL, 2,
+                 "a.cpp cannot be audited: it does not compile: "},
          Program{"NoSuchFunction", "a.cpp", CPP("return {};"), FRAME "  result g(l)", 2,
                  "'g' was not declared in this scope"},
          Program{"NoCompiler", "a.cpp", CPP("return {};"), CALL "\n  compiler no-such-compiler", 2,

@@ -1,0 +1,82 @@
+#include "closures/extent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assur::generator::closures {
+
+namespace {
+
+/// The number of ways to take `some` of `all`.
+double choices(double all, double some) {
+  return std::exp(std::lgamma(all + 1) - std::lgamma(some + 1) - std::lgamma(all - some + 1));
+}
+
+/// Numbers of up to 64 binary digits count nothing, and longer ones as so many symbols.
+Extent of_number(const GiNaC::numeric& number) {
+  const int bits = number.numer().int_length() + number.denom().int_length();
+  return {std::floor(bits / 64.0), 1};
+}
+
+}  // namespace
+
+Extent ExtentMeter::of(const GiNaC::ex& expression) {
+  if (GiNaC::is_a<GiNaC::numeric>(expression)) {
+    const auto& number = GiNaC::ex_to<GiNaC::numeric>(expression);
+    return number.is_rational() ? of_number(number) : Extent{};
+  }
+  if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
+    const bool sum = GiNaC::is_a<GiNaC::add>(expression);
+    Extent extent{0, sum ? 0.0 : 1.0};
+    for (const GiNaC::ex& part : expression) {
+      const Extent one = of(part);
+      extent = sum ? Extent{std::max(extent.degree, one.degree), extent.terms + one.terms}
+                   : Extent{extent.degree + one.degree, extent.terms * one.terms};
+    }
+    return extent;
+  }
+  if (GiNaC::is_a<GiNaC::power>(expression)) {
+    return of_power(expression);
+  }
+  atoms_.insert(expression);
+  Extent extent{1, 1};
+  if (GiNaC::is_a<GiNaC::function>(expression)) {
+    for (const GiNaC::ex& argument : expression) {
+      extent.degree = std::max(extent.degree, of(argument).degree);
+    }
+    return extent;
+  }
+  if (const auto known = known_.find(expression); known != known_.end()) {
+    return known->second;
+  }
+  const GiNaC::ex* definition = system_ == nullptr ? nullptr : system_->definition_of(expression);
+  if (definition == nullptr) {
+    return extent;
+  }
+  return known_[expression] = of(*definition);
+}
+
+Extent ExtentMeter::of_power(const GiNaC::ex& power) {
+  const Extent base = of(power.op(0));
+  if (!GiNaC::is_a<GiNaC::numeric>(power.op(1))) {
+    return base;
+  }
+  const double exponent = std::abs(GiNaC::ex_to<GiNaC::numeric>(power.op(1)).to_double());
+  const double whole = std::ceil(exponent);
+  Extent extent{exponent * base.degree, choices(base.terms + whole - 1, whole)};
+  if (exponent != whole) {  // a root, which may be of a number
+    atoms_.insert(power);
+    extent.degree = std::max(extent.degree, 1.0);
+  }
+  return extent;
+}
+
+bool can_be_multiplied_out(const GiNaC::ex& expression, double most) {
+  ExtentMeter meter;
+  const Extent extent = meter.of(expression);
+  // Terms that are alike become one: there are no more of them than products of the symbols.
+  const auto atoms = static_cast<double>(meter.atom_count());
+  return std::min(extent.terms, choices(atoms + extent.degree, atoms)) <= most;
+}
+
+}  // namespace assur::generator::closures
