@@ -46,7 +46,7 @@ do for [figure = 1:2] {
   set terminal svg size 900,height font "Helvetica,13" background "white"
   set output directory . (figure == 1 ? "/speed_accuracy.svg" : "/speed_summary.svg")
   set multiplot
-  set label 30 "Largest relative error over the nanoseconds of an evaluation: lower left is better" \
+  set label 30 "Largest relative error over the time of an evaluation: lower left is better" \
     at screen 0.02, 1 - 20 / height font ",16"
   entry = 0
   do for [n = 1:7] {
@@ -86,7 +86,7 @@ do for [figure = 1:2] {
       set bmargin at screen top - (each - 78) / height
       set label 40 titles[task] at graph 0, 1.14 font ",14"
       set label 41 "largest relative error" at graph 0, 1.04 font ",11" textcolor rgb "#707070"
-      set label 42 "ns" at graph 1, -0.04 right font ",11" textcolor rgb "#707070"
+      set label 42 "time of an evaluation, ns" at graph 1, -0.04 right font ",11" textcolor rgb "#707070"
       plot columns index task - 1 using (named(strcol(4), $1)):2:(names - $1):($8 - $2): \
           (paler(colours[int($5)])) with vectors nohead lw 0.8 lc rgb variable, \
         "" index task - 1 using 1:2:(marks[int($6)]):(colours[int($5)]) \
