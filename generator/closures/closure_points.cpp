@@ -1,9 +1,9 @@
 #include "closures/closure_points.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "closures/formula_text.hpp"
+#include "equations/seeded_numbers.hpp"
 #include "equations/symbols.hpp"
 
 namespace assur::generator::closures {
@@ -13,7 +13,7 @@ namespace {
 /// Rational numbers of few digits, so that a point can be checked by hand.
 class FewDigits {
  public:
-  explicit FewDigits(unsigned seed) : engine_(seed) {}
+  explicit FewDigits(unsigned seed) : numbers_(seed) {}
 
   GiNaC::numeric length() { return {integer(5, 30), 10}; }
   GiNaC::numeric rate() { return {integer(-20, 20), 10}; }
@@ -28,11 +28,9 @@ class FewDigits {
   }
 
  private:
-  // std::uniform_int_distribution differs between libraries; the verdicts must not.
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-  std::mt19937 engine_;
+  int integer(int low, int high) { return numbers_.integer(low, high); }
+
+  equations::SeededNumbers numbers_;
 };
 
 }  // namespace

@@ -14,6 +14,8 @@ inline constexpr int max_degree = 1000;
 inline constexpr double max_terms = 50000;
 /// The same of a value with roots of numbers, of which a comparison may ask for thousands.
 inline constexpr double max_terms_of_value = 2000;
+/// The same of what is emitted: the time that its code takes to derive grows with the square.
+inline constexpr double max_terms_emitted = 5000;
 
 /// Bounds from above, as real numbers: they may be larger than any integer type holds.
 struct Extent {

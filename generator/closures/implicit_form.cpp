@@ -25,7 +25,7 @@ std::string function_name(const GiNaC::ex& function) {
 
 /// Throws NotAlgebraic for what has too many terms.
 GiNaC::ex multiplied_out(const GiNaC::ex& expression) {
-  if (!can_be_multiplied_out(expression)) {
+  if (!can_be_multiplied_out(expression, max_terms_emitted)) {
     throw NotAlgebraic("it has too many terms when its powers and products are multiplied out");
   }
   return expression.expand();

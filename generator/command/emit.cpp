@@ -113,8 +113,11 @@ bool run_emit(const EmitOptions& options) {
   } else if (!options.scene.empty()) {
     files = emitted_scene(options);
   } else if (!options.closures.empty()) {
-    files.push_back(
-        emission::closures::emit_closures(closures::read_typed_closures(options.closures)));
+    const closures::TypedClosures closures = closures::read_typed_closures(options.closures);
+    files.push_back(emission::closures::emit_closures(closures));
+    for (const std::string& warning : emission::closures::closure_warnings(closures)) {
+      remarks() << "warning: " << options.closures << ": " << warning << '\n';
+    }
   } else {
     const std::vector<structure::Model>& models =
         structure::models_of(structure::group_named(options.group));

@@ -1,38 +1,14 @@
 #include "derivatives/mobility.hpp"
 
 #include <algorithm>
-#include <random>
 #include <span>
 
+#include "equations/seeded_numbers.hpp"
 #include "error.hpp"
 
 namespace assur::generator::derivatives {
 
 namespace {
-
-class RandomRational {
- public:
-  explicit RandomRational(unsigned seed) : engine_(seed) {}
-
-  GiNaC::numeric number() {
-    return GiNaC::numeric(integer(-60, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
-  }
-  /// A rational point of the unit circle, other than (1, 0).
-  equations::Vector2 direction() {
-    const GiNaC::numeric t = GiNaC::numeric(integer(1, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
-    const GiNaC::numeric scale = GiNaC::numeric(1) / (GiNaC::numeric(1) + t * t);
-    const GiNaC::numeric sign = integer(0, 1) == 0 ? -1 : 1;
-    return {(GiNaC::numeric(1) - t * t) * scale, sign * 2 * t * scale};
-  }
-
- private:
-  // std::uniform_int_distribution differs between libraries; the generator must not.
-  int integer(int low, int high) {
-    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
-  }
-
-  std::mt19937 engine_;
-};
 
 /// An angle of a compatibility condition that occurs in no earlier one, and its factor there.
 const equations::Variable& angle_to_solve_for(const equations::ClosureEquations& equations,
@@ -71,7 +47,7 @@ std::string cause(const equations::ClosureEquations& equations) {
 }  // namespace
 
 GiNaC::exmap random_assembly(const equations::ClosureEquations& equations, unsigned seed) {
-  RandomRational random(seed);
+  equations::SeededNumbers random(seed);
   GiNaC::exmap values;
   GiNaC::lst lengths;
   for (const std::deque<equations::Variable>* list :

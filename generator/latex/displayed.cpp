@@ -30,6 +30,7 @@ constexpr std::array<Environment, 12> environments = {{{"equation", false},
                                                        {"multline", false},
                                                        {"displaymath", false}}};
 
+/// The last of them is below the sections that equations belong to.
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
 
@@ -50,6 +51,17 @@ void expect_readable_size(const Tokens& equation) {
         "this equation has more than " + std::to_string(longest_equation) + " tokens",
         equation[0].place);
   }
+}
+
+bool is_heading(const Token& token) {
+  return std::find(headings.begin(), headings.end(), token.text) != headings.end();
+}
+
+/// The title of the heading at a place, which is moved behind it.
+std::string take_title(const Tokens& tokens, std::size_t& at) {
+  ++at;
+  at += at < tokens.size() && tokens[at].is("*") ? 1 : 0;
+  return letters_of(take_argument(tokens, at));
 }
 
 class Scanner {
@@ -77,7 +89,7 @@ class Scanner {
       at_ = position_of("\\)", at_ + 1, token.place, token.text) + 1;
     } else if (const auto command = commands_.find(token.text); command != commands_.end()) {
       display_command(command->second);
-    } else if (std::find(headings.begin(), headings.end(), token.text) != headings.end()) {
+    } else if (is_heading(token)) {
       heading(token);
     } else if (token.is("\\input") || token.is("\\include")) {
       throw FormulaError("the equations of another file are not followed; audit it by itself",
@@ -102,9 +114,7 @@ class Scanner {
   }
 
   void heading(const Token& token) {
-    ++at_;
-    at_ += at_ < tokens_.size() && tokens_[at_].is("*") ? 1 : 0;
-    const std::string title = letters_of(take_argument(tokens_, at_));
+    const std::string title = take_title(tokens_, at_);
     if (!token.is("\\subsection")) {
       section_ = title;
     }
@@ -260,6 +270,27 @@ class Scanner {
 };
 
 }  // namespace
+
+std::set<std::string> section_titles(const Tokens& tokens) {
+  std::set<std::string> titles;
+  for (std::size_t at = 0; at < tokens.size();) {
+    const Token& token = tokens[at];
+    if (!is_heading(token)) {
+      ++at;
+      continue;
+    }
+    const std::size_t begin = at;
+    try {
+      const std::string title = take_title(tokens, at);
+      if (!token.is("\\subsection")) {
+        titles.insert(title);
+      }
+    } catch (const FormulaError&) {
+      at = begin + 1;  // a definition of how headings look
+    }
+  }
+  return titles;
+}
 
 std::vector<Displayed> displayed(const Tokens& tokens,
                                  const std::map<std::string, DisplayCommand>& commands) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 
 #include "latex/tokens.hpp"
 
@@ -28,5 +29,8 @@ struct DisplayCommand {
 /// followed.
 [[nodiscard]] std::vector<Displayed> displayed(
     const Tokens& tokens, const std::map<std::string, DisplayCommand>& commands);
+
+/// The titles of parts, chapters and sections, whether or not they have equations.
+[[nodiscard]] std::set<std::string> section_titles(const Tokens& tokens);
 
 }  // namespace assur::generator::latex

@@ -214,7 +214,7 @@ void PaperMap::expect_skipped(const std::set<std::string>& labels,
     if (!sections.contains(title)) {
       throw closures::AuditSyntaxError(
           file_, place,
-          "the paper has no equation in a section '" + title + "' that could be skipped" +
+          "the paper has no section '" + title + "' that could be skipped" +
               text::suggestion(title, {sections.begin(), sections.end()}));
     }
   }

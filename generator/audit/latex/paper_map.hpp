@@ -44,8 +44,7 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
-  /// Throws AuditSyntaxError where the map skips an equation that is not one of these, or those of
-  /// another section.
+  /// Throws AuditSyntaxError where the map skips an equation or a section that is not one of these.
   void expect_skipped(const std::set<std::string>& labels,
                       const std::set<std::string>& sections) const;
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {

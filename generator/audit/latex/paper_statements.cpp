@@ -93,15 +93,13 @@ void separate(const Displayed& displayed, const PaperMap& map, std::vector<State
 std::vector<Stated> paper_statements(const Tokens& tokens, const PaperMap& map) {
   std::vector<Stated> list;
   std::set<std::string> labels;
-  std::set<std::string> sections;
   for (const Displayed& each : generator::latex::displayed(tokens, map.commands())) {
     labels.insert(each.label);
-    sections.insert(each.section);
     if (!map.skips(each.label, each.section)) {
       separate(each, map, list);
     }
   }
-  map.expect_skipped(labels, sections);
+  map.expect_skipped(labels, generator::latex::section_titles(tokens));
   return list;
 }
 

@@ -1,10 +1,12 @@
 #include "emission/closures/emit_closures.hpp"
 
+#include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/identifiers.hpp>
 
 #include "closures/implicit_form.hpp"
 #include "derivatives/differentiate.hpp"
+#include "derivatives/generic_rank.hpp"
 #include "emission/model/model_view.hpp"
 
 namespace assur::generator::emission::closures {
@@ -86,13 +88,34 @@ cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closure
   view.set("dimensions_doc", "Dimensions d: the parameters that are held.");
   view.set("inputs_doc", "Inputs u: the parameters that move.");
   view.set("equation_count", std::to_string(equations.residuals.size()));
-  view.set("rigid", cpp::boolean(equations.residuals.size() == equations.unknowns.size()));
+  view.set("rigid", cpp::boolean(equations.residuals.size() == equations.unknowns.size() &&
+                                 derivatives::generic_rank(equations, derivatives.jacobian) ==
+                                     equations.unknowns.size()));
   model::show_variables(equations.unknowns, "unknown", view);
   model::show_variables(equations.dimensions, "dimension", view);
   model::show_variables(equations.inputs, "input", view);
   return {std::filesystem::path("assur") / "closures" /
               (text::header_name(file.stem().string()) + ".hpp"),
           cpp::page("closures.hpp", view)};
+}
+
+std::vector<std::string> closure_warnings(const generator::closures::TypedClosures& closures) {
+  const equations::ImplicitEquations equations = equations_of(closures);
+  const std::size_t unknowns = equations.unknowns.size();
+  const std::size_t count = equations.residuals.size();
+  const std::size_t rank =
+      derivatives::generic_rank(equations, derivatives::closure_jacobian(equations));
+  if (rank == unknowns) {
+    return {};
+  }
+  const std::string lost = "; no rates and no sensitivities can be solved for";
+  if (count < unknowns) {
+    return {text::with_noun(count, "closure") + (count == 1 ? " does" : " do") + " not determine " +
+            text::with_noun(unknowns, "unknown") + lost};
+  }
+  return {"the Jacobian is singular everywhere: its rank is " + std::to_string(rank) + ", and " +
+          text::with_noun(unknowns, "unknown") + (unknowns == 1 ? " needs " : " need ") +
+          std::to_string(unknowns) + lost};
 }
 
 }  // namespace assur::generator::emission::closures

@@ -10,4 +10,9 @@ namespace assur::generator::emission::closures {
 /// with the closure's name, for one that is no polynomial in sines, cosines and square roots.
 [[nodiscard]] cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closures);
 
+/// What is special about the closures, a line each: that they do not determine the unknowns. A
+/// header is emitted all the same, and its `rigid` says so. Throws as `emit_closures` does.
+[[nodiscard]] std::vector<std::string> closure_warnings(
+    const generator::closures::TypedClosures& closures);
+
 }  // namespace assur::generator::emission::closures

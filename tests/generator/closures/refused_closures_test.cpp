@@ -63,6 +63,10 @@ INSTANTIATE_TEST_SUITE_P(
                 "mine.audit:5:36: the power of a number has too many digits"},
         Refusal{"Pole", DECLARED "closure f = a*tan(pi/2) - cos(q)\n",
                 "mine.audit:5:15: the expression has no value here"},
+        Refusal{"PowerOfAPower", DECLARED "closure f = (a^100)^100*cos(q)\n",
+                "mine.audit:5:24: the degree of this is higher than 1000"},
+        Refusal{"ManyTerms", "length a b c e g\nunknown a\nclosure f = (a + b + c + e + g)^60\n",
+                "closure f: it has too many terms when its powers and products are multiplied out"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
                 "the power 65 is higher than 64"},
         Refusal{"ProductOfAngles", DECLARED "closure f = cos(p*q)\n", "closure f: 'p*q'"},
@@ -70,6 +74,52 @@ INSTANTIATE_TEST_SUITE_P(
                 "is a derivative"},
         Refusal{"NoFile", "printed code J none.cpp J of f by q\n", "no closure to emit"}),
     [](const testing::TestParamInfo<Refusal>& at) { return std::string(at.param.name); });
+
+/// Closures of which a header is made, although they do not determine the unknowns.
+struct Warned {
+  const char* name;
+  const char* text;
+  const char* warning;
+};
+
+void PrintTo(const Warned& warned, std::ostream* out) { *out << warned.name; }
+
+class Undetermined : public testing::TestWithParam<Warned> {};
+
+TEST_P(Undetermined, IsWarnedOfAndIsNotRigid) {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("mine.audit", GetParam().text).string();
+  const std::string emit = "emit --closures " + file + " --output " + directory.path().string();
+  const std::string warning = GetParam().warning;
+  const CommandResult result = run_assur(emit);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.messages, warning.empty() ? "" : "warning: " + file + ": " + warning + "\n");
+  EXPECT_EQ(run_assur(emit + " --quiet").messages, "");
+  const std::string header = read_file(directory.path() / "assur/closures/mine.hpp");
+  EXPECT_NE(header.find(warning.empty() ? "rigid = true;" : "rigid = false;"), std::string::npos);
+}
+
+#define LOST "; no rates and no sensitivities can be solved for"
+INSTANTIATE_TEST_SUITE_P(
+    Closures, Undetermined,
+    testing::Values(
+        Warned{"Determined",
+               "length a x\nangle q\nunknown x q\nclosure f = a*cos(q) - x\n"
+               "closure g = sqrt(a)*sin(q)/x - sqrt(1 - x^2)\n",
+               ""},
+        Warned{"OneTooFew", "length a x\nangle q\nunknown x q\nclosure f = a*cos(q) - x\n",
+               "1 closure does not determine 2 unknowns" LOST},
+        Warned{"TheSameTwice",
+               "length a x\nangle q\nunknown x q\nclosure f = a*cos(q) - x\n"
+               "closure g = 2*x - 2*a*cos(q)\n",
+               "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"TheSameUnderRoots",
+               "length a x y\nunknown x y\nclosure f = sqrt(x + y) - a\n"
+               "closure g = 1/sqrt(x + y) + a^2\n",
+               "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"OfNoUnknown", "length a x\nunknown x\nclosure f = a - 1\n",
+               "the Jacobian is singular everywhere: its rank is 0, and 1 unknown needs 1" LOST}),
+    [](const testing::TestParamInfo<Warned>& at) { return std::string(at.param.name); });
 
 TEST(Refused, AMissingFileAndADirectoryAreRefused) {
   for (const std::string file : {"/nowhere.audit", "/"}) {

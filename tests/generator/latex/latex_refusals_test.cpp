@@ -199,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "p.tex: nothing to audit: no displayed equation was found"},
         Unusable{"\\[ a = a \\] \\begin{equation} a = a \\end{equation}",
                  "length a\nskip (1)\nskip sections Aim\n",
-                 "p.map:3:15: the paper has no equation in a section 'Aim' that could be skipped"},
+                 "p.map:3:15: the paper has no section 'Aim' that could be skipped"},
         Unusable{"\\begin{equation} a = a \\end{equation}", "length a\nskip (1)\n",
                  "p.tex: nothing to audit: the map skips every equation"},
         Unusable{"\\section{Aims} \\[ a = a \\]", "length a\nskip sections Aims\n",
@@ -231,8 +231,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "...'"},
         Unusable{"\\[ a = a \\]", "length a\nskip sections\n",
                  "p.map:2:14: the title of a section is missing"},
+        Unusable{"\\documentclass{a}\\titleformat{\\section}{}\\begin{document}\\section{Aims}"
+                 "\\section{Ends}\\end{document}",
+                 "length a\nskip sections Aims, Ends\n",
+                 "p.tex: nothing to audit: no displayed equation was found"},
         Unusable{"\\section{Aims} \\[ a = a \\]", "length a\nskip sections Aimz\n",
-                 "p.map:2:15: the paper has no equation in a section 'Aimz' that could be skipped "
+                 "p.map:2:15: the paper has no section 'Aimz' that could be skipped "
                  "(did you mean 'Aims'?)"},
         Unusable{"\\[ a = a \\]", "length a\nprinted equation (1) : a = a\n",
                  "p.map:2:1: 'printed' is a statement of audit files, and a map has none of them; "

@@ -43,7 +43,7 @@ blanks are zero
 f_{?,?} = as printed
 J = matrix by its titles
 F_? = matrix by its titles
-skip sections Structure, Variables, Mobility and singularities, Elimination
+skip sections Structure, Variables, Mobility and singularities
 )";
   map += "\\partial f/\\partial ? = matrix of f1.." +
          std::to_string(derivation.jacobian.rows.size()) + " by ?\n";

@@ -1,0 +1,36 @@
+// Turns a seed into rational numbers and rational points of the circle, the same on every machine.
+#pragma once
+
+#include <ginac/ginac.h>
+
+#include <random>
+
+#include "equations/variable.hpp"
+
+namespace assur::generator::equations {
+
+/// Random numbers by a fixed seed, one after the other.
+class SeededNumbers {
+ public:
+  explicit SeededNumbers(unsigned seed) : engine_(seed) {}
+
+  // std::uniform_int_distribution differs between libraries; what is derived and judged must not.
+  int integer(int low, int high) {
+    return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
+  }
+  GiNaC::numeric number() {
+    return GiNaC::numeric(integer(-60, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
+  }
+  /// A rational point of the unit circle, other than (1, 0).
+  Vector2 direction() {
+    const GiNaC::numeric t = GiNaC::numeric(integer(1, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
+    const GiNaC::numeric scale = GiNaC::numeric(1) / (GiNaC::numeric(1) + t * t);
+    const GiNaC::numeric sign = integer(0, 1) == 0 ? -1 : 1;
+    return {(GiNaC::numeric(1) - t * t) * scale, sign * 2 * t * scale};
+  }
+
+ private:
+  std::mt19937 engine_;
+};
+
+}  // namespace assur::generator::equations
