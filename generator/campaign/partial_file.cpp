@@ -65,7 +65,9 @@ PartialFile::~PartialFile() {
   }
 }
 
-void PartialFile::fail(int reason) const { refuse(target_, reason); }
+void PartialFile::fail(int reason) const {
+  throw text::InputError(target_.string() + ": cannot be written: " + std::strerror(reason));
+}
 
 // NOLINTNEXTLINE(readability-make-member-function-const): the file that it writes is its state
 void PartialFile::write(const std::string& text) {

@@ -179,7 +179,7 @@ TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
   scene["sweep"] = {{"parameter", "long"}, {"from", 0}, {"to", 0}, {"count", 3}};
   const std::string file = directory.write("cylinder.json", scene.dump()).string();
   expect_one_line(run_assur("solve --format csv --branch 3 " + file),
-                  "there is no branch 3; the highest number is 0");
+                  "there is no branch 3; the sweep has none");
 }
 
 TEST(BadArguments, SettingThatASweepOverrides) {

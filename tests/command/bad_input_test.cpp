@@ -36,7 +36,7 @@ TEST_P(BadScene, GetsOneLine) {
   expect_one_line(run_assur("solve " + file.string()), fault.message);
 }
 
-constexpr std::array<Fault, 94> faults = {{
+constexpr std::array<Fault, 98> faults = {{
     {"UnknownTopLevelKey", "/drivrs", "{}",
      "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
     {"LinksMissing", "/links", "", "the key 'links' is missing"},
@@ -77,10 +77,11 @@ constexpr std::array<Fault, 94> faults = {{
     {"UnknownParameter", "/links/rod/E", "[\"BEE\", 0]",
      "links.rod.E[0]: no parameter named 'BEE' (did you mean 'BE'?)"},
     {"BadExpression", "/links/rod/E", "[\"BE*\", 0]", "at column 4 of 'BE*'"},
-    {"UnknownFunction", "/links/rod/E", "[\"sinh(1)\", 0]", "no function named 'sinh' at column 1"},
+    {"UnknownFunction", "/links/rod/E", "[\"sinh(1)\", 0]",
+     "no function named 'sinh' (did you mean 'sin'?) at column 1"},
     {"WrongArity", "/links/rod/E", "[\"atan2(1)\", 0]", "atan2 takes two arguments"},
     {"UnclosedBracket", "/links/rod/E", "[\"(1 + 2\", 0]", "expected ')' at column 7"},
-    {"NumberOutOfRange", "/links/rod/E", "[\"1e999\", 0]", "not a number in the range"},
+    {"NumberOutOfRange", "/links/rod/E", "[\"1e999\", 0]", "the number is outside the range"},
     {"DivisionByZero", "/links/rod/E", "[\"1/0\", 0]", "the value is not a finite number"},
     {"RootOfNegative", "/links/rod/E", "[\"sqrt(-1)\", 0]", "the value is not a finite number"},
     {"ParameterCycle", "/parameters/AB", "\"2*AB\"", "the parameter depends on itself"},
@@ -185,6 +186,11 @@ constexpr std::array<Fault, 94> faults = {{
      "report.links: expected a list of the names of links"},
     {"ReportUnknownLink", "/report", R"({"links": ["rood"]})",
      "report.links[0]: no link named 'rood' (did you mean 'rod'?)"},
+    {"EmptyJoint", "/joints", R"({"": {"type": "revolute", "between": ["ground.A", "crank.A"]}})",
+     "joints: a name is empty; give each part a name"},
+    {"EmptyFeature", "/links/crank/", "[0, 0]", "links.crank.: a name is empty; give each part"},
+    {"EmptyOutput", "/outputs", R"({"": "crank.A"})", "outputs: a name is empty; give each part"},
+    {"WantTwice", "/want", R"(["position", "position"])", "want[1]: 'position' occurs twice"},
     {"ReportTwice", "/report", R"({"links": ["rod", "rod"]})", "report.links: 'rod' occurs twice"},
     {"ReportOfPin", "/report", R"({"joints": ["B"]})",
      "report.joints: the joint 'B' is revolute and has no displacement"},

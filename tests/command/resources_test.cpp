@@ -85,7 +85,8 @@ TEST(Resources, OfASweep) {
   scene["drivers"]["A"]["position"] = "phi";
   scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", 1}, {"count", 11}};
   EXPECT_EQ(refusal_of(scene.dump(), "solve --format csv"),
-            "sweep: more than 1000 configurations at one value cannot be followed\n");
+            "sweep: more than 1000 configurations at one value cannot be followed; follow one "
+            "of them alone, by its number or a reference\n");
   scene = many_dyads(20, upright);
   scene["links"]["rocker1"]["C"] = {99, 0};
   scene["parameters"]["phi"] = 0.3;
@@ -176,7 +177,7 @@ std::string chain_of_parameters(int count, bool with_sensitivities) {
 
 TEST(Resources, OfManyParameters) {
   EXPECT_EQ(refusal_of(chain_of_parameters(20001, true), "solve"),
-            "an object has more than 20000 keys\n");
+            "an object has more than 20000 keys; divide the scene\n");
   EXPECT_NE(refusal_of(chain_of_parameters(2000, true), "solve")
                 .find("leave 'sensitivity' out of 'want'\n"),
             std::string::npos);

@@ -86,8 +86,8 @@ class PendingFiles {
     out << file.text;
     out.close();
     if (!out) {
-      throw text::InputError("--output: " + target.string() + " cannot be written: " +
-                             std::generic_category().message(errno) + "; give another name");
+      throw text::InputError("--output: " + target.string() +
+                             " cannot be written: " + std::generic_category().message(errno));
     }
   }
 

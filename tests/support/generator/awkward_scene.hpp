@@ -35,7 +35,7 @@ inline nlohmann::ordered_json awkward_scene() {
   const std::map<std::string, std::string> links = {
       {"crank", "class"}, {"rocker", "1-2"}, {"link", "1 2"}, {"ram", "slide_S"}};
   const std::map<std::string, std::string> joints = {
-      {"A", "1-2"}, {"B", "class"}, {"C", ""}, {"D", "\"D\\"}};
+      {"A", "1-2"}, {"B", "class"}, {"C", " "}, {"D", "\"D\\"}};
   nlohmann::ordered_json scene =
       scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "shaper_quick_return.json");
   for (const auto& [name, joint] : scene["joints"].items()) {

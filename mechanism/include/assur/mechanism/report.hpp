@@ -21,7 +21,7 @@ struct Report {
   bool alone = false;
 };
 
-/// Returns the JSON object of the scene format (docs/reference/scene_format.md#the-answer).
+/// Returns the JSON object of the scene format (docs/reference/scene_format.md).
 [[nodiscard]] std::string report_json(const Report& report);
 /// Tables for people, angles in degrees.
 [[nodiscard]] std::string report_text(const Report& report);
