@@ -108,15 +108,14 @@ void expect_directory(const std::filesystem::path& file) {
 void expect_writable(const std::filesystem::path& file) {
   expect_directory(file);
   std::error_code error;
+  if (std::filesystem::is_directory(file, error)) {
+    throw text::InputError(file.string() + ": it is a directory; give another name");
+  }
   for (const std::filesystem::path& name : {file, partial_name(file)}) {
     (void)std::filesystem::status(name, error);
     if (error && error != std::errc::no_such_file_or_directory) {
       refuse(file, error.value());
     }
-  }
-  const std::filesystem::path directory = file.has_parent_path() ? file.parent_path() : ".";
-  if (::access(directory.c_str(), W_OK) != 0) {
-    refuse(file, errno);
   }
 }
 
@@ -124,9 +123,10 @@ void expect_other(const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs) {
   for (const std::filesystem::path& input : inputs) {
     std::error_code error;  // a file that does not exist is no other one
-    if (std::filesystem::equivalent(file, input, error)) {
-      throw text::InputError(file.string() + ": this is the file " + input.string() +
-                             " that is read; give another name");
+    if (std::filesystem::equivalent(file, input, error) ||
+        std::filesystem::equivalent(partial_name(file), input, error)) {
+      throw text::InputError(file.string() + ": to write it would replace the file " +
+                             input.string() + " that is read; give another name");
     }
   }
 }

@@ -39,11 +39,12 @@ void write_whole(const std::filesystem::path& file, const std::string& text);
 /// Throws InputError where the directory of the file is missing: a mistyped one is not made.
 void expect_directory(const std::filesystem::path& file);
 
-/// Throws InputError where no file can be written under that name: because the name is too long,
-/// its links lead in a circle, or its directory may not be written to.
+/// Throws InputError where no file can have that name: it is too long, its links lead in a circle,
+/// it is that of a directory, or there is no directory to hold it.
 void expect_writable(const std::filesystem::path& file);
 
-/// Throws InputError where the file is one of those that are read: it would be lost.
+/// Throws InputError where the file, or the temporary one that becomes it, is one of those that are
+/// read: it would be lost.
 void expect_other(const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs);
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 namespace assur::generator::command {
 
@@ -17,6 +18,24 @@ namespace {
 
 bool has(const std::vector<std::string>& words, const std::string& word) {
   return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_option(std::string_view word) {
+  return word.starts_with("--") &&
+         word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
+}
+
+/// The two options of a text that consists of them and a word between them; otherwise nothing. The
+/// values that a user gives may contain such words, too.
+std::pair<std::string, std::string> options_around(std::string_view text, std::string_view word) {
+  const std::size_t at = text.find(word);
+  if (at == std::string_view::npos) {
+    return {};
+  }
+  const std::string_view first = text.substr(0, at);
+  const std::string_view second = text.substr(at + word.size());
+  return is_option(first) && is_option(second) ? std::pair{std::string(first), std::string(second)}
+                                               : std::pair<std::string, std::string>();
 }
 
 }  // namespace
@@ -31,7 +50,9 @@ std::string complaint_of_whole_number(const std::string& text, int most) {
   int number = 0;
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, number);
-  if (at == end && error == std::errc() && number >= 1 && number <= most) {
+  // With a zero in front it would be read as an octal number.
+  if (at == end && error == std::errc() && number >= 1 && number <= most &&
+      !text.starts_with('0')) {
     return "";
   }
   const bool is_large = at == end && !text.empty() && !text.starts_with('-') &&
@@ -79,19 +100,12 @@ std::string complaint_of_library(const std::string& text) {
   if (words.starts_with("--") && words.substr(option.size()).starts_with(": At Most 1 required")) {
     return option + " may be given only once";
   }
-  constexpr std::string_view requires_word = " requires ";
-  const std::size_t needed = words.find(requires_word);
-  if (words.starts_with("--") && needed != std::string_view::npos) {
-    const std::string given = text.substr(0, needed);
-    const std::string other = text.substr(needed + requires_word.size());
+  if (const auto [given, other] = options_around(words, " requires "); !given.empty()) {
     return given + " has an effect only with " + other + "; add " + other + ", or leave " + given +
            " out";
   }
-  constexpr std::string_view excludes_word = " excludes ";
-  const std::size_t excluded = words.find(excludes_word);
-  if (words.starts_with("--") && excluded != std::string_view::npos) {
-    return text.substr(0, excluded) + " and " + text.substr(excluded + excludes_word.size()) +
-           " exclude each other; leave one of them out";
+  if (const auto [given, other] = options_around(words, " excludes "); !given.empty()) {
+    return given + " and " + other + " exclude each other; leave one of them out";
   }
   if (words.starts_with("Exactly 1 option from [")) {
     std::string choices;

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "campaign/partial_file.hpp"
 #include "command/progress.hpp"
 #include "command/remarks.hpp"
 #include "emission/closures/emit_closures.hpp"
@@ -132,6 +133,10 @@ bool run_emit(const EmitOptions& options) {
     }
   }
   if (!options.check) {
+    const std::filesystem::path directory = options.output;
+    for (const EmittedFile& file : files) {
+      campaign::expect_other(directory / file.path, {options.scene, options.closures});
+    }
     emission::cpp::write_files(files, options.output);
     return true;
   }

@@ -162,6 +162,12 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
   }
 }
 
+TEST_F(Campaigns, RefuseDirectoriesBeforeTheyCompute) {
+  fs::create_directory(path("folder.csv"));
+  EXPECT_NE(refusal(sample, "folder.csv", "--force").find("it is a directory; give another name"),
+            std::string::npos);
+}
+
 TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
   const std::string scene = read_file(four_bar);
   (void)directory_.write("scene.csv", scene);
@@ -169,6 +175,12 @@ TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
   EXPECT_NE(refusal(of_scene, "scene.csv").find(" that is read; give another name"),
             std::string::npos);
   EXPECT_EQ(read("scene.csv"), scene);
+  // A table has another name while it is written.
+  (void)directory_.write("x.csv.partial", scene);
+  EXPECT_NE(refusal("sample " + path("x.csv.partial") + " --seed 1 --count 3", "x.csv")
+                .find(" that is read; give another name"),
+            std::string::npos);
+  EXPECT_EQ(read("x.csv.partial"), scene);
   for (const std::string shard : {"1", "2"}) {
     ASSERT_EQ(run(sample, shard + ".csv", "--shard " + shard + "/2").status, 0);
   }

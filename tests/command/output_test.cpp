@@ -140,6 +140,20 @@ TEST(EmittedOutput, InAReadOnlyPlaceIsRefused) {
   }
 }
 
+TEST(EmittedOutput, DoesNotReplaceTheSceneThatItReads) {
+  const TemporaryDirectory directory;
+  const fs::path file = directory.path() / "assur/scenes/four_bar.hpp";
+  fs::create_directories(file.parent_path());
+  fs::copy_file(four_bar, file);
+  const ProcessResult result =
+      run_process({"emit", "--scene", file.string(), "--output", directory.path().string()},
+                  opened("/dev/null"));
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.messages.find(" that is read; give another name\n"), std::string::npos)
+      << result.messages;
+  EXPECT_EQ(read_file(file), read_file(four_bar));
+}
+
 TEST(EmittedOutput, WhereADirectoryHasItsNameLeavesNoFile) {
   const TemporaryDirectory directory;
   fs::create_directories(directory.path() / "assur/scenes/four_bar_coupler_curve.hpp/below");

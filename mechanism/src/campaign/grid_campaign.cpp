@@ -105,7 +105,8 @@ Campaign grid_campaign(const Mechanism& mechanism, const Request& request,
     if (std::find_if(axes.begin(), axis, [axis](const GridAxis& other) {
           return other.parameter == axis->parameter;
         }) != axis) {
-      throw MechanismError("grid", "the parameter " + text::in_quotes(name) + " occurs twice");
+      throw MechanismError(
+          "grid", "the parameter " + text::in_quotes(name) + " occurs twice; leave one out");
     }
     campaign.columns.push_back({name, Column::Kind::real});
   }

@@ -31,7 +31,7 @@ inline constexpr std::array scene_keys = {
              "Points to report, each with a name."},
     SceneKey{"want", false,
              R"({"type": "array", "items": {"enum": ["position", "velocity", "acceleration",
-                 "sensitivity"]}})",
+                 "sensitivity"]}, "uniqueItems": true})",
              "What is computed; by default all four."},
     SceneKey{"report", false, R"({"$ref": "#/$defs/report"})",
              "Which links and slides are reported beside the outputs."},

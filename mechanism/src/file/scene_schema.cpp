@@ -30,9 +30,8 @@ SceneJson object_of(std::span<const SceneKey> keys, const std::string& descripti
 /// An object whose keys are names that the scene gives.
 SceneJson names_of(const SceneJson& named, const char* pattern = nullptr) {
   SceneJson schema = {{"type", "object"}};
-  if (pattern != nullptr) {
-    schema["propertyNames"] = {{"pattern", pattern}};
-  }
+  schema["propertyNames"] =
+      pattern == nullptr ? SceneJson{{"minLength", 1}} : SceneJson{{"pattern", pattern}};
   schema["additionalProperties"] = named;
   return schema;
 }
