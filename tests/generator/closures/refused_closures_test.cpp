@@ -64,8 +64,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"Pole", DECLARED "closure f = a*tan(pi/2) - cos(q)\n",
                 "mine.audit:5:15: the expression has no value here"},
         Refusal{"PowerOfAPower", DECLARED "closure f = (a^100)^100*cos(q)\n",
-                "mine.audit:5:24: the degree of this is higher than 1000"},
+                "mine.audit:5:24: the degree of this, of numerator and denominator together, is "
+                "higher than 1000"},
         Refusal{"ManyTerms", "length a b c e g\nunknown a\nclosure f = (a + b + c + e + g)^60\n",
+                "closure f: it has too many terms when its powers and products are multiplied out"},
+        Refusal{"UncountableTerms",
+                "length a b c e g h i j k l m n o q r t u v x\nunknown x\n"
+                "closure f = x - ((a+b+c+e+g+h+i+j+k+l+m+n+o+q+r+t+u+v)^54 + 1)^2\n",
                 "closure f: it has too many terms when its powers and products are multiplied out"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
                 "the power 65 is higher than 64"},
