@@ -124,6 +124,9 @@ void Auditor::read_group(const closures::PlacedText& rest) {
 }
 
 const structure::Group& Auditor::group_by_name(const closures::PlacedText& name) const {
+  if (name.empty()) {
+    reader_.fail(name.place, "the name of a group is missing");
+  }
   for (const structure::Group& group : structure::known_groups()) {
     if (group.name() == name.text) {
       return group;

@@ -96,6 +96,9 @@ std::vector<std::string> ClosureReader::known_names(const PlacedText& list, bool
 }
 
 void ClosureReader::read_model(const PlacedText& kind) {
+  if (kind.empty()) {
+    fail(kind.place, "a kind is missing");
+  }
   try {
     declare_model(kind.text, system_);
   } catch (const text::InputError& error) {

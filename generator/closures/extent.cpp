@@ -7,15 +7,24 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// The number of ways to take `some` of `all`.
+/// The number of ways to take `some` of `all`, or `uncountable` where it is larger.
 double choices(double all, double some) {
-  return std::exp(std::lgamma(all + 1) - std::lgamma(some + 1) - std::lgamma(all - some + 1));
+  constexpr double uncountable = 1e9;
+  const double fewer = std::ceil(std::min(some, all - some));
+  if (!std::isfinite(all) || !std::isfinite(fewer)) {
+    return uncountable;
+  }
+  // Each factor is at least 2, so that the bound is reached after few of them.
+  double ways = 1;
+  for (double taken = 1; taken <= fewer && ways < uncountable; ++taken) {
+    ways *= (all - fewer + taken) / taken;
+  }
+  return std::min(ways, uncountable);
 }
 
-/// Numbers of up to 64 binary digits count nothing, and longer ones as so many symbols.
 Extent of_number(const GiNaC::numeric& number) {
   const int bits = number.numer().int_length() + number.denom().int_length();
-  return {std::floor(bits / 64.0), 1};
+  return {0, std::floor(bits / 64.0), 1};
 }
 
 }  // namespace
@@ -27,11 +36,13 @@ Extent ExtentMeter::of(const GiNaC::ex& expression) {
   }
   if (GiNaC::is_a<GiNaC::add>(expression) || GiNaC::is_a<GiNaC::mul>(expression)) {
     const bool sum = GiNaC::is_a<GiNaC::add>(expression);
-    Extent extent{0, sum ? 0.0 : 1.0};
+    Extent extent{0, 0, sum ? 0.0 : 1.0};
     for (const GiNaC::ex& part : expression) {
       const Extent one = of(part);
-      extent = sum ? Extent{std::max(extent.degree, one.degree), extent.terms + one.terms}
-                   : Extent{extent.degree + one.degree, extent.terms * one.terms};
+      extent = sum ? Extent{std::max(extent.degree, one.degree), std::max(extent.words, one.words),
+                            extent.terms + one.terms}
+                   : Extent{extent.degree + one.degree, extent.words + one.words,
+                            extent.terms * one.terms};
     }
     return extent;
   }
@@ -39,10 +50,12 @@ Extent ExtentMeter::of(const GiNaC::ex& expression) {
     return of_power(expression);
   }
   atoms_.insert(expression);
-  Extent extent{1, 1};
+  Extent extent{1, 0, 1};
   if (GiNaC::is_a<GiNaC::function>(expression)) {
     for (const GiNaC::ex& argument : expression) {
-      extent.degree = std::max(extent.degree, of(argument).degree);
+      const Extent inner = of(argument);
+      extent.degree = std::max(extent.degree, inner.degree);
+      extent.words = std::max(extent.words, inner.words);
     }
     return extent;
   }
@@ -63,7 +76,8 @@ Extent ExtentMeter::of_power(const GiNaC::ex& power) {
   }
   const double exponent = std::abs(GiNaC::ex_to<GiNaC::numeric>(power.op(1)).to_double());
   const double whole = std::ceil(exponent);
-  Extent extent{exponent * base.degree, choices(base.terms + whole - 1, whole)};
+  Extent extent{exponent * base.degree, exponent * base.words,
+                choices(base.terms + whole - 1, whole)};
   if (exponent != whole) {  // a root, which may be of a number
     atoms_.insert(power);
     extent.degree = std::max(extent.degree, 1.0);
@@ -76,7 +90,9 @@ bool can_be_multiplied_out(const GiNaC::ex& expression, double most) {
   const Extent extent = meter.of(expression);
   // Terms that are alike become one: there are no more of them than products of the symbols.
   const auto atoms = static_cast<double>(meter.atom_count());
-  return std::min(extent.terms, choices(atoms + extent.degree, atoms)) <= most;
+  const double terms = std::min(extent.terms, choices(atoms + std::ceil(extent.degree), atoms));
+  // Long numbers make terms longer.
+  return terms * (1 + extent.words / 64) <= most;
 }
 
 }  // namespace assur::generator::closures

@@ -7,30 +7,37 @@
 
 namespace assur::generator::closures {
 
-/// The highest degree that formulas have: no mechanism needs a tenth of it, and numbers of a
-/// thousand times their digits still take no time.
+/// The highest degree that is read, of numerator and denominator together: no mechanism needs a
+/// tenth of it, and a number of few digits to this power is computed in no time.
 inline constexpr int max_degree = 1000;
+/// The numbers that are read have no more words of 64 binary digits.
+inline constexpr int max_words = 1024;
 /// More terms than this are not multiplied out, which would take minutes.
 inline constexpr double max_terms = 50000;
-/// The same of a value with roots of numbers, of which a comparison may ask for thousands.
+/// The limit of terms for values with roots of numbers, since one comparison may multiply out
+/// thousands of them.
 inline constexpr double max_terms_of_value = 2000;
-/// The same of what is emitted: the time that its code takes to derive grows with the square.
+/// The limit of terms for what is emitted, since the time to derive its code grows with the square
+/// of their number.
 inline constexpr double max_terms_emitted = 5000;
 
-/// Bounds from above, as real numbers: they may be larger than any integer type holds.
+/// Bounds from above, as real numbers: they may be larger than any integer type holds. A number of
+/// terms beyond all limits may be given as less than it is, but is still beyond them.
 struct Extent {
-  double degree = 0;  ///< in symbols and functions; long numbers count by their digits
+  double degree = 0;  ///< in symbols and functions, of numerator and denominator together
+  double words = 0;   ///< of 64 binary digits, in the longest number; shorter ones count nothing
   double terms = 1;
 };
 
-/// Measures expressions; what abbreviations stand for counts in full, and is measured once.
+/// Measures expressions. An abbreviation counts as what it stands for, which each meter measures
+/// only when it first meets it.
 class ExtentMeter {
  public:
   /// Without a system there are no abbreviations.
   explicit ExtentMeter(const ClosureSystem* system = nullptr) : system_(system) {}
 
   [[nodiscard]] Extent of(const GiNaC::ex& expression);
-  /// How many different symbols, functions and roots there were in what has been measured.
+  /// The number of different symbols, functions and roots in all that this meter has measured.
   [[nodiscard]] std::size_t atom_count() const { return atoms_.size(); }
 
  private:

@@ -125,8 +125,7 @@ class Reader {
     if (called == "derivative") return derivative(node, first);
     const GiNaC::ex second = scalar(node.arguments[1]);
     if (node.operation == Operation::divide) return quotient(first, second, node);
-    if (node.operation == Operation::multiply)
-      expect_degree(meter_.of(first).degree + meter_.of(second).degree, node);
+    if (node.operation == Operation::multiply) expect_readable_product(first, second, node);
     if (node.operation == Operation::power || node.operation == Operation::other) {  // pow(e, n)
       return power(first, second, node);
     }
@@ -173,12 +172,22 @@ class Reader {
 
   /// Degrees multiply where powers stand within powers or abbreviations, so that a short text may
   /// ask for more than any time suffices for.
-  void expect_degree(double degree, const text::Expression& at) const {
-    if (degree > max_degree) {
-      fail("the degree of this is higher than " + std::to_string(max_degree) +
-               ", the highest that is read",
+  void expect_readable_extent(double degree, double words, const text::Expression& at) const {
+    if (!(degree <= max_degree)) {
+      fail("the degree of this, of numerator and denominator together, is higher than " +
+               std::to_string(max_degree) + ", the highest that is read",
            at);
     }
+    if (!(words <= max_words)) {
+      fail("the numbers in this have too many digits when it is multiplied out", at);
+    }
+  }
+
+  void expect_readable_product(const GiNaC::ex& first, const GiNaC::ex& second,
+                               const text::Expression& at) {
+    const Extent one = meter_.of(first);
+    const Extent other = meter_.of(second);
+    expect_readable_extent(one.degree + other.degree, one.words + other.words, at);
   }
 
   [[nodiscard]] GiNaC::ex quotient(const GiNaC::ex& above, const GiNaC::ex& below,
@@ -186,7 +195,7 @@ class Reader {
     if (below.is_zero()) {
       fail("division by zero", at);
     }
-    expect_degree(meter_.of(above).degree + meter_.of(below).degree, at);
+    expect_readable_product(above, below, at);
     return above / below;
   }
 
@@ -220,9 +229,9 @@ class Reader {
       fail("the power of a number has too many digits", at);
     }
     if (!GiNaC::is_a<GiNaC::numeric>(base)) {
-      expect_degree(
-          meter_.of(base).degree * std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double()),
-          at);
+      const Extent extent = meter_.of(base);
+      const double times = std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double());
+      expect_readable_extent(extent.degree * times, extent.words * times, at);
     }
     return GiNaC::pow(base, exponent);
   }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <numeric>
 #include <optional>
 
 #include "equations/seeded_numbers.hpp"
@@ -11,9 +13,9 @@ namespace assur::generator::derivatives {
 namespace {
 
 constexpr unsigned wanted_points = 3;
-constexpr unsigned most_draws = 20;
+constexpr unsigned most_draws = 100;
 constexpr int decimal_digits = 60;
-/// What is smaller is zero but for the rounding of roots.
+/// Decimals are zero if this many digits of what they are the sum of have cancelled.
 constexpr int digits_of_zero = 40;
 
 using Row = std::vector<GiNaC::numeric>;
@@ -30,34 +32,78 @@ class MoreDigits {
   long before_;
 };
 
-bool is_nothing(const GiNaC::numeric& number) {
-  return GiNaC::abs(number) < GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(-digits_of_zero));
+/// A value, and the size of what was added up to it. A value that is zero but for the rounding of
+/// roots is zero.
+struct Sized {
+  GiNaC::numeric value;
+  GiNaC::numeric size;
+};
+using Values = std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less>;
+
+/// Exact numbers are zero only if they are; others are compared with a size.
+bool is_nothing(const GiNaC::numeric& number, const GiNaC::numeric& size) {
+  if (number.is_zero() || number.is_crational()) {
+    return number.is_zero();
+  }
+  return GiNaC::abs(number) <
+         size * GiNaC::pow(GiNaC::numeric(10), GiNaC::numeric(-digits_of_zero));
 }
 
-GiNaC::numeric value_of(const GiNaC::ex& expression, const GiNaC::exmap& values) {
-  const GiNaC::ex value = expression.subs(values, GiNaC::subs_options::no_pattern).expand();
-  return GiNaC::ex_to<GiNaC::numeric>(value);
+Sized measured(const GiNaC::ex& expression, const Values& values) {
+  if (const auto known = values.find(expression); known != values.end()) {
+    return {known->second, GiNaC::abs(known->second)};
+  }
+  const bool sum = GiNaC::is_a<GiNaC::add>(expression);
+  if (sum || GiNaC::is_a<GiNaC::mul>(expression)) {
+    Sized result{sum ? 0 : 1, sum ? 0 : 1};
+    for (const GiNaC::ex& part : expression) {
+      const Sized one = measured(part, values);
+      result = sum ? Sized{result.value + one.value, result.size + one.size}
+                   : Sized{result.value * one.value, result.size * one.size};
+    }
+    if (sum && is_nothing(result.value, result.size)) {
+      result.value = 0;
+    }
+    return result;
+  }
+  if (GiNaC::is_a<GiNaC::power>(expression)) {  // whole, since roots have names
+    const auto exponent = GiNaC::ex_to<GiNaC::numeric>(expression.op(1));
+    const Sized base = measured(expression.op(0), values);
+    return {GiNaC::pow(base.value, exponent), GiNaC::pow(base.size, exponent)};
+  }
+  const GiNaC::ex constant =
+      GiNaC::is_a<GiNaC::numeric>(expression) ? expression : expression.evalf();
+  const auto& number = GiNaC::ex_to<GiNaC::numeric>(constant);
+  return {number, GiNaC::abs(number)};
 }
 
-/// Values of all variables and names; nothing where a denominator vanishes. Roots may be imaginary,
-/// which changes no generic rank.
-std::optional<GiNaC::exmap> random_point(const equations::ImplicitEquations& equations,
-                                         unsigned seed) {
+/// Where random points lie. Lengths of either sign are drawn by turns with positive ones, of which
+/// more sums have a root.
+enum class Roots : unsigned char { real, any };
+
+/// Values of all variables and names; nothing where a denominator vanishes or a root is not as it
+/// is demanded.
+std::optional<Values> random_point(const equations::ImplicitEquations& equations, unsigned seed,
+                                   Roots roots) {
   equations::SeededNumbers random(seed);
-  GiNaC::exmap values;
+  const bool positive = seed % 2 == 1;
+  Values values;
   for (const std::deque<equations::Variable>* list :
        {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
     for (const equations::Variable& variable : *list) {
       const equations::Vector2 direction = random.direction();
-      values[variable.cosine] = direction.x;
-      values[variable.sine] = direction.y;
-      values[variable.value] = random.number();
+      values[variable.cosine] = GiNaC::ex_to<GiNaC::numeric>(direction.x);
+      values[variable.sine] = GiNaC::ex_to<GiNaC::numeric>(direction.y);
+      const GiNaC::numeric number = random.number();
+      values[variable.value] = positive ? GiNaC::abs(number) : number;
     }
   }
   using Form = equations::NamedQuantity::Form;
   for (const equations::NamedQuantity& quantity : equations.vocabulary.quantities()) {
-    GiNaC::numeric value = value_of(quantity.definition, values);
-    if (quantity.form == Form::reciprocal && is_nothing(value)) {
+    const GiNaC::numeric value = measured(quantity.definition, values).value;
+    const bool imaginary = quantity.form == Form::square_root && !(value.is_real() && value >= 0);
+    if ((quantity.form == Form::reciprocal && value.is_zero()) ||
+        (roots == Roots::real && imaginary)) {
       return std::nullopt;
     }
     values[quantity.symbol] = quantity.form == Form::reciprocal    ? value.inverse()
@@ -67,15 +113,38 @@ std::optional<GiNaC::exmap> random_point(const equations::ImplicitEquations& equ
   return values;
 }
 
+/// Divides rows, and then columns, by their largest entries, so that all of them count alike.
+void balance(std::vector<Row>& rows, std::size_t columns) {
+  const auto larger = [](const GiNaC::numeric& one, const GiNaC::numeric& other) {
+    return GiNaC::abs(one) < GiNaC::abs(other) ? GiNaC::abs(other) : GiNaC::abs(one);
+  };
+  for (Row& row : rows) {
+    const GiNaC::numeric size = std::accumulate(row.begin(), row.end(), GiNaC::numeric(0), larger);
+    for (GiNaC::numeric& entry : row) {
+      entry = size.is_zero() ? entry : entry / size;
+    }
+  }
+  for (std::size_t column = 0; column < columns; ++column) {
+    GiNaC::numeric size = 0;
+    for (const Row& row : rows) {
+      size = larger(size, row[column]);
+    }
+    for (Row& row : rows) {
+      row[column] = size.is_zero() ? row[column] : row[column] / size;
+    }
+  }
+}
+
 /// By elimination, which takes the largest entry of each column.
 unsigned rank_of(std::vector<Row> rows, std::size_t columns) {
+  balance(rows, columns);
   std::size_t rank = 0;
   for (std::size_t column = 0; column < columns && rank < rows.size(); ++column) {
     const auto from = rows.begin() + static_cast<std::ptrdiff_t>(rank);
     const auto pivot = std::max_element(from, rows.end(), [&](const Row& one, const Row& other) {
       return GiNaC::abs(one[column]) < GiNaC::abs(other[column]);
     });
-    if (is_nothing((*pivot)[column])) {
+    if (is_nothing((*pivot)[column], 1)) {
       continue;
     }
     std::iter_swap(from, pivot);
@@ -90,15 +159,13 @@ unsigned rank_of(std::vector<Row> rows, std::size_t columns) {
   return static_cast<unsigned>(rank);
 }
 
-}  // namespace
-
-unsigned generic_rank(const equations::ImplicitEquations& equations,
-                      const ExpressionMatrix& jacobian) {
-  const MoreDigits digits;
-  unsigned rank = 0;
+/// The largest rank at some points; nothing if none is found.
+std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equations,
+                                       const ExpressionMatrix& jacobian, Roots roots) {
+  std::optional<unsigned> rank;
   unsigned points = 0;
   for (unsigned seed = 1; seed <= most_draws && points < wanted_points; ++seed) {
-    const std::optional<GiNaC::exmap> values = random_point(equations, seed);
+    const std::optional<Values> values = random_point(equations, seed, roots);
     if (!values) {
       continue;
     }
@@ -106,13 +173,27 @@ unsigned generic_rank(const equations::ImplicitEquations& equations,
     for (const std::vector<GiNaC::ex>& entries : jacobian) {
       Row row;
       std::transform(entries.begin(), entries.end(), std::back_inserter(row),
-                     [&](const GiNaC::ex& entry) { return value_of(entry, *values); });
+                     [&](const GiNaC::ex& entry) { return measured(entry, *values).value; });
       rows.push_back(std::move(row));
     }
-    rank = std::max(rank, rank_of(std::move(rows), equations.unknowns.size()));
+    const unsigned here = rank_of(std::move(rows), equations.unknowns.size());
+    rank = std::max(rank.value_or(0), here);
     ++points;
   }
   return rank;
+}
+
+}  // namespace
+
+unsigned generic_rank(const equations::ImplicitEquations& equations,
+                      const ExpressionMatrix& jacobian) {
+  const MoreDigits digits;
+  // Where roots are imaginary, sqrt(x)*sqrt(y) may be -sqrt(x*y), and equations that depend on one
+  // another seem not to.
+  if (const std::optional<unsigned> rank = rank_at_points(equations, jacobian, Roots::real)) {
+    return *rank;
+  }
+  return rank_at_points(equations, jacobian, Roots::any).value_or(0);
 }
 
 }  // namespace assur::generator::derivatives

@@ -6,7 +6,8 @@
 namespace assur::generator::derivatives {
 
 /// The rank at random points, of which few may lie where it is less: exact without roots, and by
-/// decimals of 60 digits with them. The points need not fulfil the equations.
+/// decimals of 60 digits with them. The points need not fulfil the equations. Roots are real there,
+/// unless no such point is found.
 [[nodiscard]] unsigned generic_rank(const equations::ImplicitEquations& equations,
                                     const ExpressionMatrix& jacobian);
 

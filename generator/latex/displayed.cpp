@@ -61,6 +61,16 @@ bool is_heading(const Token& token) {
 std::string take_title(const Tokens& tokens, std::size_t& at) {
   ++at;
   at += at < tokens.size() && tokens[at].is("*") ? 1 : 0;
+  if (at < tokens.size() && tokens[at].is("[")) {  // the title in the table of contents
+    const Place opened = tokens[at++].place;
+    while (at < tokens.size() && !tokens[at].is("]")) {
+      at = end_of_argument(tokens, at);
+    }
+    if (at == tokens.size()) {
+      throw FormulaError("[ is not closed", opened);
+    }
+    ++at;
+  }
   return letters_of(take_argument(tokens, at));
 }
 

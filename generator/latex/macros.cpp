@@ -231,7 +231,8 @@ class Expander {
   using Definition = std::pair<std::string, std::optional<Macro>>;
   std::vector<std::vector<Definition>> groups_;  ///< what stood before in those that are open
   bool global_ = false;                          ///< what is defined outlives its group
-  /// By the place of the call in the file, which what is made of it has, too.
+  /// How often each call in the file has been replaced, by its place. Calls within what replaces
+  /// it have the same place and count with it.
   std::map<std::size_t, std::size_t> replacements_;
   Place last_{1, 1};
 };

@@ -186,12 +186,14 @@ void PaperMap::read_index(const PlacedText& rest,
 
 void PaperMap::read_skip(const PlacedText& rest) {
   if (const std::optional<PlacedText> sections = behind(rest, "sections")) {
-    for (const PlacedText& title : closures::split(*sections, ',')) {
-      if (title.empty()) {
-        fail(title.place, "the title of a section is missing");
+    std::vector<PlacedText> parts = closures::split(*sections, ',');
+    for (PlacedText& part : parts) {
+      if (part.empty()) {
+        fail(part.place, "the title of a section is missing");
       }
-      skipped_sections_.emplace(title.text, closures::place_in(statement_, title.place));
+      part.place = closures::place_in(statement_, part.place);
     }
+    section_lists_.push_back(std::move(parts));
     return;
   }
   if (rest.empty()) {
@@ -202,22 +204,38 @@ void PaperMap::read_skip(const PlacedText& rest) {
   }
 }
 
-void PaperMap::expect_skipped(const std::set<std::string>& labels,
-                              const std::set<std::string>& sections) const {
+void PaperMap::find_skipped(const std::set<std::string>& labels,
+                            const std::set<std::string>& sections) {
   for (const auto& [label, place] : skipped_) {
     if (!labels.contains(label)) {
       throw closures::AuditSyntaxError(
           file_, place, "the paper has no equation " + label + " that could be skipped");
     }
   }
-  for (const auto& [title, place] : skipped_sections_) {
-    if (!sections.contains(title)) {
-      throw closures::AuditSyntaxError(
-          file_, place,
-          "the paper has no section '" + title + "' that could be skipped" +
-              text::suggestion(title, {sections.begin(), sections.end()}));
+  for (const std::vector<PlacedText>& parts : section_lists_) {
+    for (std::size_t from = 0; from < parts.size();) {
+      from = skip_section(parts, from, sections);
     }
   }
+}
+
+std::size_t PaperMap::skip_section(const std::vector<PlacedText>& parts, std::size_t from,
+                                   const std::set<std::string>& sections) {
+  for (std::size_t to = parts.size(); to > from; --to) {
+    std::string title = parts[from].text;
+    for (std::size_t part = from + 1; part < to; ++part) {
+      title += ", " + parts[part].text;
+    }
+    if (sections.contains(title)) {
+      skipped_sections_.insert(title);
+      return to;
+    }
+  }
+  const PlacedText& missing = parts[from];
+  throw closures::AuditSyntaxError(
+      file_, missing.place,
+      "the paper has no section '" + missing.text + "' that could be skipped" +
+          text::suggestion(missing.text, {sections.begin(), sections.end()}));
 }
 
 void PaperMap::expect_new(const PlacedText& notation, const Tokens& tokens) const {

@@ -44,9 +44,10 @@ class PaperMap {
     return summed_;
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
-  /// Throws AuditSyntaxError where the map skips an equation or a section that is not one of these.
-  void expect_skipped(const std::set<std::string>& labels,
-                      const std::set<std::string>& sections) const;
+  /// Finds what the map skips among the equations and sections of the paper; before that, no
+  /// section is skipped. Throws AuditSyntaxError where an equation or a section is not one of
+  /// these.
+  void find_skipped(const std::set<std::string>& labels, const std::set<std::string>& sections);
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);
   }
@@ -66,6 +67,9 @@ class PaperMap {
   void read_index(const closures::PlacedText& rest,
                   std::map<std::string, std::vector<std::string>>& list);
   void read_skip(const closures::PlacedText& rest);
+  /// The longest title that these parts begin with is skipped. Returns where the next one begins.
+  std::size_t skip_section(const std::vector<closures::PlacedText>& parts, std::size_t from,
+                           const std::set<std::string>& sections);
   void read_notation(const closures::PlacedText& line);
   /// Throws where a notation is given a second meaning, of which one would be passed over.
   void expect_new(const closures::PlacedText& notation, const Tokens& tokens) const;
@@ -92,7 +96,9 @@ class PaperMap {
   std::map<std::string, std::vector<std::string>> summed_;
   std::map<std::string, DisplayCommand> commands_;
   std::map<std::string, closures::Place> skipped_;  ///< places in the file
-  std::map<std::string, closures::Place> skipped_sections_;
+  /// What stands between the commas of each statement. Titles may contain commas.
+  std::vector<std::vector<closures::PlacedText>> section_lists_;
+  std::set<std::string> skipped_sections_;
   std::vector<Formula> formulas_;
   bool brackets_multiply_ = false;
   bool blanks_are_zero_ = false;

@@ -90,16 +90,19 @@ void separate(const Displayed& displayed, const PaperMap& map, std::vector<State
 
 }  // namespace
 
-std::vector<Stated> paper_statements(const Tokens& tokens, const PaperMap& map) {
-  std::vector<Stated> list;
+std::vector<Stated> paper_statements(const Tokens& tokens, PaperMap& map) {
+  const std::vector<Displayed> equations = generator::latex::displayed(tokens, map.commands());
   std::set<std::string> labels;
-  for (const Displayed& each : generator::latex::displayed(tokens, map.commands())) {
+  for (const Displayed& each : equations) {
     labels.insert(each.label);
+  }
+  map.find_skipped(labels, generator::latex::section_titles(tokens));
+  std::vector<Stated> list;
+  for (const Displayed& each : equations) {
     if (!map.skips(each.label, each.section)) {
       separate(each, map, list);
     }
   }
-  map.expect_skipped(labels, generator::latex::section_titles(tokens));
   return list;
 }
 

@@ -21,6 +21,6 @@ struct Stated {
 
 /// The statements of a paper but for those that the map skips. Throws FormulaError for a file that
 /// cannot be followed.
-[[nodiscard]] std::vector<Stated> paper_statements(const Tokens& tokens, const PaperMap& map);
+[[nodiscard]] std::vector<Stated> paper_statements(const Tokens& tokens, PaperMap& map);
 
 }  // namespace assur::generator::audit::latex

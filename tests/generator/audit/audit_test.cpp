@@ -276,13 +276,26 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"RoundingOfARun", "printed run J no.cpp\n  rounding 1\n",
               "f.audit:2:12: expected a number from 0 to 0.01, found '1'"},
         Fault{"HighPower", "length r\nlet u = r^10000000\n",
-              "f.audit:2:19: the degree of this is higher than 1000, the highest that is read"},
+              "f.audit:2:19: the degree of this, of numerator and denominator together, is higher "
+              "than 1000, the highest that is read"},
         Fault{"PowerOfAPower", "length r\nlet u = ((r + 1)^100)^100\n",
-              "f.audit:2:26: the degree of this is higher than 1000, the highest that is read"},
+              "f.audit:2:26: the degree of this, of numerator and denominator together, is higher "
+              "than 1000, the highest that is read"},
         Fault{"PowerOfAnAbbreviation", "length r\nlet u = r^1000\nlet w = 1/u^2\n",
-              "f.audit:3:14: the degree of this is higher than 1000, the highest that is read"},
+              "f.audit:3:14: the degree of this, of numerator and denominator together, is higher "
+              "than 1000, the highest that is read"},
         Fault{"ProductOfPowers", "length r\nlet u = r^600*r^600\n",
-              "f.audit:2:20: the degree of this is higher than 1000, the highest that is read"},
+              "f.audit:2:20: the degree of this, of numerator and denominator together, is higher "
+              "than 1000, the highest that is read"},
+        Fault{"ProductWithinAQuotient", "length a b\nlet u = (a/b)^1000\n",
+              "f.audit:2:19: the degree of this, of numerator and denominator together, is higher "
+              "than 1000, the highest that is read"},
+        Fault{"LongNumbers", "length a\nlet u = (1e308*a)^70\n",
+              "f.audit:2:21: the numbers in this have too many digits when it is multiplied out"},
+        Fault{"MissingKind", "model\n", "f.audit:1:6: a kind is missing"},
+        Fault{"MissingGroup", "printed kinds T of\n",
+              "f.audit:1:19: the name of a group is missing"},
+        Fault{"MissingGroupOfNumbers", "group\n", "f.audit:1:6: the name of a group is missing"},
         Fault{"NoKind", "model RRR-RRX\n",
               "f.audit:1:7: no group has a kind 'RRR-RRX'; a tetrad's is spelled like RRP-RRR"},
         Fault{"NoGroup", "printed kinds T of tertad\n",
@@ -315,7 +328,8 @@ TEST(Audit, APrintedFormulaThatCannotBeReadIsAFinding) {
   EXPECT_EQ(evidence("equation (6) for k in f1 : d(k, r)"), "expected an equation LEFT = RIGHT");
   EXPECT_EQ(evidence("closure (6) f1 : r ="), "a formula is missing");
   EXPECT_EQ(evidence("closure (6) f1 : r^10000000 = 0"),
-            "the degree of this is higher than 1000, the highest that is read");
+            "the degree of this, of numerator and denominator together, is higher than 1000, the "
+            "highest that is read");
 }
 
 /// Each of these would be multiplied out into millions of terms.
@@ -332,8 +346,29 @@ TEST(Audit, HighPowersTakeNoTime) {
                     "(b + c + e)*(a + b + c + e)^299"),
             Verdict::agrees);
   EXPECT_EQ(verdict("equation (1) : sqrt((a + b + c + e)^301 + 1) = 1"), Verdict::undecided);
-  EXPECT_EQ(verdict("equation (1) : cos((p + q + t)^300) = 1"), Verdict::undecided);
-  EXPECT_EQ(verdict("equation (1) : cos(64*p + 64*q + 64*t) = 1"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : cos((p + q + t)^400) = 1"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : cos(47*p + 47*q + 47*t) = 1"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : (1e308*a)^60 = (1e308*a)^59*1e308*a"), Verdict::agrees);
+  EXPECT_EQ(verdict("equation (1) : (1e308*a + b + c + e)^60 = 1"), Verdict::differs);
+}
+
+/// The number of terms is so large that adding one changes no digit of it.
+TEST(Audit, UncountableTermsTakeNoTime) {
+  std::string many = "length";
+  std::string sum;
+  for (int number = 0; number < 18; ++number) {
+    const std::string name = "n" + std::to_string(number);
+    many += " " + name;
+    sum += (number == 0 ? "" : "+") + name;
+  }
+  const std::string square = "((" + sum + ")^54 + 1)^2";
+  const auto verdict = [&](const std::string& printed) {
+    return only_finding(many + " x y\nunknown x\nclosure f1 = x - n1\nprinted " + printed + "\n")
+        .comparison.verdict;
+  };
+  EXPECT_EQ(verdict("closure (1) f1 : " + square + " - x = 0"), Verdict::differs);
+  EXPECT_EQ(verdict("closure (1) f1 : sqrt(" + square + " + y) - x = 0"), Verdict::undecided);
+  EXPECT_EQ(verdict("equation (1) : " + square + "*(" + square + " + x)^4 = x"), Verdict::differs);
 }
 
 TEST(Audit, AFaultOfASceneHasThePlaceOfItsName) {

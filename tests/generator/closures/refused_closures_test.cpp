@@ -64,8 +64,13 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"Pole", DECLARED "closure f = a*tan(pi/2) - cos(q)\n",
                 "mine.audit:5:15: the expression has no value here"},
         Refusal{"PowerOfAPower", DECLARED "closure f = (a^100)^100*cos(q)\n",
-                "mine.audit:5:24: the degree of this is higher than 1000"},
+                "mine.audit:5:24: the degree of this, of numerator and denominator together, is "
+                "higher than 1000"},
         Refusal{"ManyTerms", "length a b c e g\nunknown a\nclosure f = (a + b + c + e + g)^60\n",
+                "closure f: it has too many terms when its powers and products are multiplied out"},
+        Refusal{"UncountableTerms",
+                "length a b c e g h i j k l m n o q r t u v x\nunknown x\n"
+                "closure f = x - ((a+b+c+e+g+h+i+j+k+l+m+n+o+q+r+t+u+v)^54 + 1)^2\n",
                 "closure f: it has too many terms when its powers and products are multiplied out"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
                 "the power 65 is higher than 64"},
@@ -117,6 +122,26 @@ INSTANTIATE_TEST_SUITE_P(
                "length a x y\nunknown x y\nclosure f = sqrt(x + y) - a\n"
                "closure g = 1/sqrt(x + y) + a^2\n",
                "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"OfSmallNumbers", "length a x\nunknown x\nclosure f = (x/1000000)^8 - a\n", ""},
+        Warned{"OfTinyNumbers", "length a x\nunknown x\nclosure f = 1e-45*x - a\n", ""},
+        Warned{"OfTinyNumbersAndRoots",
+               "length a x y\nunknown x y\nclosure f = 1e-45*sqrt(x) - a*y\n"
+               "closure g = sqrt(x + y) - a\n",
+               ""},
+        Warned{"OfLengthsOfEitherSign", "length a x\nunknown x\nclosure f = sqrt(x^2) - x + a\n",
+               ""},
+        Warned{"WithoutRealRoots", "length a x\nunknown x\nclosure f = sqrt(-1 - x^2) - a\n", ""},
+        Warned{"ASumOfRootsAndItsSquare",
+               "length a x y\nunknown x y\nclosure f = sqrt(x) + sqrt(y) - a\n"
+               "closure g = sqrt(x*y)*2 + x + y - a^2\n",
+               "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"AProductOfRootsAndTheRootOfIt",
+               "length a x y\nunknown x y\nclosure f = sqrt(x)*sqrt(y) - a*x\n"
+               "closure g = sqrt(x*y) - a*x\n",
+               "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"RootsThatCancel",
+               "length a x y\nunknown x\nclosure f = sqrt(x)*sqrt(y) - sqrt(x*y) - a\n",
+               "the Jacobian is singular everywhere: its rank is 0, and 1 unknown needs 1" LOST},
         Warned{"OfNoUnknown", "length a x\nunknown x\nclosure f = a - 1\n",
                "the Jacobian is singular everywhere: its rank is 0, and 1 unknown needs 1" LOST}),
     [](const testing::TestParamInfo<Warned>& at) { return std::string(at.param.name); });
