@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/text/quoted.hpp>
