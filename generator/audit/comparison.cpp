@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "closures/formula_text.hpp"
+#include "equations/more_digits.hpp"
 
 namespace assur::generator::audit {
 
@@ -12,29 +13,15 @@ namespace {
 constexpr int wanted_points = 3;
 /// The other signs of more roots than this are not tried: they would be thousands.
 constexpr std::size_t most_roots = 6;
-/// The number of digits in which roots of numbers that are no squares are compared as decimals.
-constexpr int decimal_digits = 60;
-/// The number of these digits that must agree.
+/// The number of decimal digits that must agree where roots of numbers are no rational numbers.
 constexpr int agreeing_digits = 40;
-
-/// Raises the number of digits of evaluation for as long as it lives.
-class MoreDigits {
- public:
-  MoreDigits() : before_(GiNaC::Digits) { GiNaC::Digits = decimal_digits; }
-  ~MoreDigits() { GiNaC::Digits = before_; }
-  MoreDigits(const MoreDigits&) = delete;
-  MoreDigits& operator=(const MoreDigits&) = delete;
-
- private:
-  long before_;
-};
 
 bool is_nothing(const GiNaC::ex& value) {
   const GiNaC::ex exact = value.normal();
   if (exact.is_zero() || exact.info(GiNaC::info_flags::rational)) {
     return exact.is_zero();
   }
-  const MoreDigits digits;
+  const equations::MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();
   return GiNaC::is_a<GiNaC::numeric>(decimal) &&
          abs(GiNaC::ex_to<GiNaC::numeric>(decimal)) <
@@ -47,7 +34,7 @@ std::string amount(const GiNaC::ex& value) {
     return closures::formula_text(value);
   }
   // More digits than are shown: the terms are summed in GiNaC's order, and so rounded.
-  const MoreDigits digits;
+  const equations::MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();
   if (!decimal.info(GiNaC::info_flags::real) || !GiNaC::is_a<GiNaC::numeric>(decimal)) {
     return closures::formula_text(value);  // an angle may stand outside sines and cosines

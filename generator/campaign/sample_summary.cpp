@@ -1,11 +1,9 @@
 #include "campaign/sample_summary.hpp"
 
-#include <array>
 #include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/numbers.hpp>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>

@@ -7,8 +7,6 @@
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <charconv>
-#include <cmath>
-#include <limits>
 #include <string_view>
 #include <utility>
 

@@ -46,9 +46,9 @@ void run_merge(const MergeOptions& options);
 struct CampaignFiles {
   std::filesystem::path table, picture;
 };
-/// `--output` by its extension, and `--plot`. Throws InputError for other extensions, for files
-/// that cannot be written, for those that are read (`inputs`), for a picture of a shard, and where
-/// a picture has a name that is taken.
+/// `--output` by its extension, and `--plot`. Throws InputError for other extensions, for names
+/// that no file can have, for files that are read (`inputs`), for a picture of a shard, and where a
+/// picture has a name that is taken.
 [[nodiscard]] CampaignFiles files_of(const CampaignOptions& options,
                                      const std::vector<std::string>& inputs);
 

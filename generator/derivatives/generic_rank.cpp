@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "equations/more_digits.hpp"
 #include "equations/seeded_numbers.hpp"
 
 namespace assur::generator::derivatives {
@@ -14,23 +15,10 @@ namespace {
 
 constexpr unsigned wanted_points = 3;
 constexpr unsigned most_draws = 100;
-constexpr int decimal_digits = 60;
 /// Decimals are zero if this many digits of what they are the sum of have cancelled.
 constexpr int digits_of_zero = 40;
 
 using Row = std::vector<GiNaC::numeric>;
-
-/// Raises the number of digits of roots for as long as it lives.
-class MoreDigits {
- public:
-  MoreDigits() : before_(GiNaC::Digits) { GiNaC::Digits = decimal_digits; }
-  ~MoreDigits() { GiNaC::Digits = before_; }
-  MoreDigits(const MoreDigits&) = delete;
-  MoreDigits& operator=(const MoreDigits&) = delete;
-
- private:
-  long before_;
-};
 
 /// A value, and the size of what was added up to it. A value that is zero but for the rounding of
 /// roots is zero.
@@ -187,7 +175,7 @@ std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equat
 
 unsigned generic_rank(const equations::ImplicitEquations& equations,
                       const ExpressionMatrix& jacobian) {
-  const MoreDigits digits;
+  const equations::MoreDigits digits;
   // Where roots are imaginary, sqrt(x)*sqrt(y) may be -sqrt(x*y), and equations that depend on one
   // another seem not to.
   if (const std::optional<unsigned> rank = rank_at_points(equations, jacobian, Roots::real)) {

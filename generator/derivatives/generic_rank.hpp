@@ -5,9 +5,9 @@
 
 namespace assur::generator::derivatives {
 
-/// The rank at random points, of which few may lie where it is less: exact without roots, and by
-/// decimals of 60 digits with them. The points need not fulfil the equations. Roots are real there,
-/// unless no such point is found.
+/// Returns the largest rank at three random points, which need not fulfil the equations. It is
+/// exact if there are no roots; otherwise decimals of 60 digits are compared. All roots are real at
+/// these points, unless no such point is found.
 [[nodiscard]] unsigned generic_rank(const equations::ImplicitEquations& equations,
                                     const ExpressionMatrix& jacobian);
 

@@ -1,9 +1,7 @@
 #include "group_words.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/text/names.hpp>
-#include <cstdio>
 
 #include "plan/plan_data.hpp"
 
