@@ -13,30 +13,32 @@ namespace {
 /// Values for symbols: nothing is to be matched as a pattern, which takes much longer.
 constexpr unsigned unmatched = GiNaC::subs_options::no_pattern;
 
+/// The direction of the sum of two angles.
+equations::Vector2 multiplied_out(const equations::Vector2& first,
+                                  const equations::Vector2& second) {
+  return {(first.x * second.x - first.y * second.y).expand(),
+          (first.x * second.y + first.y * second.x).expand()};
+}
+
 }  // namespace
 
 bool makes_roots(const GiNaC::ex& expression) {
-  return std::any_of(expression.preorder_begin(), expression.preorder_end(),
-                     [](const GiNaC::ex& part) {
-                       if (GiNaC::is_a<GiNaC::power>(part)) {
-                         return !part.op(1).info(GiNaC::info_flags::integer);
-                       }
-                       return GiNaC::is_a<GiNaC::function>(part) &&
-                              GiNaC::ex_to<GiNaC::function>(part).get_name().starts_with('a');
-                     });
+  return std::any_of(expression.preorder_begin(), expression.preorder_end(), is_root);
 }
 
 equations::Vector2 turned_by_multiple(equations::Vector2 direction, equations::Vector2 step,
                                       int factor) {
   step.y = factor < 0 ? -step.y : step.y;
-  if (!can_be_multiplied_out(direction.x * GiNaC::pow(step.x + step.y, std::abs(factor)))) {
+  if (!can_be_multiplied_out(direction.x * GiNaC::pow(step.x + step.y, std::abs(factor)),
+                             max_terms_of_direction)) {
     throw NotAlgebraic("an angle has too many terms when its cosine is multiplied out");
   }
+  // The multiple of one angle has few terms; those of the direction are multiplied by them once.
+  equations::Vector2 multiple{1, 0};
   for (int count = std::abs(factor); count > 0; --count) {
-    direction = {(direction.x * step.x - direction.y * step.y).expand(),
-                 (direction.x * step.y + direction.y * step.x).expand()};
+    multiple = multiplied_out(multiple, step);
   }
-  return direction;
+  return multiplied_out(direction, multiple);
 }
 
 void CircleAlgebra::add_angle(const GiNaC::symbol& angle) {

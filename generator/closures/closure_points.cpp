@@ -50,11 +50,12 @@ void ClosurePoints::follow_system() {
   slopes_.clear();
   rates_.clear();
   second_rates_.clear();
+  closures_are_algebraic_ = true;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     try {  // the roots of closures come first, whatever is asked of them first
       static_cast<void>(algebraic(closure.expression));
     } catch (const NotAlgebraic&) {
-      continue;  // what needs it says so
+      closures_are_algebraic_ = false;  // what needs it says so
     }
   }
 }
@@ -284,6 +285,9 @@ equations::Vector2 ClosurePoints::direction(const GiNaC::symbol& angle) {
 ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
   constexpr unsigned most_draws = 400;
   follow_system();
+  if (assembled && !closures_are_algebraic_) {
+    return nullptr;
+  }
   PointList& list = lists_[assembled];
   while (list.drawn.size() <= index) {
     if (list.next_seed > most_draws) {

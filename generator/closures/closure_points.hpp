@@ -92,6 +92,7 @@ class ClosurePoints {
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
+  bool closures_are_algebraic_ = true;                           ///< in this revision
   std::optional<AssemblyByLengths> assembly_;                    ///< of this revision
   std::map<const AuditSymbol*, std::vector<GiNaC::ex>> slopes_;  ///< of this revision
   std::vector<GiNaC::ex> rates_, second_rates_;  ///< of the closures, of this revision

@@ -29,6 +29,14 @@ Extent of_number(const GiNaC::numeric& number) {
 
 }  // namespace
 
+bool is_root(const GiNaC::ex& expression) {
+  if (GiNaC::is_a<GiNaC::power>(expression)) {
+    return !expression.op(1).info(GiNaC::info_flags::integer);
+  }
+  return GiNaC::is_a<GiNaC::function>(expression) &&
+         GiNaC::ex_to<GiNaC::function>(expression).get_name().starts_with('a');
+}
+
 Extent ExtentMeter::of(const GiNaC::ex& expression) {
   if (GiNaC::is_a<GiNaC::numeric>(expression)) {
     const auto& number = GiNaC::ex_to<GiNaC::numeric>(expression);
@@ -39,10 +47,11 @@ Extent ExtentMeter::of(const GiNaC::ex& expression) {
     Extent extent{0, 0, sum ? 0.0 : 1.0};
     for (const GiNaC::ex& part : expression) {
       const Extent one = of(part);
+      const int nesting = std::max(extent.nesting, one.nesting);
       extent = sum ? Extent{std::max(extent.degree, one.degree), std::max(extent.words, one.words),
-                            extent.terms + one.terms}
+                            extent.terms + one.terms, nesting}
                    : Extent{extent.degree + one.degree, extent.words + one.words,
-                            extent.terms * one.terms};
+                            extent.terms * one.terms, nesting};
     }
     return extent;
   }
@@ -56,7 +65,9 @@ Extent ExtentMeter::of(const GiNaC::ex& expression) {
       const Extent inner = of(argument);
       extent.degree = std::max(extent.degree, inner.degree);
       extent.words = std::max(extent.words, inner.words);
+      extent.nesting = std::max(extent.nesting, inner.nesting);
     }
+    extent.nesting += is_root(expression) ? 1 : 0;
     return extent;
   }
   if (const auto known = known_.find(expression); known != known_.end()) {
@@ -77,10 +88,11 @@ Extent ExtentMeter::of_power(const GiNaC::ex& power) {
   const double exponent = std::abs(GiNaC::ex_to<GiNaC::numeric>(power.op(1)).to_double());
   const double whole = std::ceil(exponent);
   Extent extent{exponent * base.degree, exponent * base.words,
-                choices(base.terms + whole - 1, whole)};
+                choices(base.terms + whole - 1, whole), base.nesting};
   if (exponent != whole) {  // a root, which may be of a number
     atoms_.insert(power);
     extent.degree = std::max(extent.degree, 1.0);
+    ++extent.nesting;
   }
   return extent;
 }

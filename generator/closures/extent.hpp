@@ -14,12 +14,20 @@ inline constexpr int max_degree = 1000;
 inline constexpr int max_words = 1024;
 /// More terms than this are not multiplied out, which would take minutes.
 inline constexpr double max_terms = 50000;
+/// The limit of terms for the cosine of a sum of angles, by which other terms are multiplied.
+inline constexpr double max_terms_of_direction = 5000;
 /// The limit of terms for values with roots of numbers, since one comparison may multiply out
 /// thousands of them.
 inline constexpr double max_terms_of_value = 2000;
 /// The limit of terms for what is emitted, since the time to derive its code grows with the square
 /// of their number.
 inline constexpr double max_terms_emitted = 5000;
+/// The limit of roots that stand within one another for what is emitted: each derivative of the
+/// outermost one contains those of all others.
+inline constexpr int max_nesting_emitted = 12;
+
+/// Whether an expression is itself a root, or an angle whose cosine or sine is one.
+[[nodiscard]] bool is_root(const GiNaC::ex& expression);
 
 /// Bounds from above, as real numbers: they may be larger than any integer type holds. A number of
 /// terms beyond all limits may be given as less than it is, but is still beyond them.
@@ -27,6 +35,7 @@ struct Extent {
   double degree = 0;  ///< in symbols and functions, of numerator and denominator together
   double words = 0;   ///< of 64 binary digits, in the longest number; shorter ones count nothing
   double terms = 1;
+  int nesting = 0;  ///< of roots and inverse functions within one another
 };
 
 /// Measures expressions. An abbreviation counts as what it stands for, which each meter measures

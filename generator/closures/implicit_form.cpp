@@ -41,8 +41,13 @@ class Translation {
   }
 
   equations::ImplicitEquations run() {
+    ExtentMeter meter(&system_);
     for (const ClosureSystem::Closure& closure : system_.closures()) {
       try {
+        if (meter.of(closure.expression).nesting > max_nesting_emitted) {
+          throw NotAlgebraic("more than " + std::to_string(max_nesting_emitted) +
+                             " roots and inverse functions stand within one another");
+        }
         result_.residuals.push_back(multiplied_out(scalar(closure.expression)));
       } catch (const NotAlgebraic& error) {
         throw NotAlgebraic("closure " + closure.name + ": " + error.what());

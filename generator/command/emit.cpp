@@ -30,6 +30,8 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
   std::vector<assur::mechanism::ParameterIndex> added;
   if (names == std::vector<std::string>{"all"}) {
     added = emission::scene::independent_parameters(scene);
+  } else if (std::find(names.begin(), names.end(), "all") != names.end()) {
+    throw InputError("--variable: 'all' stands for every parameter; leave out 'all' or the rest");
   } else {
     std::transform(names.begin(), names.end(), std::back_inserter(added),
                    [&](const std::string& name) {

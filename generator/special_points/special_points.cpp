@@ -195,7 +195,7 @@ class SpecialPointDerivation {
       return where + " is moved in parallel by " + movers + " on a curve";
     }
     if (vanishes(side.normal)) {
-      return where + " is only shifted, by " + movers + ", in parallel nowhere";
+      return where + " is only shifted, by " + movers + ", which are not parallel";
     }
     return "";
   }

@@ -30,8 +30,8 @@ namespace assur::tetrad {
 ///
 /// Special points of the closure links. Through either neighbour of its link, a point is moved in
 /// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, in parallel
-///     nowhere.
+///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
+///     not parallel.
 ///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 26, 0

@@ -72,6 +72,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "length a b c e g h i j k l m n o q r t u v x\nunknown x\n"
                 "closure f = x - ((a+b+c+e+g+h+i+j+k+l+m+n+o+q+r+t+u+v)^54 + 1)^2\n",
                 "closure f: it has too many terms when its powers and products are multiplied out"},
+        Refusal{"ManyMultiples", DECLARED "angle r\nclosure f = cos(60*p + 60*q + 20*r)\n",
+                "closure f: an angle has too many terms when its cosine is multiplied out"},
+        Refusal{"NestedRoots",
+                DECLARED "let k4 = sqrt(sqrt(sqrt(sqrt(a + s) + s) + s) + s)\n"
+                         "let k8 = sqrt(sqrt(sqrt(sqrt(k4 + s) + s) + s) + s)\n"
+                         "let k12 = sqrt(sqrt(sqrt(sqrt(k8 + s) + s) + s) + s)\n"
+                         "closure f = acos(sqrt(k12)/s) - cos(q)\n",
+                "closure f: more than 12 roots and inverse functions stand within one another"},
         Refusal{"HighPower", DECLARED "closure f = (a + cos(q))^65\n",
                 "the power 65 is higher than 64"},
         Refusal{"ProductOfAngles", DECLARED "closure f = cos(p*q)\n", "closure f: 'p*q'"},
