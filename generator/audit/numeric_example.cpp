@@ -55,7 +55,14 @@ NumericExample::Value NumericExample::read_number(const closures::PlacedText& nu
   const std::string digits = number.text.substr(0, mark);
   const std::size_t point = digits.find('.');
   const std::string decimals = point == std::string::npos ? "" : digits.substr(point + 1);
-  const int exponent = mark == std::string::npos ? 0 : std::stoi(number.text.substr(mark + 1));
+  int exponent = 0;
+  if (mark != std::string::npos) {
+    const char* const sign = number.text.data() + mark + 1;
+    if (std::from_chars(sign + (*sign == '+' ? 1 : 0), last, exponent).ec != std::errc()) {
+      throw closures::FormulaError("the exponent of '" + number.text + "' is too large",
+                                   number.place);
+    }
+  }
   return {value, value, 0.5 * std::pow(10.0, exponent - std::ssize(decimals)), true};
 }
 

@@ -19,6 +19,9 @@ constexpr std::array<text::ExpressionFunction, 7> functions = {
 GiNaC::numeric exact_number(const std::string& text) {
   const std::size_t mark = text.find_first_of("eE");
   const std::string digits = text.substr(0, mark);
+  if (digits.find_first_not_of(".0") == std::string::npos) {
+    return 0;  // with any exponent, which no other limit bounds
+  }
   long exponent = mark == std::string::npos ? 0 : std::stol(text.substr(mark + 1));
   std::string whole;
   bool fraction = false;
