@@ -13,7 +13,7 @@ namespace assur::generator::derivatives {
 
 namespace {
 
-constexpr unsigned wanted_points = 3;
+constexpr unsigned wanted_points = 4;
 constexpr unsigned most_draws = 100;
 /// Decimals are zero if this many digits of what they are the sum of have cancelled.
 constexpr int digits_of_zero = 40;
@@ -65,8 +65,8 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
   return {number, GiNaC::abs(number)};
 }
 
-/// Where random points lie. Lengths of either sign are drawn by turns with positive ones, of which
-/// more sums have a root.
+/// Where random points lie. By turns, lengths are positive, of which most sums have a root, of
+/// either sign, positive, and negative.
 enum class Roots : unsigned char { real, any };
 
 /// Values of all variables and names; nothing where a denominator vanishes or a root is not as it
@@ -74,7 +74,8 @@ enum class Roots : unsigned char { real, any };
 std::optional<Values> random_point(const equations::ImplicitEquations& equations, unsigned seed,
                                    Roots roots) {
   equations::SeededNumbers random(seed);
-  const bool positive = seed % 2 == 1;
+  const bool one_sign = seed % 4 != 2;
+  const int sign = seed % 4 == 0 ? -1 : 1;
   Values values;
   for (const std::deque<equations::Variable>* list :
        {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
@@ -83,7 +84,7 @@ std::optional<Values> random_point(const equations::ImplicitEquations& equations
       values[variable.cosine] = GiNaC::ex_to<GiNaC::numeric>(direction.x);
       values[variable.sine] = GiNaC::ex_to<GiNaC::numeric>(direction.y);
       const GiNaC::numeric number = random.number();
-      values[variable.value] = positive ? GiNaC::abs(number) : number;
+      values[variable.value] = one_sign ? sign * GiNaC::abs(number) : number;
     }
   }
   using Form = equations::NamedQuantity::Form;

@@ -18,18 +18,23 @@ class SeededNumbers {
   int integer(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
   }
-  GiNaC::numeric number() {
-    return GiNaC::numeric(integer(-60, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
-  }
+  GiNaC::numeric number() { return quotient(-60, 60); }
   /// A rational point of the unit circle, other than (1, 0).
   Vector2 direction() {
-    const GiNaC::numeric t = GiNaC::numeric(integer(1, 60), 1) / GiNaC::numeric(integer(1, 30), 1);
+    const GiNaC::numeric t = quotient(1, 60);
     const GiNaC::numeric scale = GiNaC::numeric(1) / (GiNaC::numeric(1) + t * t);
     const GiNaC::numeric sign = integer(0, 1) == 0 ? -1 : 1;
     return {(GiNaC::numeric(1) - t * t) * scale, sign * 2 * t * scale};
   }
 
  private:
+  // Compilers differ in which operand of a quotient they compute first, so each has a statement.
+  GiNaC::numeric quotient(int low, int high) {
+    const GiNaC::numeric divisor = integer(1, 30);
+    const GiNaC::numeric dividend = integer(low, high);
+    return dividend / divisor;
+  }
+
   std::mt19937 engine_;
 };
 

@@ -138,6 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
                ""},
         Warned{"OfLengthsOfEitherSign", "length a x\nunknown x\nclosure f = sqrt(x^2) - x + a\n",
                ""},
+        Warned{"OfPositiveLengths", "length a x\nunknown x\nclosure f = sqrt(x^2) + x - a\n", ""},
         Warned{"WithoutRealRoots", "length a x\nunknown x\nclosure f = sqrt(-1 - x^2) - a\n", ""},
         Warned{"ASumOfRootsAndItsSquare",
                "length a x y\nunknown x y\nclosure f = sqrt(x) + sqrt(y) - a\n"
