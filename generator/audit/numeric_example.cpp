@@ -59,7 +59,7 @@ NumericExample::Value NumericExample::read_number(const closures::PlacedText& nu
   if (mark != std::string::npos) {
     const char* const sign = number.text.data() + mark + 1;
     if (std::from_chars(sign + (*sign == '+' ? 1 : 0), last, exponent).ec != std::errc()) {
-      throw closures::FormulaError("the exponent of '" + number.text + "' is too large",
+      throw closures::FormulaError("the exponent of '" + number.text + "' is out of range",
                                    number.place);
     }
   }

@@ -65,12 +65,12 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
   return {number, GiNaC::abs(number)};
 }
 
-/// Where random points lie. By turns, lengths are positive, of which most sums have a root, of
-/// either sign, positive, and negative.
+/// What is demanded of the square roots at a random point.
 enum class Roots : unsigned char { real, any };
 
 /// Values of all variables and names; nothing where a denominator vanishes or a root is not as it
-/// is demanded.
+/// is demanded. Lengths are positive at every second seed, since most roots are real there; between
+/// these, they have mixed signs and negative signs by turns.
 std::optional<Values> random_point(const equations::ImplicitEquations& equations, unsigned seed,
                                    Roots roots) {
   equations::SeededNumbers random(seed);

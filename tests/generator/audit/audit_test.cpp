@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"LongNumbers", "length a\nlet u = (1e308*a)^70\n",
               "f.audit:2:21: the numbers in this have too many digits when it is multiplied out"},
         Fault{"ExponentOfZero", "length a\ngiven b = 0e99999999999\n",
-              "f.audit:2:11: the exponent of '0e99999999999' is too large"},
+              "f.audit:2:11: the exponent of '0e99999999999' is out of range"},
         Fault{"MissingKind", "model\n", "f.audit:1:6: a kind is missing"},
         Fault{"MissingGroup", "printed kinds T of\n",
               "f.audit:1:19: the name of a group is missing"},
