@@ -62,7 +62,7 @@ void closed_form(benchmark::State& state) {
 using Model01Polynomial = assur::TrigonometricPolynomial<double, 3>;
 using Roots = assur::test::ReferenceRoots<3>;
 
-/// The same elimination, its roots by another method, completed and polished likewise.
+/// The same elimination, its roots by another method, completed and polished in the same way.
 template <Roots (*find)(const Model01Polynomial&)>
 void reference(benchmark::State& state) {
   using Model = assur::tetrad::Model01;

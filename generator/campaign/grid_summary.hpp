@@ -45,7 +45,7 @@ class GridSummary {
   /// The cells of this shard; the last axis runs fastest.
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<CoordinateRange>& ranges() const { return ranges_; }
-  /// How many cells have so many configurations; refused ones are none of them.
+  /// For each number of configurations, how many cells have it. Refused cells are left out.
   [[nodiscard]] std::map<std::uint16_t, std::uint64_t> counts() const;
   /// How many pairs of cells that are neighbours along an axis have different numbers of
   /// configurations: between them a configuration is singular, or leaves the limits of joints.

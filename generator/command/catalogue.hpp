@@ -7,7 +7,7 @@ namespace assur::generator::command {
 
 /// The JSON object of the tetrad, with those of the other groups in its list `other_groups`.
 [[nodiscard]] std::string catalogue_json();
-/// A table a group. Where a printed table disagrees with the derivation, both are shown.
+/// One table per group. Where a printed table disagrees with the derivation, both are shown.
 [[nodiscard]] std::string catalogue_text();
 [[nodiscard]] std::string catalogue_markdown();
 

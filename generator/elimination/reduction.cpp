@@ -60,7 +60,7 @@ class LoopReduction {
     if (result_.equations.size() != result_.remaining.size() || result_.remaining.empty() ||
         result_.remaining.size() > 2) {
       throw GeneratorError("elimination", equations_.model->title(),
-                           "the reduction leaves no one or two equations in as many unknowns");
+                           "the reduction does not leave one equation in one unknown, or two in two");
     }
     return std::move(result_);
   }

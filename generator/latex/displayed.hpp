@@ -24,9 +24,9 @@ struct DisplayCommand {
   std::size_t number = 0;
 };
 
-/// The displayed equations from the first to the last. Formulas within the text are none. Throws
-/// FormulaError where an environment is not closed, and for files and conditions that are not
-/// followed.
+/// The displayed equations from the first to the last. Formulas within the text are left out.
+/// Throws FormulaError where an environment is not closed, and for files and conditions that are
+/// not followed.
 [[nodiscard]] std::vector<Displayed> displayed(
     const Tokens& tokens, const std::map<std::string, DisplayCommand>& commands);
 

@@ -46,7 +46,8 @@ class Program {
   [[nodiscard]] const std::string& name_of(NodeIndex node) const { return names_[node]; }
   /// The values of all steps, then of all assignments.
   [[nodiscard]] std::vector<ScaledNode> values() const;
-  /// The nodes that are computed, each as often as it is: where it gets its name, or in place.
+  /// The nodes that are computed, each as often as it is computed: once where it gets a name, and
+  /// otherwise wherever it is read.
   [[nodiscard]] std::vector<NodeIndex> computed() const;
   [[nodiscard]] OperationCount count() const;
   /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.

@@ -2,7 +2,7 @@
 
 Angles are radians, lengths are in the scene's unit, rates are per unit of time. Arrays are
 read-only views, each of which keeps its memory alive. A number that is not known to two digits is
-NaN. Every error is an assur.Error, whose text is one line with the place, the fault and the mend.
+NaN. Every error is an assur.Error, whose text is one line with the place, the fault and the remedy.
 
     import assur
 

@@ -2,7 +2,7 @@
 
 
 class Error(Exception):
-    """The base of all exceptions of assur: one line with the place, the fault, and the mend."""
+    """The base of all exceptions of assur: one line with the place, the fault, and the remedy."""
 
 
 class SceneError(Error, ValueError):

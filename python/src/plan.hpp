@@ -33,7 +33,7 @@ struct PlannedScene {
 using SharedPlan = std::shared_ptr<PlannedScene>;
 using PlanClass = pybind11::class_<PlannedScene, SharedPlan>;
 
-// What a plan does with many values, and the classes of what comes of it.
+// Each adds a method of plans that takes many values, and the classes of its results.
 void add_solve_batch(pybind11::module_& module, PlanClass& plan);
 void add_sweep(pybind11::module_& module, PlanClass& plan);
 

@@ -177,7 +177,7 @@ void bind_scene(py::module_& module) {
       "Returns the Scene in a JSON file.\n\n"
       "values, and keywords: numbers or texts of expressions for parameters, by their names, in\n"
       "place of those in the file. A keyword overrides the mapping.\n\n"
-      "Raises SceneError with the file, the place in it, what is wrong, and the mend.");
+      "Raises SceneError with the file, the place in it, what is wrong, and the remedy.");
   module.def(
       "parse_scene", parse, ByPlace("scene "), ByPlace("values ") = py::none(), py::pos_only(),
       "parse_scene(scene, values=None, /, **parameters)\n--\n\n"

@@ -136,7 +136,7 @@ inline void write_worst(const std::vector<Row>& rows, std::ostream& out) {
   }
 }
 
-/// A line a method: refused, or what it hands back as a result.
+/// One line per method: for each bad input, whether it is refused, or what it returns as a result.
 inline void write_bad_input(const std::vector<BadInputRow>& rows, std::ostream& out) {
   out << "| method |";
   std::string line = "\n|---|";

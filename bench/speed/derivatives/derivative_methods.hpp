@@ -58,7 +58,7 @@ template <stability::Answer<Model01> (*method)(const stability::Geometry<Model01
 /// A derivative task asks one of these of every method.
 enum class Wanted : unsigned char { jacobian, closure, motion, derivatives };
 
-// One file a method family; each adds what it can give.
+// One file per family of methods; each adds the methods that can compute what is wanted.
 void add_generated(DerivativeTask& task, Wanted wanted);
 void add_eigen(DerivativeTask& task, Wanted wanted);
 void add_ceres_jet(DerivativeTask& task, Wanted wanted);

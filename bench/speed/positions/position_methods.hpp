@@ -34,7 +34,7 @@ struct Effort {
 inline constexpr Effort usual_effort = {3, 20};
 inline constexpr Effort patient_effort = {10, 40};
 
-/// The same elimination, its roots by another method, completed and polished likewise.
+/// The same elimination, its roots by another method, completed and polished in the same way.
 template <typename Model, typename FindAngles>
 [[nodiscard]] Found<Model> from_roots(const PositionSample<Model>& sample, Effort effort,
                                       FindAngles find_angles) {

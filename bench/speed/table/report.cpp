@@ -33,7 +33,7 @@ std::ofstream opened(const std::filesystem::path& path) {
   return out;
 }
 
-/// One line a row, so that a changed figure is a changed line.
+/// One line per row, so that a changed figure is a changed line.
 void write_json(const std::vector<Task>& tasks, std::ostream& out) {
   out << "[";
   const char* separator = "\n";

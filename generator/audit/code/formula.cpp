@@ -200,7 +200,7 @@ struct Wholeness {
       most = product ? most * parts[at].most : most + parts[at].most;
     }
     if (stays && most > std::numeric_limits<std::int32_t>::max()) {
-      throw CodeError("whole numbers beyond 2147483647 wrap round in C++; write 100000.0",
+      throw CodeError("whole numbers beyond 2147483647 wrap round in C++; write a decimal point",
                       formula.text.at(node.column));
     }
     return {stays, most};

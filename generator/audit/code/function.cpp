@@ -23,8 +23,8 @@ const std::map<std::string, std::string>& refused_words() {
     add("a condition", {"if", "else", "switch", "case", "default"});
     add("a loop", {"for", "while", "do", "break", "continue"});
     add("a jump", {"goto", "try", "catch", "throw", "co_return", "co_await", "co_yield"});
-    add("another spelling of a mark", {"and", "or", "not", "xor", "bitand", "bitor", "compl",
-                                       "and_eq", "or_eq", "xor_eq", "not_eq"});
+    add("a word for an operator", {"and", "or", "not", "xor", "bitand", "bitor", "compl", "and_eq",
+                                   "or_eq", "xor_eq", "not_eq"});
     add("a definition inside a function",
         {"typedef", "template", "struct", "class", "union", "enum", "namespace", "operator"});
     add("a variable that outlives the call", {"thread_local", "extern"});

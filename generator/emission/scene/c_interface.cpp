@@ -7,7 +7,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// All names begin with this. A keyword is none once something follows, so `class` stays.
+/// All names begin with this. A keyword with a suffix is an ordinary name, so `class` stays.
 std::string prefix_of(const std::string& stem) {
   std::string prefix = text::member_names({stem + "_"}, {}).front();
   if (prefix.back() == '_') {

@@ -184,7 +184,8 @@ std::string links(const Drawing& drawing, const Picture& picture) {
   return written_moving(moments, drawing.seconds);
 }
 
-/// Pins and outputs by their names, each name at a place once; of what moves, those that stand.
+/// The names of pins and outputs, each once at its place. In a moving picture only points that stay
+/// in place have names.
 std::string labels(const Drawing& drawing, const Picture& picture) {
   LabelPlacer placer(obstacles_of(drawing, picture));
   const Stance& stance = drawing.stances[drawing.emphasised];

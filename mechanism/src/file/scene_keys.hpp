@@ -54,7 +54,7 @@ inline constexpr std::array parameter_keys = {
              "The rate in time, in the parameter's unit; by default that of the parameters in its "
              "value."},
     SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",
-             "The second rate in time, by default likewise."},
+             "The second rate in time; by default that of the parameters in its value."},
     SceneKey{"variable", false, R"({"type": "boolean"})",
              "Whether the parameter stays an argument of the emitted solver."},
 };

@@ -32,16 +32,16 @@ class Placement {
   [[nodiscard]] bool move_carried_links(std::size_t groups,
                                         Table<LinkIndex, bool>* unplaced = nullptr);
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
-  /// From now on, angles that laws read are counted by whole turns from those of configurations
-  /// nearby, whose continuations these are; others are in (-pi, pi].
+  /// From now on, an angle that a law reads is continued from the same angle of the configuration
+  /// nearby that leads to this one, so that whole turns are counted. Other angles are in (-pi, pi].
   void count_from(std::vector<NearbyConfigurations> nearby) { nearby_ = std::move(nearby); }
   /// Whether, since `begin`, two configurations nearby with different counts lead equally well to
   /// the same one that is listed here, as where branches meet.
   [[nodiscard]] bool is_count_ambiguous() const { return listed_.is_ambiguous; }
-  /// Whether that is so, or one led straight across a place where branches seem to meet, or one
-  /// that is expected to go on was continued by none, or one that is listed continues none: as by a
-  /// step across a place where branches meet, miss one another, end or begin, or where a link turns
-  /// at once.
+  /// Whether a count is ambiguous, or one of these holds: a continuation leads across a place where
+  /// branches seem to meet; a configuration nearby has no continuation, although its branch should
+  /// go on; a configuration listed here continues none. That is so where a step crosses a place at
+  /// which branches meet, nearly meet, end or begin, or at which a link turns suddenly.
   [[nodiscard]] bool is_count_in_doubt() const;
   /// Notes that what is placed is a configuration of the mechanism.
   void note_listed();

@@ -104,7 +104,7 @@ std::vector<std::vector<std::vector<Reading>>> emitted(const std::vector<Posed>&
   return readings;
 }
 
-/// The rocker of a branch whose half angle has the crank's tangent times so much.
+/// The rocker of a branch on which the tangent of its half angle is `times` that of the crank's.
 Reading exact(double times, double position) {
   const double t = std::tan(position / 2);
   const double reduced = 1 + times * times * t * t;

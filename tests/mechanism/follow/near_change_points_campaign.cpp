@@ -24,7 +24,8 @@ using Real = long double;
 using numeric::DoubleDouble;
 
 constexpr Real pi = std::numbers::pi_v<Real>;
-/// Changes of a length by less than this part of it are rounding: scenes have none, or more.
+/// Changes of a length by less than this part of it are rounding. The lengths of the scenes here
+/// are changed by more than that, or not at all.
 constexpr double rounding = 5e-14;
 
 /// Crank AB, coupler BC and rocker CD on a ground AD. B and D hold the triangle BCD, which is flat
@@ -84,8 +85,8 @@ struct Fold {
   Real beside;  ///< its distance from the change point it is at
 };
 
-/// Where the triangle becomes flat in the reach of a sweep, but not where it does no more than
-/// that.
+/// The values within a sweep at which the triangle becomes flat, without those at which it only
+/// touches that position.
 std::vector<Fold> folds_of(const FourBar& bar, Real from, Real to) {
   std::vector<Fold> folds;
   for (const auto& [square, centre] : {std::pair(-bar.inner, Real(0)), std::pair(-bar.outer, pi)}) {

@@ -1,5 +1,5 @@
-// Law: mechanisms that everybody knows go through places at which they stand firmly, but not what
-// is left of them without redundant constraints, or at which they may move freely elsewhere.
+// Law: well-known mechanisms pass positions at which they are regular, but singular without their
+// redundant constraints, or at which another of their configurations moves by itself.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -248,7 +248,8 @@ TEST(RedundantJoints, AreNoneThatLawsReadOrThatHaveLimits) {
   EXPECT_NE(found.plan.redundant()[0].name, "C");
 }
 
-/// Limits that nothing keeps are what is said, and not that there are too many constraints.
+/// If no configuration is within the limits of joints, the reason names the limits, and not the
+/// redundant constraints.
 TEST(RedundantJoints, BeyondLimitsHold) {
   Bars bars = five_bars(2, 1.5);
   bars.json()["joints"]["D"]["limits"] = {1, 2};
@@ -285,7 +286,8 @@ TEST(RedundantJoints, AreThoseThatAreNotReported) {
   }
 }
 
-/// A slide that a user calls as a slot might be called that stands for a pin is reported.
+/// A redundant pin is replaced by a slot with a name such as `C of box`. A slide to which the scene
+/// gives that very name is still reported.
 TEST(RedundantJoints, HideNoSlideOfTheScene) {
   Bars bars = five_bars(2, 1.5);
   const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};

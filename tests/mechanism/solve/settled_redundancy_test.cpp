@@ -1,5 +1,5 @@
-// Law: where a mechanism without its redundant constraints is singular and the whole is not, all of
-// them together tell its configurations, verdicts and rates.
+// Law: where a mechanism is regular, but becomes singular when its redundant constraints are left
+// out, configurations, verdicts and rates are those of the mechanism with all its constraints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +11,8 @@
 namespace assur::test {
 namespace {
 
-/// Where a crank is square to the coupler, a slot along that would let its tip go by it.
+/// Where a crank is perpendicular to the coupler, a slot along the coupler alone would let the
+/// crank's tip slide.
 TEST(SettledRedundancy, OfCranksSquareToTheCouplerAreRegular) {
   for (const double phi : {0.5, -0.5}) {
     for (const double beside : {0.0, 1e-9, 1e-6}) {

@@ -1,6 +1,7 @@
-// Laws of what is certain of all groups of a model with at most two configurations, in
-// double-double: no discriminant is off by more than is said, no group is less regular, no key
-// differs that is passed over, the first that may differ does, and what the formula gives closes.
+// Laws of the closed form of models with at most two configurations, compared with double-double:
+// no discriminant is wrong by more than its bound, no group is nearer to a singularity than its
+// bound says, configurations are ordered by the first key in which they can differ, and those that
+// the formula gives close the loops.
 #include <assur/detail/assembly_order.hpp>
 #include <assur/detail/closed_form.hpp>
 #include <assur/detail/completion.hpp>

@@ -1,5 +1,5 @@
-// Law: of the second unknown's values that satisfy one of two reduced equations, that come first
-// which satisfy both, whatever the equations are multiplied by.
+// Law: the values of the second unknown that satisfy both reduced equations come before those that
+// satisfy only one of them, whatever factors the equations are multiplied by.
 #include <gtest/gtest.h>
 
 #include <assur/directions.hpp>

@@ -11,7 +11,7 @@
 
 namespace assur::stability {
 
-/// One line a family, a method and a distance.
+/// One line for each family, method and distance.
 inline void write_listing_json(const std::vector<ListingRow>& rows, std::ostream& out) {
   out << "{\"seed\": " << seed << ", \"members_per_distance\": " << members_per_distance
       << ", \"far_away\": " << far_away << ",\n\"rows\": [";

@@ -89,7 +89,8 @@ class Sampling {
   class Worker;
 
   std::vector<Deviation> deviations_;
-  /// Those, and with the half-width zero what depends on them: each behind those in its formula.
+  /// The deviating parameters, and those that depend on them, with the half-width zero. Each stands
+  /// after the parameters that its formula reads.
   std::vector<Deviation> changing_;
   std::vector<NominalPoint> nominal_;
   std::optional<Plan> plan_;  ///< of positions alone, with the nominal configuration as reference

@@ -14,7 +14,7 @@ namespace assur::mechanism {
 using text::InputError;
 
 /// A mechanism, or a value of one of its numbers, cannot be used. `what()` is one line: the part,
-/// as a scene file would spell it (`joints.B.between[1]`), what is wrong, and the mend.
+/// as a scene file would spell it (`joints.B.between[1]`), what is wrong, and the remedy.
 class MechanismError : public InputError {
  public:
   MechanismError(const std::string& part, const std::string& what)

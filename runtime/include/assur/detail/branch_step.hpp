@@ -103,7 +103,7 @@ template <typename Model, typename Scalar>
     }
     limit = limits.contraction * turn;
     if (turn <= limits.nearly_settled) {
-      // The same inverse once more leaves of what it finds as much as it has found of this step.
+      // A further correction with the same inverse reduces the error in the same ratio again.
       Model::residual(d, u, q, f);
       const Unknowns rest = -product(inverse, f);
       const Scalar found = turn_of<Model, Scalar>(rest, inverse_size);
@@ -116,8 +116,8 @@ template <typename Model, typename Scalar>
   }
 }
 
-/// One step: predicted to second order, corrected by Newton's steps. False if anything speaks
-/// against the end being of the same branch.
+/// One step: predicted to second order, corrected by Newton's steps. False if the end may lie on
+/// another branch.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool step_along(const typename Model::template Dimensions<Scalar>& d,
                               const InputMotion<Model, Scalar>& inputs, Scalar width,

@@ -18,8 +18,8 @@
 
 namespace assur::detail {
 
-/// Whether the closures hold as they are to a few roundings, where the square of the longest of the
-/// given lengths is so much.
+/// Whether the closures hold to within a few rounding errors. `square` is the square of the longest
+/// given length.
 template <typename Model, typename Scalar, typename Square>
 [[nodiscard]] auto closes(const typename Model::template Dimensions<Scalar>& d,
                           const typename Model::template Inputs<Scalar>& u,
@@ -39,7 +39,8 @@ template <typename Model, typename Scalar, typename Square>
          (lengths < Scalar(farthest) * Scalar(square));
 }
 
-/// Whether a configuration is regular, where what tells it is `unsure` by so much beforehand.
+/// Whether a configuration is regular. `unsure` is the error of the inputs, relative to the pivots;
+/// what rounding adds is added to it.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u,

@@ -22,14 +22,15 @@ struct SideBySide {
                                                ? Lanes * sizeof(Scalar)
                                                : EIGEN_MAX_ALIGN_BYTES;
   using Type [[gnu::vector_size(Lanes * sizeof(Scalar)), gnu::aligned(alignment)]] = Scalar;
-  /// The numbers as they stand among others.
+  /// The same numbers at an address of any alignment.
   struct [[gnu::packed, gnu::may_alias]] Anywhere {
     Type numbers;
   };
   using Integers = decltype(Type() < Type());
 };
 
-/// What holds (all bits set) or does not (none) of each number of a pack; of all, as a bool.
+/// The truth of a comparison for each number of a pack (all bits are set where it holds, and none
+/// where it does not). As a bool, it tells whether the comparison holds for all of them.
 template <typename Scalar, std::size_t Lanes>
 class PackTruth {
   using Integers = typename SideBySide<Scalar, Lanes>::Integers;

@@ -24,10 +24,10 @@ struct BatchGroups<std::tuple<Group...>> {
   static constexpr bool are_closed = (true && ... && detail::has_closed_form<Specialised<Group>>);
 };
 
-/// The search of `Search`, for as many instances as there are lanes in so many packs. An instance
-/// goes on in it as long as everything is certain: each of its groups has isolated configurations
-/// that are regular, or none. `List` gets every configuration: list(pack, placed, lanes), with a
-/// bit of `lanes` for each lane that has it, and returns those in which it is not certain of it.
+/// The search of `Search` for several packs of instances, one instance per lane. An instance stays
+/// in it as long as everything is certain: each of its groups has no configuration, or isolated and
+/// regular ones only. `List` gets every configuration by list(pack, placed, lanes), with a bit of
+/// `lanes` for each lane that has it, and returns the lanes in which the configuration is uncertain.
 template <typename Solver, std::size_t Lanes, typename List>
 class BatchSearch {
   using Pack = numeric::PackOf<double, Lanes>;

@@ -1,4 +1,4 @@
-// Turns what a long computation has done into calls of whoever waits for it.
+// Turns the steps that a long computation has done into calls of a function of its caller.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace assur::text {
 
-/// Called with how many of how many steps are done. It may be empty: nobody waits.
+/// Called with the number of steps that are done, and that of all steps. It may be empty.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t count)>;
 
 }  // namespace assur::text
