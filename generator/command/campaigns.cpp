@@ -37,7 +37,7 @@ int threads_of(const CampaignOptions& options, const Ranks& ranks) {
   if (options.threads > 0) {
     return options.threads;
   }
-  // Ranks are as many as there are cores for them.
+  // Several ranks are taken to have one core each.
   return ranks.count() > 1 ? 1
                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
@@ -124,7 +124,7 @@ bool compute(const CampaignOptions& options, const CampaignFiles& files,
              const Use& use) {
   const Ranks ranks;
   const std::uint64_t items =
-      description.items / description.shard.count / ranks.count();  // about: for the bar alone
+      description.items / description.shard.count / ranks.count();  // roughly, for the bar alone
   ProgressBar bar;
   campaign::Execution execution{
       campaign, description, files.table, options.force, threads_of(options, ranks), nullptr};

@@ -36,8 +36,8 @@ struct MergeOptions : CampaignOptions {
   std::vector<std::string> files;
 };
 
-/// Each computes what is not there yet, writes it, and prints a summary. Throws InputError for what
-/// cannot be used or written.
+/// Each writes the table, unless sample or map find it complete, and the picture, and prints a
+/// summary. Throws InputError for what cannot be used or written.
 void run_sample(const SampleOptions& options);
 void run_map(const MapOptions& options);
 void run_merge(const MergeOptions& options);
@@ -61,7 +61,7 @@ struct CampaignScene {
                                            const CampaignOptions& options);
 
 /// Computes and writes the rows, on this rank or on all of them together, and hands over those of
-/// the shard that the options name. Returns false on a rank that is not the first: it has none.
+/// the shard that the options name. Returns false, without rows, on any rank but the first.
 [[nodiscard]] bool compute(const CampaignOptions& options, const CampaignFiles& files,
                            const mechanism::Campaign& campaign,
                            const campaign::Description& description,

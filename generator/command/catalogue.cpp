@@ -149,7 +149,7 @@ std::string group_markdown(const structure::Group& group) {
   return text;
 }
 
-/// A line that goes on, indented, where it would be wider than a terminal.
+/// A line that continues on indented lines where it would be wider than a terminal.
 std::string wrapped(const std::string& line) {
   constexpr std::size_t width = 80;
   const std::string indent(9, ' ');

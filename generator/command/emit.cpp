@@ -24,7 +24,7 @@ using text::InputError;
 
 namespace {
 
-/// Adds what `--variable` names to what the scene says itself.
+/// Adds the parameters that `--variable` names to those that the scene itself makes variable.
 void add_variables(const std::vector<std::string>& names, assur::mechanism::Scene& scene) {
   std::vector<assur::mechanism::ParameterIndex>& variable = scene.request.variable;
   std::vector<assur::mechanism::ParameterIndex> added;
@@ -51,7 +51,7 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
   }
 }
 
-/// What is wanted, by the words of a scene's `want`.
+/// The wanted results, by the words of a scene's `want`.
 assur::mechanism::Want wanted(const std::vector<std::string>& words) {
   assur::mechanism::Want want = {false, false, false, false};
   const std::array<std::pair<std::string, bool*>, 4> flags = {{{"position", &want.position},

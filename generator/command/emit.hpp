@@ -19,8 +19,8 @@ struct EmitOptions {
   bool check = false;
 };
 
-/// Writes the files, or prints which of those that are there differ: then false. Throws InputError
-/// for what cannot be emitted.
+/// Writes the files; with `check`, prints which are missing or differ instead, and returns false if
+/// any does. Throws InputError for what cannot be emitted.
 [[nodiscard]] bool run_emit(const EmitOptions& options);
 
 }  // namespace assur::generator::command

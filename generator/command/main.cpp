@@ -4,8 +4,6 @@
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
-#include <assur/text/quoted.hpp>
-#include <assur/text/suggestion.hpp>
 #include <csignal>
 #include <functional>
 #include <iostream>
@@ -18,6 +16,7 @@
 #include "command/audit.hpp"
 #include "command/campaigns.hpp"
 #include "command/catalogue.hpp"
+#include "command/command_line_error.hpp"
 #include "command/derive.hpp"
 #include "command/draw.hpp"
 #include "command/emit.hpp"
@@ -38,7 +37,7 @@ constexpr int exit_negative = 1;
 constexpr int exit_unusable = 2;
 
 constexpr int most_threads = 1024;
-/// What a program that an audit runs may be given.
+/// The limits of `--time-limit`.
 constexpr double least_seconds = 0.1;
 constexpr double most_seconds = 3600;
 
@@ -86,67 +85,6 @@ CLI::Validator one_of(const std::vector<std::string>& words) {
           "{" + assur::text::joined(words, ",") + "}"};
 }
 
-/// The long names of a command's options, those of its option groups among them.
-void add_options(const CLI::App& command, std::vector<std::string>& names) {
-  for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) {
-      names.push_back("--" + name);
-    }
-  }
-  for (const CLI::App* group : command.get_subcommands(nullptr)) {
-    add_options(*group, names);
-  }
-}
-
-/// What a command asks for beside an option that is missing: one of each group of options of which
-/// none is given.
-std::string missing_choices(const CLI::App& command) {
-  std::string text;
-  for (const CLI::App* group : command.get_subcommands(nullptr)) {
-    std::vector<std::string> names;
-    bool is_chosen = false;
-    for (const CLI::Option* option : group->get_options()) {
-      if (option != group->get_help_ptr()) {
-        names.push_back("--" + option->get_lnames().front());
-        is_chosen = is_chosen || option->count() > 0;
-      }
-    }
-    text += is_chosen ? "" : ", and exactly one of " + assur::text::listed(names);
-  }
-  return text;
-}
-
-/// What is wrong with a command line, after the subcommand that it belongs to, and where help
-/// stands.
-std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
-  if (!chosen.empty()) {
-    const std::string name = chosen.front()->get_name();
-    std::vector<std::string> options;
-    add_options(*chosen.front(), options);
-    std::string text = complaint_of_options({argv + 1, argv + argc}, options);
-    if (const auto rest = chosen.front()->remaining(); text.empty() && !rest.empty()) {
-      text =
-          "the argument " + assur::text::in_quotes(rest.front()) + " is one too many; leave it out";
-    }
-    if (text.empty()) {
-      text = complaint_of_library(error.what());
-      text += text.ends_with(" is required") ? missing_choices(*chosen.front()) : "";
-    }
-    return name + ": " + text + " (see assur " + name + " --help)";
-  }
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands(nullptr)) {
-    names.push_back(command->get_name());
-  }
-  const std::string given = argc > 1 ? argv[1] : "";
-  const std::string found =
-      argc > 1 ? " " + assur::text::in_quotes(given) + assur::text::suggestion(given, names)
-               : std::string();
-  return "no subcommand" + found + "; the subcommands are " + assur::text::listed(names) +
-         " (see assur --help)";
-}
-
 /// The options that commands of many solutions share.
 void add_campaign_options(CLI::App& command, CampaignOptions& options,
                           const CLI::Validator& not_empty) {
@@ -162,7 +100,7 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options,
   command.add_flag("--force", options.force, "replace files that exist");
 }
 
-/// And those that compute them.
+/// These options, and those of the commands that compute the solutions.
 void add_computing_options(CLI::App& command, CampaignOptions& options,
                            const CLI::Validator& not_empty) {
   command.add_option("SCENE", options.scene, "scene file (JSON)")->required()->check(not_empty);
@@ -375,7 +313,7 @@ int run(int argc, char** argv) {
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    print_error(complaint(app, error, argc, argv));
+    print_error(command_line_error(app, error, {argv + 1, argv + argc}));
     return exit_unusable;
   }
   return chosen();
@@ -384,8 +322,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // A closed pipe and a file that may not grow are errors of writing, with a status, and not the
-  // end of the process.
+  // Writing to a closed pipe, or to a file that may not grow, is to fail with an error and a status
+  // instead of ending the process.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -396,8 +334,8 @@ int main(int argc, char** argv) {
     print_error(error.what());
   } catch (const std::bad_alloc&) {
     print_error("the memory does not suffice; ask for less in one run");
-  } catch (const OtherRankFailed&) {  // that one tells why
-  } catch (const ClosedPipe&) {       // whoever closed it knows
+  } catch (const OtherRankFailed&) {  // that rank says why
+  } catch (const ClosedPipe&) {       // the reader closed it on purpose
   } catch (const std::exception& error) {
     print_error(std::string("internal: ") + error.what() + "; please report this with its input");
   }

@@ -33,7 +33,7 @@ std::vector<std::string> parts_between(const std::string& text, char separator) 
   return parts;
 }
 
-/// What `--over` says of an axis, with its ends as numbers of the mechanism.
+/// An axis as `--over` gives it, with its ends as numbers of the mechanism.
 struct WrittenAxis {
   mechanism::ParameterIndex parameter;
   mechanism::NumberIndex from, to;

@@ -5,14 +5,14 @@
 
 namespace assur::generator::command {
 
-/// Nothing reads the pipe any more, as `| head` does not: there is nobody who misses the rest.
+/// Thrown when the reader has closed the pipe, as `| head` does, and wants no more output.
 struct ClosedPipe {};
 
 /// Writes to standard output. Throws InputError where that fails, because the disk is full for
 /// instance, and ClosedPipe.
 void print(const std::string& text);
 
-/// Writes out what is still held back, and throws as `print` does.
+/// Writes out what is still buffered, and throws as `print` does.
 void finish_output();
 
 }  // namespace assur::generator::command

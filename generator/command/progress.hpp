@@ -6,9 +6,9 @@
 
 namespace assur::generator::command {
 
-/// One line that is drawn anew, and erased at the end; nothing in the first second, so that what is
-/// quick has none. Where standard error is not a terminal, or remarks are silent, nothing is
-/// written.
+/// One line that is redrawn, and erased at the end. It does not appear in the first second, so that
+/// quick commands show none. Where standard error is not a terminal, or remarks are silent, nothing
+/// is written.
 class ProgressBar {
  public:
   ProgressBar();

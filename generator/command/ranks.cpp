@@ -12,7 +12,7 @@ namespace assur::generator::command {
 
 namespace {
 
-/// Whether this process was started with others, by what Open MPI and its like set.
+/// Whether this process was started with others, by the variables that Open MPI and others set.
 bool is_one_of_many() {
   constexpr std::array<const char*, 2> variables = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
   return std::any_of(variables.begin(), variables.end(), [](const char* variable) {

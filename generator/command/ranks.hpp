@@ -10,8 +10,7 @@ namespace assur::generator::command {
 /// Another process that was started together with this one has failed, and has said why.
 class OtherRankFailed : public std::exception {};
 
-/// This process among those that were started together; one alone without MPI, and where a program
-/// was not started by it.
+/// This process among those that MPI has started together; a single one if MPI has not started it.
 class Ranks {
  public:
   Ranks();
@@ -28,7 +27,7 @@ class Ranks {
   void together(const std::function<void()>& part) const;
 
  private:
-  /// The least number of any rank.
+  /// The least of the numbers that the ranks give.
   [[nodiscard]] std::uint64_t least_of(std::uint64_t own) const;
 
   std::uint64_t number_ = 0, count_ = 1;

@@ -6,7 +6,7 @@
 
 namespace assur::generator::command {
 
-/// Standard error, or nowhere after `silence_remarks`. Errors are no remarks: they are always told.
+/// Standard error, or nowhere after `silence_remarks`. Errors are not remarks: always shown.
 [[nodiscard]] std::ostream& remarks();
 
 void silence_remarks();

@@ -28,7 +28,7 @@ std::string tolerances_of(const mechanism::Mechanism& mechanism,
   });
 }
 
-/// Tells of each outcome without a configuration the first sample, and why.
+/// Tells the first sample of each outcome without a configuration, and the reason.
 void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::Sampling& sampling,
                        const campaign::SampleSummary& summary) {
   constexpr std::array<Outcome, 4> lost = {Outcome::beyond_limits, Outcome::no_assembly,

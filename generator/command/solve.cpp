@@ -106,15 +106,15 @@ std::optional<SweptConfiguration> nearest_in_sweep(const mechanism::Plan& plan) 
   return std::nullopt;
 }
 
-/// Values of a sweep in remarks.
+/// A value of a sweep's parameter as remarks show it.
 std::string shown(double number) { return text::short_number(number, 6); }
 
-/// Tells each stretch of steps without configurations once, from where to where, and why.
+/// Reports each stretch of steps without configurations once: its range, and the reason.
 class StretchTeller {
  public:
   explicit StretchTeller(const mechanism::Plan& plan) : plan_(plan), values_(plan) {}
 
-  /// The next step.
+  /// Takes the next step.
   void step(double parameter, const mechanism::Solution& solution) {
     const std::string what = what_is_missing(solution);
     if (what != what_ || solution.reason != reason_) {
@@ -133,13 +133,13 @@ class StretchTeller {
     ++step_;
   }
 
-  /// Prints of the stretches those that have ended.
+  /// Prints the stretches that have ended.
   void tell() {
     remarks() << text_;
     text_.clear();
   }
 
-  /// Ends the one that is open.
+  /// Ends the open stretch, if there is one.
   void finish() {
     if (what_.empty()) {
       return;
@@ -169,7 +169,7 @@ class StretchTeller {
                                                             : "";
   }
 
-  /// By how much the links fail to close is measured half-way.
+  /// The reason of a stretch. The distance by which links fail to close is that half-way along it.
   std::string reason_of_stretch(int count) {
     if (what_ == beyond) {
       return ": " + breaches_text(plan_.mechanism(), breaches_);
@@ -180,7 +180,7 @@ class StretchTeller {
     const mechanism::Values& values = values_.at(first_ + count / 2);
     const double place = values.parameter(plan_.request().sweep->parameter);
     const std::string reason = plan_.obstacle(values);
-    if (reason.empty()) {  // there, it can be assembled alone
+    if (reason.empty()) {  // solved alone, that step can be assembled
       return plan_.structure().reading.empty()
                  ? ": at " + shown(place) + ", the links reach to within rounding"
                  : ": laws read angles that count whole turns from the first step; solved alone, "
@@ -192,14 +192,14 @@ class StretchTeller {
 
   const mechanism::Plan& plan_;
   SweptValues values_;
-  std::string what_, reason_;  ///< of the stretch that is open; nothing where there is none
-  std::string text_;           ///< of those that have ended
-  std::vector<mechanism::LimitBreach> breaches_;  ///< in it
+  std::string what_, reason_;                     ///< of the open stretch; empty if there is none
+  std::string text_;                              ///< of the stretches that have ended
+  std::vector<mechanism::LimitBreach> breaches_;  ///< in the open stretch
   int step_ = 0, first_ = 0;
   double from_ = 0, to_ = 0;
 };
 
-/// A value that a sweep replaces is not one of its parameters'.
+/// Throws InputError where `--set` gives the sweep's parameter a value, which would be replaced.
 void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& options) {
   const std::string& parameter =
       plan.mechanism().parameters()[plan.request().sweep->parameter].name;
@@ -211,9 +211,8 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
   }
 }
 
-/// Prints rows as they are computed. The head waits for the first row of the branch that is asked
-/// for, so that nothing is printed of one that does not exist; and the first step for the second,
-/// so that nothing is printed of steps that are too far apart.
+/// Prints rows as they are computed. It prints nothing before the requested branch has begun, since
+/// it may not exist, nor before the second step, since the steps may be too far apart.
 bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
@@ -227,7 +226,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
   std::string text = csv_header(plan);
   const auto record = [&](const mechanism::SweepRecord& row) {
     last_branch = std::max(last_branch, row.branch);
-    // At a crossing it has a row for each branch: the first of them is followed.
+    // At a crossing the configuration has a row for each branch: the first of them is followed.
     if (nearest && chosen == 0 && row.step == nearest->step &&
         std::cmp_equal(row.configuration, nearest->place + 1)) {
       chosen = row.branch;

@@ -1,4 +1,4 @@
-// Turns a scene file into what `assur solve` prints of it.
+// Turns a scene file into what `assur solve` prints for it.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct SolveOptions {
 };
 
 /// Solves or sweeps the scene, prints the result to standard output, and returns whether it is
-/// negative: the structure is degenerate. Throws InputError for what cannot be used; of a sweep
-/// that is before anything is printed, but for a branch that does not exist.
+/// negative: the structure is degenerate. Throws InputError for what cannot be used; in a sweep,
+/// before anything is printed, except for a branch that does not exist.
 [[nodiscard]] bool print_solution(const SolveOptions& options);
 
 }  // namespace assur::generator::command

@@ -1,0 +1,15 @@
+// Turns what CLI11 refuses in a command line into one line that says what is wrong.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace assur::generator::command {
+
+/// The subcommand, if there is one, what is wrong with the command line, and where to find help.
+/// `words` is the command line without the program's name.
+[[nodiscard]] std::string command_line_error(const CLI::App& app, const CLI::ParseError& error,
+                                             const std::vector<std::string>& words);
+
+}  // namespace assur::generator::command
