@@ -27,7 +27,7 @@ struct Sample {
   assur::Vector<double, Model::input_count> u_rate, u_second_rate;
 };
 
-/// Random configurations; the equations to solve do not ask whether the loops close.
+/// Random configurations; the equations can be solved whether or not the loops close.
 template <typename Model>
 const std::vector<Sample<Model>>& samples() {
   static const std::vector<Sample<Model>> list = [] {

@@ -33,8 +33,8 @@ double median_of(int repetitions, Measure measure) {
   return values[static_cast<std::size_t>(repetitions / 2)];
 }
 
-/// Groups in a row: each hangs on a joint of the one before and on the base, and one of its
-/// configurations is taken. What is computed is that and all derivatives of the group.
+/// Groups in a row: each hangs on a joint of the one before and on the base. For each, one
+/// configuration is taken, and all derivatives of the group are computed.
 template <typename Model>
 class Chain {
  public:
@@ -210,7 +210,7 @@ void write_table(const Json& rows, std::ostream& out) {
   out << '\n';
 }
 
-/// A block a table, its numbers alone.
+/// Writes one block per table, with its numbers alone.
 void write_columns(const Json& rows, std::ostream& out) {
   for (const Json& row : rows) {
     for (const auto& [key, value] : row.items()) {

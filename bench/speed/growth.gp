@@ -1,11 +1,11 @@
 # Draws the columns that growth writes: gnuplot -c growth.gp DIRECTORY
 directory = ARG1
 columns = directory . "/growth.dat"
-set terminal svg size 1240,420 font "Helvetica,13" background "white"
+set terminal svg size 1240,450 font "Helvetica,13" background "white"
 set output directory . "/growth.svg"
 set grid lc rgb "#e4e4e4" lt 1
 set key left top
-set multiplot layout 1,3 margins 0.07,0.98,0.17,0.88 spacing 0.115,0.1
+set multiplot layout 1,3 margins 0.07,0.97,0.27,0.9 spacing 0.115,0.1
 set title "One configuration of a chain, with all derivatives"
 set xlabel "groups in the chain"
 set ylabel "ns" offset 1.5,0
@@ -29,10 +29,10 @@ plot columns index 2 using 1:2 with linespoints pt 7 ps 0.6 lc rgb "#d00000" tit
 unset y2tics
 unset y2label
 set title "Compilation, g++ -O2"
-set xlabel ""
 set ylabel "seconds" offset 1.5,0
-set xtics ("Eigen" 0, "included" 1, "1 deriv." 2, "1 all" 3, "4 deriv." 4, "4 all" 5, \
-  "15 deriv." 6, "15 all" 7) rotate by -40
+set xlabel "models, and what is called of each" offset 0,0.5
+set xtics ("Eigen alone" 0, "1, nothing" 1, "1, derivatives" 2, "1, all" 3, "4, derivatives" 4, "4, all" 5, \
+  "15, derivatives" 6, "15, all" 7) rotate by 35 right
 set style fill solid 0.7
 set boxwidth 0.6
 set xrange [-0.6:7.6]

@@ -13,7 +13,7 @@ namespace assur::speed {
 /// Integers are exact; whatever meets a float of 60 digits becomes one.
 using Precise = cln::cl_R;
 
-/// The number that a float, a double or a long double is.
+/// The value of a float, a double or a long double.
 template <typename Scalar>
 [[nodiscard]] Precise precise(Scalar value) {
   static const cln::float_format_t format = cln::float_format(60);
@@ -22,7 +22,7 @@ template <typename Scalar>
   return cln::cl_float(cln::rational(cln::cl_F(head)) + cln::rational(cln::cl_F(rest)), format);
 }
 
-/// Rounded once; to long double twice, to more digits than it has.
+/// The value rounded once; for long double in two parts, which together have more digits than it.
 template <typename Scalar>
 [[nodiscard]] Scalar rounded(const Precise& value) {
   const double head = cln::double_approx(value);

@@ -71,7 +71,7 @@ do for [figure = 1:2] {
       stats columns index task - 1 using (log10($1)) name "T" nooutput
       stats columns index task - 1 using 9 name "LOW" nooutput
       stats columns index task - 1 using 10 name "HIGH" nooutput
-      # Times of one size are between two powers of ten.
+      # Times within one power of ten get an axis that begins at a power of ten.
       first = T_max - T_min < 1 ? floor(T_min) : T_min - 0.25
       last = T_max + 0.3 > first + 1.6 ? T_max + 0.3 : first + 1.6
       names = 10**(last + 0.05 * (last - first))

@@ -1,12 +1,12 @@
 #!/bin/sh
-# Turns scenes into what their emitted solvers cost, a line of a table each: lines of the header,
-# bytes of the object that calls `solve`, seconds and megabytes of its compilation.
+# Turns scenes into a table of what their emitted solvers cost, one row per scene: lines of the
+# header, bytes of the object that calls `solve`, seconds and megabytes of its compilation.
 #
 #   solver_sizes.sh GENERATOR PROJECT [SCENES]
 #
 # GENERATOR is the command assur of the project whose runtime is in PROJECT: of this one, or of an
-# older one to compare with. SCENES is a directory of scenes, unless given examples/ of this project;
-# CXX the compiler, unless given g++.
+# older one to compare with. SCENES is a directory of scenes, by default examples/ of this project,
+# and CXX the compiler, by default g++.
 set -eu
 generator=$1
 project=$2

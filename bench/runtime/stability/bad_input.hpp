@@ -1,4 +1,4 @@
-// Turns inputs that are no numbers into what each method says about them.
+// Turns inputs that are NaN or infinite into what each method says about them.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace assur::stability {
 
-/// One method given one spoilt number.
+/// One method on a geometry with one spoilt number.
 struct BadInputRow {
   std::string method;
   std::string input;
   Status status = Status::ok;
-  bool finite = false;  ///< whether a velocity of finite numbers comes back
+  bool finite = false;  ///< whether all numbers of the velocity that comes back are finite
 };
 
 [[nodiscard]] inline std::vector<BadInputRow> bad_input_rows() {

@@ -45,7 +45,7 @@ struct SpecialPoint {
 };
 
 /// Two configurations meet. GF is turned by the root of the distance from where det J = 0, so that
-/// the distance is one of lengths: that by which a length must change for the two to meet.
+/// a length must change by about the distance for the two to meet.
 struct Fold {
   using Model = Model01;
   static constexpr const char* name = "fold";
@@ -107,8 +107,8 @@ struct Crossing {
   }
 };
 
-/// Congruent ternary links on equal bars could move by themselves; every length and angle is off
-/// that by the distance.
+/// Congruent ternary links on equal bars could move by themselves; every length and angle differs
+/// from this by about the distance.
 struct SelfMotion {
   using Model = Model01;
   static constexpr const char* name = "self-motion";
@@ -232,7 +232,7 @@ struct Member {
   Truth<Model> truth_as_given;    ///< at `given.q` as it stands, taken for exact
 };
 
-/// Members of one number at all distances come from the same random numbers.
+/// Members with the same number come from the same random numbers at all distances.
 inline constexpr unsigned seed = 16180;
 inline constexpr int members_per_distance = 20;
 

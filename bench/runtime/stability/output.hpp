@@ -18,8 +18,8 @@ namespace assur::stability {
   return stream.str();
 }
 
-/// One line a quantity, so that a changed figure is a changed line. An error is null where all
-/// members failed.
+/// Writes one line per quantity, so that a changed figure is a changed line. An error is null where
+/// all members failed.
 inline void write_json(const std::vector<Row>& rows, const std::vector<BadInputRow>& bad,
                        std::ostream& out) {
   out << "{\"seed\": " << seed << ", \"members_per_distance\": " << members_per_distance
@@ -101,7 +101,7 @@ inline void write_columns(const std::vector<Row>& rows, const std::filesystem::p
   }
 }
 
-/// The largest error that is right of a method on a family, and how many members failed.
+/// For each method and family, the largest error of the right answers, and how many members failed.
 inline void write_worst(const std::vector<Row>& rows, std::ostream& out) {
   const std::vector<std::string> families = families_of(rows);
   out << "| method |";

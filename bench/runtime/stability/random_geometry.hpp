@@ -44,7 +44,7 @@ inline void close_loops(Geometry<Model04, Real>& g) {
   close_loops(g, turned(g.q.theta_BCG, g.d.psi_D_CD));
 }
 
-/// How the inputs move: all of them, and each otherwise.
+/// How the inputs move: all of them, and each differently.
 template <typename Model>
 void set_in_motion(RandomNumbers& random, Geometry<Model, Real>& g) {
   for (int index = 0; index < Model::input_count; ++index) {

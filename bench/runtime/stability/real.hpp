@@ -56,7 +56,7 @@ class Real {
   static Real epsilon();
 
  private:
-  struct Access;  // to the number that lives in the storage, whose type is the .cpp's own
+  struct Access;  // gives the number in the storage, whose type only the .cpp knows
   alignas(16) std::array<std::byte, 64> storage_;
 };
 

@@ -34,9 +34,9 @@ template <typename Model>
 }
 
 /// Central differences of configurations that Newton's iteration assembles from the given one. The
-/// step is eps^(1/3) of the size of the group, or of a radian, and the quotient is by what of it
-/// survives the addition; of time, in which the inputs move by about that size, it is eps^(1/3) for
-/// velocities and eps^(1/4) for accelerations.
+/// step is eps^(1/3) of the size of the group, or of a radian, and the quotient is by the part of
+/// it that survives the addition. The step in time, in which the inputs move by about that size, is
+/// eps^(1/3) for velocities and eps^(1/4) for accelerations.
 template <typename Model>
 class CentralDifferences {
   using Configuration = typename Model::template Configuration<double>;
@@ -196,8 +196,8 @@ template <typename Model>
   return ComplexStep<Model>::answer(g);
 }
 
-/// How far the neighbour stands from which Newton's iteration starts: each unknown by this many
-/// radians or typical lengths, to alternating sides.
+/// The distance of the neighbour from which Newton's iteration starts: each unknown is off by this
+/// many radians or typical lengths, to alternating sides.
 inline constexpr double newton_neighbour = 0.1;
 
 /// Newton's iteration from a neighbour, then the generated derivatives where it settles.

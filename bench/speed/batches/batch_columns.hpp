@@ -15,19 +15,19 @@ struct VariableColumns {
   std::size_t stride;
   std::vector<double> numbers;
 
-  /// No multiple of 512, so that a group's numbers do not share the lines of a cache.
+  /// The stride is no multiple of 512, so that a group's numbers do not share the lines of a cache.
   explicit VariableColumns(std::size_t count)
       : stride(count + 8), numbers(Columns<Variables>::count * stride) {}
   void put(std::size_t group, const Variables& variables) {
     put_group({numbers.data(), stride}, group, variables);
   }
-  /// Those from a group on.
+  /// The variables of the groups from `first` on.
   [[nodiscard]] Columns<const Variables> from(std::size_t first) const {
     return {numbers.data() + first, stride};
   }
 };
 
-/// Room for the configurations of so many groups.
+/// Room for the configurations of a number of groups.
 template <typename Model>
 class AssemblyColumns {
   using Configuration = typename Model::template Configuration<double>;
@@ -62,7 +62,7 @@ class AssemblyColumns {
   std::vector<double> configurations_;
 };
 
-/// Room for the derivatives of so many configurations.
+/// Room for the derivatives of a number of configurations.
 template <typename Model>
 class DerivativeColumns {
   static constexpr auto unknowns = static_cast<std::size_t>(Model::unknown_count);

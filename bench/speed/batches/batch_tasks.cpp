@@ -40,7 +40,7 @@ void for_each_batch(const Add& add) {
 /// the answers of single groups do, so they stay in the cache.
 constexpr std::size_t at_once = 200;
 
-/// Calls `solve` with the first of each such piece of a slice, and how many it holds.
+/// Calls `solve` with the first group and the size of each piece of at most `at_once` groups.
 template <typename Solve>
 void for_each_piece(std::size_t first, std::size_t last, const Solve& solve) {
   for (; first < last; first += at_once) {

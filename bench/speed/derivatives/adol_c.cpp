@@ -115,7 +115,7 @@ MotionAnswer<double> motion(const Sample& sample) {
 }  // namespace
 
 void add_adol_c(DerivativeTask& task, Wanted wanted) {
-  // One number for the whole program, before its first variable.
+  // The number of directions holds for the whole program and is set before its first variable.
   static const bool set = (adtl::setNumDir(variables), true);
   (void)set;
   switch (wanted) {

@@ -32,7 +32,7 @@ void displace(Direction<Complex>& direction) { direction = turning(direction, 1)
   return f.imag() / h;
 }
 
-/// df/dx, a column per variable of the given ones, which belong to the point.
+/// df/dx, one column for each of the given variables, which are part of the point.
 template <typename Variables, typename Columns>
 [[gnu::always_inline]] inline void differentiate(Point& at, Variables& variables,
                                                  Columns& columns) {
@@ -62,7 +62,7 @@ ClosureAnswer<double> closure(const Sample& sample) {
   return answer;
 }
 
-/// The point a moment later, its inputs moved; its unknowns too.
+/// The point a moment later, with its inputs and its unknowns moved.
 Point later(const Sample& sample, const Eigen::Vector4d& velocity) {
   Point at = stability::converted<Complex>(sample.g);
   at.u_rate += Complex(0, h) * at.u_second_rate;

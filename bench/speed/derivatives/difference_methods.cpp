@@ -12,7 +12,7 @@ namespace {
 
 using Sample = TetradSample<double>;
 
-/// The closures as a function of unknowns, dimensions and inputs, as a differencing routine has it.
+/// The unknowns, dimensions and inputs of the closures as a differencing routine takes them.
 using Point = Eigen::Matrix<double, 16, 1>;
 
 Point point_of(const Sample& sample) {
@@ -69,7 +69,7 @@ void add_central(DerivativeTask& task, Wanted wanted, double step) {
   char text[16];
   std::snprintf(text, sizeof text, "%.0e", step);
   const std::string method = std::string("central differences, step ") + text;
-  // Second differences are best at the square root of that.
+  // Second differences are best at eps^(1/4), first ones at eps^(1/3).
   const double longer = std::pow(step, 0.75);
   switch (wanted) {
     case Wanted::jacobian:

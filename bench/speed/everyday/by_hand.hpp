@@ -1,5 +1,5 @@
-// Turns lengths and a crank's angle into positions and rates as one writes them by hand: what
-// cannot reach is told, and nothing else is.
+// Turns lengths and a crank's angle into positions and rates as one writes them by hand: code that
+// reports what cannot reach, and checks nothing else.
 #pragma once
 
 #include <array>
@@ -23,7 +23,8 @@ using Listed = Pair<std::array<Scalar, Numbers>>;
 
 namespace by_hand {
 
-/// Both corners over the side from one centre to another, at distances r and R from them.
+/// Both corners of triangles on the side (x, y) between two centres, at the distances r and R from
+/// them.
 template <typename Scalar>
 struct Corners {
   bool reached;
@@ -74,7 +75,9 @@ struct BarAndBlock {
       const Model::Dimensions<double>& d, const Model::Inputs<double>& u) const {
     const double x = u.x_D - u.x_B;
     const double y = u.y_D - u.y_B;
-    const auto& [cos, sin] = u.phi_B;
+    // clang++ 14 does not let lambdas capture structured bindings.
+    const double cos = u.phi_B.cos;
+    const double sin = u.phi_B.sin;
     const double across = cos * y - sin * x + d.h_B_BC;
     const double square = d.CD * d.CD - across * across;
     if (!(square >= 0)) {

@@ -1,5 +1,5 @@
-// Turns random dyads and a turn of two cranks into the everyday tasks: what is certain about every
-// configuration against code by hand that tells what cannot reach and nothing else.
+// Turns random dyads and a turn of two cranks into the everyday tasks: every configuration with
+// certainty against code by hand that reports what cannot reach and checks nothing else.
 #include <benchmark/benchmark.h>
 
 #include <assur/scenes/four_bar_motion.hpp>
@@ -69,7 +69,7 @@ Task dyad_task(const std::string& kind, std::size_t inputs) {
   return task;
 }
 
-/// The largest error of a configuration's vectors of so many numbers, each against its length.
+/// The largest error of the vectors of a configuration, each against its length.
 template <std::size_t Numbers>
 double error_of(const std::array<double, Numbers>& found,
                 const std::array<Precise, Numbers>& exact) {
@@ -87,8 +87,8 @@ double error_of(const std::array<double, Numbers>& found,
   return largest;
 }
 
-/// The largest error of what is found nearest to each exact configuration; infinite where their
-/// numbers differ.
+/// The largest error of the configuration found nearest to each exact one; infinite where not as
+/// many are found.
 template <std::size_t Numbers>
 double error_of(const Listed<double, Numbers>& found, const Listed<Precise, Numbers>& exact) {
   double largest = found.count == exact.count ? 0.0 : std::numeric_limits<double>::infinity();
@@ -103,7 +103,7 @@ double error_of(const Listed<double, Numbers>& found, const Listed<Precise, Numb
   return largest;
 }
 
-/// A turn of a crank, and what stands where at each of its angles.
+/// A turn of a crank, and the exact answer at each of its angles.
 template <std::size_t Numbers>
 struct Turn {
   CrankAngles angles;
@@ -137,7 +137,7 @@ void add(Task& task, const Turn<Numbers>& turn, const std::string& method, Find 
   task.entries.push_back(std::move(entry));
 }
 
-/// What a solver lists, by the quantities that are asked for.
+/// The configurations that a solver lists, by the quantities that are asked for.
 template <typename Solver, std::size_t Numbers, typename Numbered>
 Listed<double, Numbers> solved(double crank, const Numbered& numbers_of) {
   typename Solver::template Drivers<double> drivers;

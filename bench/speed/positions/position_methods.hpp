@@ -20,21 +20,22 @@ template <typename Model>
 template <typename Model>
 using Polynomial = TrigonometricPolynomial<double, Model::polynomial_degree>;
 
-/// How far from real, or from the unit circle, a computed root may be that is taken for one: two
-/// that meet drift apart by the root of what is rounded. Of the powers of ten the one with the
-/// fewest failures, near singular groups and others.
+/// How far a computed root may be from the real line, or from the unit circle, and still count as a
+/// root: two that meet drift apart by the root of rounding. Of the powers of ten it is the one with
+/// the fewest failures, near singular groups and others.
 inline constexpr double nearly_real = 1e-5;
 
-/// What a method takes for one configuration.
+/// How many steps a method takes for one configuration.
 struct Effort {
   int polishing_steps;  ///< Newton's, at most, from a root of the polynomial
   int newton_steps;     ///< from one of many starts
 };
-/// Enough in general, and where two configurations meet: there Newton's iteration begins slowly.
+/// The first is enough in general, the second where two configurations meet: Newton's iteration
+/// begins slowly there.
 inline constexpr Effort usual_effort = {3, 20};
 inline constexpr Effort patient_effort = {10, 40};
 
-/// The same elimination, its roots by another method, completed and polished in the same way.
+/// The same elimination with the roots found by another method, completed and polished as usual.
 template <typename Model, typename FindAngles>
 [[nodiscard]] Found<Model> from_roots(const PositionSample<Model>& sample, Effort effort,
                                       FindAngles find_angles) {
@@ -59,8 +60,8 @@ template <typename Model, typename FindAngles>
   return found;
 }
 
-/// The half-angle polynomial's coefficients are a linear map of the trigonometric ones; it is made
-/// once.
+/// The coefficients of the half-angle polynomial are a linear map of the trigonometric ones; the
+/// map is made once.
 template <std::size_t Degree>
 [[nodiscard]] test::ReferenceRoots<Degree> half_angle_roots(
     const TrigonometricPolynomial<double, Degree>& T) {
@@ -102,8 +103,8 @@ template <std::size_t Degree>
   return roots;
 }
 
-/// Newton's iteration with Eigen's LU from 64 starts that are the same for every group; a turn of
-/// at most one radian a step.
+/// Newton's iteration with Eigen's LU from 64 starts that are the same for every group. No unknown
+/// changes by more than one per step.
 template <typename Model>
 class MultiStartNewton {
   using Configuration = typename Model::template Configuration<double>;
@@ -137,7 +138,7 @@ class MultiStartNewton {
         step /= largest;
       }
       advance(q, step);
-      if (largest < 1e-9) {  // squared by the step that was just taken
+      if (largest < 1e-9) {  // the step just taken has squared this error
         return true;
       }
     }

@@ -20,7 +20,7 @@ struct PositionSample {
   typename Model::template Inputs<double> u;
 };
 
-/// What a method lists, at most this many.
+/// The configurations that a method lists, up to `capacity`.
 template <typename Model>
 struct Found {
   using Configuration = typename Model::template Configuration<double>;
@@ -43,7 +43,7 @@ struct PositionTruth {
   std::vector<double> tolerances;  ///< within which an answer is that configuration
 };
 
-/// Largest difference of two configurations; of displacements above one, relative.
+/// Largest difference of two configurations, relative for displacements above one.
 template <typename A, typename B>
 [[nodiscard]] double apart(const A& a, const B& b) {
   long double largest = 0;
@@ -65,8 +65,8 @@ template <typename A, typename B>
   return static_cast<double>(largest);
 }
 
-/// How far a configuration moves, to first order, if every length and angle that is given changes
-/// by a part of itself or of a radian, over that part: its condition.
+/// The condition of a configuration: how far it moves, to first order, if every given length and
+/// angle changes by a small part of itself or of a radian, over that part.
 template <typename Model>
 [[nodiscard]] double condition(const PositionSample<Model>& sample,
                                const typename Model::template Configuration<long double>& q) {
@@ -101,8 +101,8 @@ template <typename Model>
 }
 
 /// 1e-6, or a third of the way to the next configuration if that is less, so that one answer is
-/// never two configurations; but never less than what a hundred roundings of what is given move
-/// the configuration by, which doubles cannot hold.
+/// never two configurations; but never less than the distance by which a hundred roundings of what
+/// is given move the configuration, because doubles cannot resolve that.
 template <typename Model>
 void set_tolerances(const PositionSample<Model>& sample, PositionTruth<Model>& truth) {
   for (const auto& q : truth.list) {
@@ -146,7 +146,7 @@ template <typename Model>
   return truth;
 }
 
-/// Lengths from -2 to 2, all of which can be assembled: one that cannot would be cheap.
+/// Groups with lengths from -2 to 2, all of which can be assembled: the others would be cheap.
 template <typename Model>
 [[nodiscard]] PositionSamples<Model> random_positions(std::size_t count) {
   test::RandomInputs random(31415 + static_cast<unsigned>(Model::number));
@@ -164,7 +164,7 @@ template <typename Model>
   return samples;
 }
 
-/// The groups of tetrads, whatever configuration these are in.
+/// The groups of tetrad samples, without the configurations that these are in.
 template <typename Model>
 [[nodiscard]] PositionSamples<Model> positions_of(
     const std::vector<TetradSample<double>>& tetrads) {

@@ -41,7 +41,7 @@ void add(Task& task, const Samples<Model>& samples, const std::string& method, F
 }
 
 #ifdef ASSUR_PHC
-/// A process an input: so few inputs, and rows that bring their own times, the medians.
+/// Each input takes a process, so there are few inputs, and the rows bring their own median times.
 void add_phc(Task& task, const Samples<tetrad::Model01>& samples, std::size_t inputs) {
   ErrorTally tally;
   std::vector<double> solving;

@@ -1,4 +1,4 @@
-// The third-class six-bar after Zhauyt et al. (2017) around the turn: what its methods are given.
+// The third-class six-bar of Zhauyt et al. (2017) over a turn: what its methods are given.
 #pragma once
 
 #include <assur/tracking.hpp>
@@ -46,7 +46,7 @@ struct SixBarSample {
   Eigen::Vector4d previous_theta;
 };
 
-/// Half the width in which M lies in x and in y.
+/// Half the width of the range in which M lies, in x and in y.
 struct SixBarAnswer {
   bool failed = false;
   Eigen::Vector2d worst_case;
@@ -55,7 +55,7 @@ struct SixBarAnswer {
 #ifdef ASSUR_CERES
 /// Sensitivities by Jets and LU where the angles are known.
 [[nodiscard]] SixBarAnswer six_bar_by_jets(double crank, const Eigen::Vector4d& theta);
-/// Newton with Jets and LU from other angles, then these.
+/// Newton with Jets and LU from other angles, then the sensitivities.
 [[nodiscard]] SixBarAnswer six_bar_tracked_by_jets(double crank, Eigen::Vector4d theta);
 #endif
 

@@ -105,7 +105,7 @@ SixBarAnswer six_bar_tracked_by_jets(double crank, Eigen::Vector4d theta) {
     }
     const Eigen::Vector4d step = Eigen::PartialPivLU<Eigen::Matrix4d>(J).solve(f);
     theta -= step;
-    if (step.cwiseAbs().maxCoeff() < 1e-8) {  // squared by the step that was just taken
+    if (step.cwiseAbs().maxCoeff() < 1e-8) {  // the step just taken has squared this error
       return six_bar_by_jets(crank, theta);
     }
   }

@@ -8,8 +8,8 @@ namespace assur::speed {
 
 namespace {
 
-/// Methods by how their names begin, the first that fits: their family, as the legend numbers it,
-/// and what a label says in place of that beginning.
+/// The family, as the legend numbers it, of methods whose names begin in this way, and what a label
+/// says in place of that beginning. The first entry that fits counts.
 struct Naming {
   std::string_view begins;
   int family;
@@ -28,7 +28,7 @@ constexpr std::array<Naming, 25> namings = {{
     {"64-start", 2, "64-start"},
     {"Ceres", 3, "Ceres"},
     {"ADOL-C", 3, "ADOL-C"},
-    // The steps of differences are one series; it is named at its best one.
+    // The steps of differences are one series; the series is named at its best step.
     {"central differences, step 6e-06", 4, "differences, 3 steps"},
     {"central differences, step", 4, {}},
     {"central differences", 4, "differences"},
@@ -54,17 +54,17 @@ const Naming& naming_of(const std::string& method) {
   return *found;
 }
 
-/// Empty where the marker tells enough: float and long double, and all but one step of differences.
+/// Markers of float and long double, and all but one step of differences, have no label, except for
+/// the number of inputs in which they fail.
 std::string label_of(const Row& row) {
   const Naming& naming = naming_of(row.method);
-  if (row.scalar != "double" || naming.label.data() == nullptr) {
-    return "";
+  const bool named = row.scalar == "double" && naming.label.data() != nullptr;
+  const std::string failures = row.failures > 0 ? "(" + std::to_string(row.failures) + ")" : "";
+  if (!named) {
+    return failures.empty() || row.scalar == "double" ? failures : row.scalar + " " + failures;
   }
-  std::string label = std::string(naming.label) + row.method.substr(naming.begins.size());
-  if (row.failures > 0) {
-    label += " (" + std::to_string(row.failures) + ")";
-  }
-  return label;
+  const std::string label = std::string(naming.label) + row.method.substr(naming.begins.size());
+  return failures.empty() ? label : label + " " + failures;
 }
 
 /// A method in a panel: where its marker stands, and at which height its label stands at the right.
@@ -73,7 +73,7 @@ struct Mark {
   std::string label;
   double error;       ///< its power of ten
   double place = 0;   ///< from the panel's bottom, 0, to its top, 1
-  double height = 0;  ///< likewise, of the label
+  double height = 0;  ///< of the label, measured in the same way
   [[nodiscard]] double time() const { return std::log10(row->ns); }
 };
 
@@ -86,8 +86,8 @@ bool cross(const Mark& one, const Mark& other, double right) {
   return above * (first.height - later.height) < 0;
 }
 
-/// Moves labels apart to at least `gap`, within 0 to 1, each as little as that takes when they are
-/// pushed up from below and then down from above; then neighbours whose lines cross change places.
+/// Moves labels apart to at least `gap`, within 0 to 1: each is pushed up from below and then down
+/// from above, no further than needed; then neighbours whose lines cross change places.
 void spread(std::vector<Mark*> marks, double gap) {
   std::sort(marks.begin(), marks.end(),
             [](const Mark* a, const Mark* b) { return a->height < b->height; });
@@ -120,13 +120,13 @@ int number_of(const std::string& scalar) {
 }
 
 void write_panel(const Task& task, std::ostream& out) {
-  constexpr std::size_t lines = 13;  // of labels that a panel has room for
-  constexpr std::size_t few = 3;     // methods, beside whose names there is room for their times
+  constexpr std::size_t lines = 13;  // labels that a panel has room for
+  constexpr std::size_t few = 3;     // methods at most, if labels are to have room for their times
   std::vector<Mark> marks;
   double low = 0;
   double high = -20;
   for (const Entry& entry : task.entries) {
-    // What errs in every input is drawn at the top, what is exact at the bottom.
+    // A method that fails in every input is drawn at the top, an exact one at the bottom.
     const double error = std::isfinite(entry.row.error) ? entry.row.error : 1;
     marks.push_back({&entry.row, label_of(entry.row), std::log10(std::max(error, 1e-20))});
     if (task.entries.size() <= few && entry.row.failures == 0) {

@@ -9,16 +9,16 @@ namespace assur::speed {
 
 struct TimerSettings {
   int rounds = 15;         ///< over all inputs
-  std::size_t slices = 8;  ///< that the inputs are timed in
+  std::size_t slices = 8;  ///< into which the inputs are divided
   /// A method that takes longer over one slice is timed in the first round only.
   double patience_ms = 20;
 };
 
-/// Fills in the times. In every round and for every slice of the inputs each method runs in turn,
-/// the one that begins moving on; untimed over the slice before, so that caches and branch
-/// predictors hold this method but not these inputs, then timed. The time is the thread's own, so
-/// that another program's turn on the processor does not count, less what reading the clock takes.
-/// A row's time is the median.
+/// Fills in the times. In every round and for every slice of the inputs the methods run in turn,
+/// each time beginning with the next one: each runs untimed over the slice before, so that caches
+/// and branch predictors hold this method but not these inputs, and is then timed. The time is the
+/// thread's own, so that other programs on the processor do not count, less what reading the clock
+/// takes. A row's time is the median.
 void measure(std::vector<Task>& tasks, const TimerSettings& settings);
 
 }  // namespace assur::speed

@@ -19,7 +19,7 @@ struct Row {
   std::string scalar = "double";
   double ns = 0;              ///< median per evaluation
   double error = 0;           ///< the largest relative error of the answers that are no failure
-  double error_999 = 0;       ///< the 99.9th percentile, failures among them as infinite
+  double error_999 = 0;       ///< the 99.9th percentile, where failures count as infinite
   std::size_t failures = 0;   ///< inputs with no or a wrong answer
   std::size_t evaluated = 0;  ///< inputs that the error and the failures are taken over
   std::optional<std::size_t> unreported{};  ///< of a tracking task: wrong answers without a report

@@ -37,7 +37,7 @@ class Solver {
     KINSetJacFn(memory_, jacobian);
     KINSetFuncNormTol(memory_, 1e-13);
     KINSetScaledStepTol(memory_, 1e-14);
-    KINSetMaxSetupCalls(memory_, 1);  // a Jacobian an iteration: faster here than the default
+    KINSetMaxSetupCalls(memory_, 1);  // one Jacobian per iteration: faster here than the default
     KINSetNumMaxIters(memory_, 50);
     KINSetPrintLevel(memory_, 0);
     KINSetErrHandlerFn(

@@ -30,7 +30,7 @@ Nearest nearest(const Assemblies<Model01>& set, const Model01::Configuration<dou
 
 /// Follows the branch by complete sets of configurations, so that nothing is guessed: a match must
 /// be 20 times nearer than any other configuration, or the interval is halved. Empty where the
-/// branch ends; `unclear` where a billionth of the step does not tell.
+/// branch ends; `unclear` where even a billionth of the step does not decide.
 std::optional<Model01::Configuration<double>> follow(const TrackingSample& sample, double from,
                                                      double to, Model01::Configuration<double> q,
                                                      bool& unclear) {

@@ -49,7 +49,7 @@ TrackingAnswer newton_with_lu(const TrackingSample& sample) {
     const Eigen::Vector4d step = Eigen::PartialPivLU<Eigen::Matrix4d>(vectors.jacobian())
                                      .solve(-vectors.closure(closure.inputs()));
     theta += step;
-    if (step.cwiseAbs().maxCoeff() < 1e-8) {  // squared by the step that was just taken
+    if (step.cwiseAbs().maxCoeff() < 1e-8) {  // the step just taken has squared this error
       return at_angles(theta.data());
     }
   }
@@ -73,7 +73,7 @@ class TrackingTask {
       const TrackingAnswer answer = follow(samples_->list[index]);
       const auto& end = samples_->ends[index];
       if (answer.reported) {
-        // Right where the branch ends; otherwise no answer.
+        // A report is right where the branch ends; otherwise it is no answer.
         end ? tally.add_failure() : tally.add(0);
         continue;
       }

@@ -13,11 +13,11 @@ array methods[5] = ["generated", "companion eigenvalues", "half-angle polynomial
 LOST = 0xd55e00
 INVENTED = 0x0072b2
 
-left = 0.045
-width = 0.178
-gap = 0.0125
-height = 0.205
-bottom(row) = 0.865 - height - (row - 1) * 0.312
+left = 0.062
+width = 0.1755
+gap = 0.0115
+height = 0.2
+bottom(row) = 0.875 - height - (row - 1) * 0.307
 span(row) = 46
 set style fill solid noborder
 set boxwidth 0.8
@@ -25,7 +25,7 @@ unset key
 set border 0
 set grid ytics lc rgb "#e4e4e4" lt 1
 set xrange [0.3:15.7]
-set multiplot title "Configurations lost and invented, of 20 groups at each distance from the failure" font ",17"
+set multiplot title "Configurations invented (up) and lost (down), of 20 groups at each distance from the failure" font ",17"
 do for [row = 1:3] {
   family = word(families, row)
   file = sprintf("%s/%s.dat", columns, family)
@@ -42,6 +42,8 @@ do for [row = 1:3] {
     } else { set ytics ("" -40, "" -20, "" 0, "" 20, "" 40) scale 0 }
     set xtics ("10^{-1}" 1, "10^{-4}" 4, "10^{-7}" 7, "10^{-10}" 10, "10^{-13}" 13, "0" 15) scale 0 \
       font ",11" offset 0,0.3
+    if (k == 1) { set ylabel "configurations" offset 1.2,0 } else { unset ylabel }
+    if (row == 3) { set xlabel "distance from the failure" offset 0,0.4 } else { unset xlabel }
     set label 2 methods[k] at graph 0.02, graph 1.17 font ",13" tc rgb "#111111"
     set label 3 (I_sum > 0 ? sprintf("%d invented", I_sum) : "none invented") at graph 0.02, graph 1.05 \
       font ",12" tc rgb (I_sum > 0 ? INVENTED : 0x888888)

@@ -7,7 +7,7 @@ namespace assur::stability {
 namespace {
 
 /// The library, and the peers of the speed chart, which complete and polish each root that they
-/// find of the same polynomial. Newton's starts know nothing of it.
+/// find of the same polynomial. Newton's iteration from many starts does not use it.
 template <typename Model>
 [[nodiscard]] std::vector<ListingMethod<Model>> listing_methods() {
   using Sample = speed::PositionSample<Model>;

@@ -12,7 +12,7 @@ namespace assur::stability {
 
 using tetrad::Model12;
 
-/// A group, and those of its configurations that are known because it was made of them.
+/// A group, and those of its configurations that are known because it was made from them.
 template <typename Model>
 struct KnownGroup {
   typename Model::template Dimensions<Real> d;
@@ -20,7 +20,7 @@ struct KnownGroup {
   std::vector<typename Model::template Configuration<Real>> known;
 };
 
-/// What exact arithmetic is asked about: the group itself, if the family does not say otherwise.
+/// The group that exact arithmetic solves: the member itself, unless the family says otherwise.
 template <typename Model>
 struct AskedAsItIs {
   template <typename Scalar>
@@ -213,8 +213,8 @@ struct SomeToInfinity {
   };
 };
 
-/// The two slides of link CD become parallel, and both configurations run to infinity. Where they
-/// are is known: angles do not depend on the slides, which follow from two linear equations.
+/// The two slides of link CD become parallel, and both configurations run to infinity. Their places
+/// are known: angles do not depend on the slides, which follow from two linear equations.
 struct AllToInfinity {
   using Model = Model04;
   static constexpr const char* name = "all-to-infinity";

@@ -10,7 +10,7 @@
 
 namespace assur::stability {
 
-/// Whether the library says that it may not have listed all. No peer says anything.
+/// Whether the library says that its list may not be complete. The peers say nothing of the kind.
 template <typename Model>
 [[nodiscard]] bool declares(const speed::PositionSample<Model>& sample) {
   return assemblies<Model>(sample.d, sample.u).status != AssemblyStatus::ok;
@@ -30,12 +30,12 @@ struct ListingRow {
   std::string method;
   double distance = 0;
   int configurations = 0;  ///< that have not run to infinity
-  int far = 0;             ///< that have; they are not counted as lost
+  int far = 0;             ///< those that have; they are not counted as lost
   int lost = 0;
   int invented = 0;  ///< listed twice, or no configuration at all
   int far_listed = 0;
-  int declared = 0;  ///< groups of which the status says that the list may not be whole
-  double error = 0;  ///< the largest of what is listed rightly and has not run to infinity
+  int declared = 0;  ///< groups whose status says that the list may not be complete
+  double error = 0;  ///< the largest of those listed rightly that have not run to infinity
 };
 
 template <typename Configuration>
@@ -51,7 +51,7 @@ template <typename Configuration>
   return finite;
 }
 
-/// Each configuration takes the nearest that is listed and not taken, if it is within tolerance.
+/// Matches each configuration with the nearest listed one not yet taken, if within its tolerance.
 template <typename Model>
 void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& member,
            ListingRow& row) {

@@ -82,8 +82,8 @@ template <typename Variables>
   return longest;
 }
 
-/// What has gone this many times the longest given length has run to infinity, as far as a method
-/// needs to know: it may list it or leave it out.
+/// A length this many times the longest given length counts as having run to infinity: a method may
+/// list such a configuration or leave it out.
 inline constexpr double far_away = 0x1p22;
 
 /// A member of a family: the group as the methods are given it, and all its configurations.
@@ -101,9 +101,9 @@ struct ConfigurationMember {
   }
 };
 
-/// Newton's iteration on the loop closure from where it holds to many digits already. False if it
-/// does not come to hold to 40 digits: of what has run far away fewer digits of an unknown are
-/// certain than `assemble` asks for, but it closes.
+/// Newton's iteration on the loop closure, from where it holds to many digits already. False if it
+/// does not hold to 40 digits then. `assemble` cannot be used: it asks for more digits of an
+/// unknown than are certain where a configuration that closes has run far away.
 template <typename Model>
 [[nodiscard]] bool closes(Geometry<Model, Real>& g) {
   Vector<Real, Model::equation_count> f;
@@ -119,8 +119,8 @@ template <typename Model>
   return f.cwiseAbs().maxCoeff() < g.size * Real("1e-40");
 }
 
-/// Completes a root of the final polynomial and closes the loops in 50 digits. False if the way
-/// there is through infinity.
+/// Completes a root of the final polynomial and closes the loops in 50 digits. False if the
+/// completion runs to infinity.
 template <typename Model>
 [[nodiscard]] bool complete_root(const Real& t, Geometry<Model, Real>& g) {
   const Real norm = Real(1) + t * t;
@@ -203,8 +203,8 @@ template <typename Family>
   return member;
 }
 
-/// Members of one number at all distances come from the same random numbers. Configurations that
-/// have not run away are regular, so that what is lost is lost by the method.
+/// Members with the same number come from the same random numbers at all distances. Configurations
+/// that have not run away are regular, so that what is lost is lost by the method.
 template <typename Family>
 [[nodiscard]] ConfigurationMember<typename Family::Model> make_configuration_member(
     int number, double distance) {
