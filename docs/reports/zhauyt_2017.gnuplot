@@ -42,12 +42,27 @@ set title "velocity of M [mm/s] (fig. 6)"
 set xlabel "v_x"; set ylabel "v_y" offset 1
 plot select("M.vx M.vy step") using 1:2 with lines lw 2 lc rgb blue, \
      "" using (number($3, $1)):2 with points pt 7 ps 0.5 lc rgb red, \
-     "" using (number($3, $1)):2:3 with labels offset -1.2,-0.8 font ",11" tc rgb grey
+     "" using ($3 == 270 ? 1/0 : number($3, $1)):2:3 with labels offset -1.2,-0.8 font ",11" tc rgb grey, \
+     "" using ($3 == 270 ? $1 : 1/0):2:3 with labels offset 1.4,0.6 font ",11" tc rgb grey
 set title "acceleration of M [mm/s^2] (fig. 7)"
 set xlabel "a_x"; set ylabel "a_y" offset 1
+set yrange [-95:95]
 plot select("M.ax M.ay step") using 1:2 with lines lw 2 lc rgb blue, \
      "" using (number($3, $1)):2 with points pt 7 ps 0.5 lc rgb red, \
      "" using (apart($3, $1)):2:3 with labels offset -1.2,-0.8 font ",11" tc rgb grey
+# The angles that crowd have a part of the picture of their own.
+set lmargin at screen 0.40; set rmargin at screen 0.64
+set bmargin at screen 0.29; set tmargin at screen 0.44
+set offsets
+set xrange [-55:-27]; set yrange [4:22]
+unset title; unset xlabel; unset ylabel
+set xtics 5 font ",11"; set ytics 5 font ",11"
+plot select("M.ax M.ay step") using 1:2 with lines lw 2 lc rgb blue, \
+     "" using (number($3, $1)):2 with points pt 7 ps 0.5 lc rgb red, \
+     "" using ($3 < 300 ? number($3, $1) : 1/0):2:3 with labels offset 1.6,-0.6 font ",11" tc rgb grey, \
+     "" using ($3 < 300 ? 1/0 : number($3, $1)):2:3 with labels offset -1.8,0 font ",11" tc rgb grey
+unset lmargin; unset rmargin; unset bmargin; unset tmargin
+set xtics auto font "sans,13"; set ytics auto font "sans,13"; set autoscale
 unset multiplot
 set offsets
 
