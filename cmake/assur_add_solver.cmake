@@ -11,8 +11,8 @@
 # <assur/scenes/NAME.h>; the project needs the language CXX for it. The files are written anew when
 # the scene or the generator changes. The generator is the target assur::assur or, where that runs
 # on another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE. For a machine
-# without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), for they
-# link what ends a program.
+# without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), because they
+# link the functions that end a program.
 set(ASSUR_GENERATOR_EXECUTABLE "" CACHE FILEPATH
   "The command assur for the machine that builds; empty: the target assur::assur")
 
@@ -47,7 +47,7 @@ function(assur_add_solver target)
   endif()
   get_filename_component(stem ${scene} NAME)
   string(REGEX REPLACE "\\.[^.]*$" "" stem ${stem})
-  # What the generator makes of it: one underscore for several, and none at the ends.
+  # The name as the generator makes it: one underscore for several, and none at the ends.
   string(REGEX REPLACE "[^A-Za-z0-9]+" "_" name "${stem}")
   if(name MATCHES "^_?(.*[A-Za-z0-9])_?$")
     set(name "${CMAKE_MATCH_1}")

@@ -1,8 +1,8 @@
 # Turns the sources of a folder of generator/ into its library.
 #
 # assur_generator_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...])
-# adds the library assur_generator_<folder>. With the tests, a program is added that contains all of
-# the library and of what it declares that it links: the linker then reports a reference to a higher
+# adds the library assur_generator_<folder>. With the tests, a program is added that contains the
+# whole library and all that it declares to link: the linker then reports a reference to a higher
 # floor as undefined.
 function(assur_generator_folder)
   cmake_parse_arguments(arg "" "" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})
@@ -16,7 +16,8 @@ function(assur_generator_folder)
   list(TRANSFORM arg_LINKS PREPEND assur_generator_)
   target_link_libraries(${library} PUBLIC ${arg_LINKS} ${arg_PUBLIC}
     PRIVATE ${arg_PRIVATE} assur_build_flags)
-  # GiNaC, which has been optimised, does the work; optimising what calls it costs more than it saves.
+  # GiNaC does the work and is optimised; optimising the code that calls it costs more than it
+  # saves.
   target_compile_options(${library} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-Og>)
   if(ASSUR_BUILD_TESTS)
     add_executable(${library}_alone ${PROJECT_SOURCE_DIR}/tests/house/empty_program.cpp)

@@ -5,7 +5,7 @@
 # ASSUR_MECHANISM_LIBRARIES, compiled with the options in <library>_OPTIONS, too. Code that runs
 # once, or where branches meet, is not worth more than the level g; code that runs for every
 # position has the level 1, or 2 where <library>_FAST says so. With the tests, a program is added
-# that contains all of the folder and of what it declares that it links: the linker then reports a
+# that contains the whole folder and all that it declares to link: the linker then reports a
 # reference to a higher floor as undefined.
 function(assur_mechanism_folder)
   cmake_parse_arguments(arg "" "OPTIMISE" "SOURCES;LINKS;PUBLIC;PRIVATE" ${ARGN})

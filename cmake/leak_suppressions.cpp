@@ -11,6 +11,6 @@ extern "C" [[gnu::weak]] const char* __lsan_default_suppressions() {
          "leak:GiNaC::power::subs\n";
 }
 
-// Tests read what a program prints, so no word about a suppression.
+// Tests read what a program prints, so suppressions are not reported.
 // NOLINTNEXTLINE(bugprone-reserved-identifier): as above
 extern "C" [[gnu::weak]] const char* __lsan_default_options() { return "print_suppressions=0"; }

@@ -19,7 +19,7 @@ inline std::uintptr_t call(Operation operation, const void* block) {
 #else
   register std::uintptr_t a0 asm("a0") = static_cast<std::uintptr_t>(operation);
   register const void* a1 asm("a1") = block;
-  // Three instructions that are not compressed, in one page, are the sign.
+  // Three uncompressed instructions in one page mark the call.
   asm volatile(
       ".balign 16\n.option push\n.option norvc\n"
       "slli zero, zero, 0x1f\nebreak\nsrai zero, zero, 0x7\n.option pop"
@@ -53,7 +53,7 @@ inline std::size_t read(std::uintptr_t file, void* bytes, std::size_t size) {
 [[noreturn]] inline void exit(int status) {
   constexpr std::uintptr_t application_exit = 0x20026, run_time_error = 0x20023;
   for (;;) {
-    // On 32 bits the reason is no block, but what stands in its place.
+    // On 32 bits the argument is the reason itself, not a block that holds it.
     (void)call(Operation::exit,
                reinterpret_cast<const void*>(status == 0 ? application_exit : run_time_error));
   }

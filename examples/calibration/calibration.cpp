@@ -34,7 +34,7 @@ constexpr std::array<Measurement, 16> measured{{
 }};
 constexpr auto rows = static_cast<int>(2 * measured.size());
 
-/// What is left at the lengths, point by point, and its derivatives to the lengths.
+/// The residuals at the lengths, point by point, and their derivatives by the lengths.
 struct Misfit {
   Eigen::Matrix<double, rows, 1> left;
   Eigen::Matrix<double, rows, lengths> slope;
@@ -83,7 +83,7 @@ int main() {
       std::printf("  %8.3f", *length);
     }
     std::printf("\n");
-    // Gauss and Newton: the lengths that were best if points moved in proportion to them.
+    // Gauss-Newton: the lengths that would be best if points moved linearly with them.
     const Eigen::Matrix<double, lengths, 1> change =
         misfit.slope.colPivHouseholderQr().solve(-misfit.left);
     int place = 0;

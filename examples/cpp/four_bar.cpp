@@ -1,4 +1,4 @@
-// Turns a four-bar that is built in C++ into the path of its coupler point, all configurations.
+// Turns a four-bar that is built in C++ into the path of its coupler point, in all configurations.
 #include <assur/mechanism/plan.hpp>
 #include <cstdio>
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t simple_points = 80;
 
-/// Points of few and small numbers, so that a counterexample can be checked with a pencil.
+/// Small values of few digits, so that a counterexample can be checked with a pencil.
 class SimpleValues {
  public:
   GiNaC::numeric length() { return {1 + below(3)}; }
@@ -39,7 +39,7 @@ std::vector<Asked> AskedPoints::drawn() {
     if (drawn == nullptr) {
       break;
     }
-    // What the closures determine may lie to either side.
+    // Unknown lengths have either sign: they are negated at every other point.
     std::optional<Point> point = index % 2 == 0 ? *drawn : turned(*drawn);
     if (!point || !is_allowed(*point)) {
       continue;
@@ -63,7 +63,7 @@ std::vector<Asked> AskedPoints::drawn() {
                                      ": no points were found at which the program can be run",
                                  run_.result.place);
   }
-  assembled_ = false;  // its entries have values anywhere
+  assembled_ = false;  // the entries have values where the closures do not hold, too
   return drawn();
 }
 
@@ -76,7 +76,7 @@ std::optional<AskedPoints::Point> AskedPoints::turned(const Point& point) {
   }
   try {
     return assembled_ ? points_.assembled_from(values) : Point{values, {}};
-  } catch (const std::runtime_error&) {  // it cannot be assembled so
+  } catch (const std::runtime_error&) {  // it cannot be assembled with these signs
     return std::nullopt;
   }
 }
@@ -166,7 +166,7 @@ bool AskedPoints::follows_closures() const {
 void AskedPoints::add_point(const Point& point, std::vector<Asked>& list) {
   Asked asked{point, {}, {}};
   for (const GiNaC::ex& derived : expected_.derived) {
-    static_cast<void>(value_at(derived, asked.point));  // solves for what it needs
+    static_cast<void>(value_at(derived, asked.point));  // solves for the derivatives in it
   }
   if (assembled_) {
     for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {

@@ -51,7 +51,7 @@ class AskedPoints {
 
  private:
   [[nodiscard]] bool is_allowed(Point& point);
-  /// The point with the unknown lengths turned round, if the closures can hold there.
+  /// The point with the unknown lengths negated, if the closures can hold there.
   [[nodiscard]] std::optional<Point> turned(const Point& point);
   [[nodiscard]] bool parameters_positive(const Point& point) const;
   [[nodiscard]] bool follows_closures() const;

@@ -12,26 +12,26 @@
 
 namespace assur::generator::audit {
 
-/// What a scene file's configuration makes known, as named numbers: `configuration` counts from 1,
+/// Returns the values of one configuration of a scene file by name. `configuration` counts from 1;
 /// `settings` (NAME=EXPR) replace parameters that the scene has.
 using SceneReader = std::function<std::map<std::string, double>(
     const std::string& file, int configuration, const std::vector<std::string>& settings)>;
 
-/// What may be run of the programs that audit files name.
+/// Whether the programs that audit files name may be run, and how.
 struct RunPermission {
   bool given = false;
-  std::vector<std::string> flags;  ///< beside those of the audit file
+  std::vector<std::string> flags;  ///< in addition to those of the audit file
   running::RunLimits limits;
 };
 
-/// Reads and audits one file; docs/reference/audit_format.md tells its form. Other files that it
-/// names are found from its own directory, scenes by `scenes`. Throws InputError with the place of
-/// what cannot be used; a printed formula that cannot be read is a finding. Progress counts
-/// statements.
+/// Reads and audits one file; docs/reference/audit_format.md describes its format. The names of
+/// other files in it are relative to its directory; `scenes` reads scenes. Throws InputError with
+/// the place of what cannot be used; a printed formula that cannot be read is a finding. Progress
+/// counts statements.
 [[nodiscard]] AuditReport audit_file(const std::string& file, const SceneReader& scenes,
                                      const RunPermission& run = {},
                                      const text::Progress& progress = {});
-/// Audits text in the same way; `file` is its name in messages. Without `scenes` it may name none.
+/// Audits text in the same way; `file` is its name in messages. Without `scenes` it has no scenes.
 [[nodiscard]] AuditReport audit_text(const std::string& text, const std::string& file,
                                      const SceneReader& scenes = {}, const RunPermission& run = {},
                                      const text::Progress& progress = {});

@@ -107,7 +107,7 @@ std::string statement_text(const AuditReport& report, const AuditedStatement& st
       text += (place + 1) % statement.columns == 0 ? "\n" : "";
     }
   }
-  // Cases of one equation that fail alike are told once.
+  // Cases of one equation that fail in the same way are reported in full only once.
   const Finding* told = nullptr;
   for (const Finding& finding : statement.findings) {
     if (finding.agrees()) {
@@ -141,7 +141,7 @@ std::pair<std::size_t, std::size_t> totals(const AuditReport& report) {
   return {agree, all};
 }
 
-/// A text in a line of GitHub's commands; a property must not hold their own marks either.
+/// A text as GitHub's workflow commands want it escaped; a property may not contain ':' or ','.
 std::string escaped(const std::string& text, bool property) {
   std::string result;
   for (const char letter : text) {
@@ -267,7 +267,7 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
       }
       Json audited = {{"statement", statement.label}};
       if (!statement.file.empty()) {
-        audited["file"] = statement.file;  // where lines and columns are
+        audited["file"] = statement.file;  // the lines and columns refer to it
       }
       if (!statement.remark.empty()) {
         audited["remark"] = statement.remark;

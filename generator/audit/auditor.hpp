@@ -1,4 +1,4 @@
-// Turns the statements of an audit file, one after the other, into what they say and answer.
+// Turns the statements of an audit file, one after the other, into declarations and findings.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ namespace assur::generator::audit {
 /// Reads statements in their order: each may use what earlier ones declare.
 class Auditor {
  public:
-  /// `turned` names closures that are read the other way round than they are typed.
+  /// `turned` names closures that are read with all signs reversed.
   Auditor(const std::string& file, const SceneReader& scenes, const RunPermission& run,
           std::set<std::string> turned = {})
       : directory_(std::filesystem::path(file).parent_path()),
@@ -31,7 +31,7 @@ class Auditor {
   /// Reads declarations and printed closures alone, which is all that `turned` needs.
   void read_signs(const closures::Statement& statement);
   [[nodiscard]] AuditReport report() const;
-  /// The closures that are printed with all signs turned round, and never otherwise.
+  /// The closures that are printed with all signs reversed wherever they are printed.
   [[nodiscard]] std::set<std::string> turned() const;
 
  private:
@@ -67,7 +67,7 @@ class Auditor {
   const SceneReader& scenes_;
   const RunPermission& run_;
   std::set<std::string> turned_;
-  std::map<std::string, bool> printed_closures_;  ///< whether all signs are turned each time
+  std::map<std::string, bool> printed_closures_;  ///< whether all signs are reversed each time
   closures::ClosureReader reader_;
   closures::ClosurePoints points_{reader_.system()};
   NumericExample numbers_;

@@ -11,9 +11,9 @@ namespace assur::generator::audit {
 namespace {
 
 constexpr int wanted_points = 3;
-/// The other signs of more roots than this are not tried: they would be thousands.
+/// The other signs of roots are not tried for more roots than this: too many would have to be.
 constexpr std::size_t most_roots = 6;
-/// The number of decimal digits that must agree where roots of numbers are no rational numbers.
+/// The number of decimal digits that must agree where roots of numbers are irrational.
 constexpr int agreeing_digits = 40;
 
 bool is_nothing(const GiNaC::ex& value) {
@@ -33,7 +33,7 @@ std::string amount(const GiNaC::ex& value) {
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
     return closures::formula_text(value);
   }
-  // More digits than are shown: the terms are summed in GiNaC's order, and so rounded.
+  // More digits than are shown, since rounding depends on GiNaC's order of the terms.
   const equations::MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();
   if (!decimal.info(GiNaC::info_flags::real) || !GiNaC::is_a<GiNaC::numeric>(decimal)) {
@@ -45,7 +45,7 @@ std::string amount(const GiNaC::ex& value) {
   return text.str();
 }
 
-/// Both sides, or cosines that are equal where two angles are.
+/// How the two sides compare; for angles, by cosines, so that whole turns do not count.
 struct Sides {
   GiNaC::ex difference;  ///< zero where they agree
   GiNaC::ex sum;         ///< zero where they are opposite
@@ -61,7 +61,7 @@ Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
   return {difference, printed + derived};
 }
 
-/// A sum may have no algebraic form where the difference has one.
+/// Whether the sides are opposite; false where their sum has no algebraic form.
 bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
                   closures::ClosurePoints::Point& point) {
   try {
@@ -71,7 +71,7 @@ bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
   }
 }
 
-/// What roots make of a statement at one point.
+/// Whether a statement holds at one point, and whether that depends on the signs of its roots.
 struct Branch {
   closures::ClosurePoints::Point* point;
   GiNaC::ex value;
@@ -128,7 +128,7 @@ class BranchComparison {
           return true;
         }
       } catch (const closures::NotAlgebraic&) {
-        continue;  // with these signs another root ends
+        continue;  // with these signs another root is not real
       }
     }
     return false;
@@ -162,7 +162,8 @@ class BranchComparison {
             there, amount(wrong->value)};
   }
 
-  /// Signs of one quantity that tell where the statement holds from where it does not.
+  /// The sign of one quantity where the statement holds, and where it does not; empty if the sign
+  /// of no quantity tells.
   std::pair<std::string, std::string> conditions() {
     for (const GiNaC::ex& quantity : points_.telling(sides_.difference)) {
       int sense = 0;

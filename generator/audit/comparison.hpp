@@ -23,9 +23,10 @@ struct Comparison {
   std::string difference;  ///< printed less derived, there
 };
 
-/// Compares at random rational points, exactly; what agrees at all of them is then proved to zero
-/// where the algebra reaches. With roots, points go through all quadrants of the angles, since the
-/// sign of a root may be right in some and wrong in others. Angles are compared up to whole turns.
+/// Compares exactly, at random rational points. If both expressions agree at all of them, their
+/// difference is reduced by the algebra's relations; zero is a proof. With roots, points go through
+/// all quadrants of the angles, since the sign of a root may be right in some and wrong in others.
+/// Angles are compared up to whole turns.
 /// `on_closures` asks only for agreement at assembled configurations; expressions with total
 /// derivatives are always compared there.
 [[nodiscard]] Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,

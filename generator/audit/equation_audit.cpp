@@ -13,7 +13,7 @@ const std::string turned_round = "printed with all signs reversed";
 GiNaC::ex read_equation(closures::ClosureSystem& system, const closures::PlacedText& text) {
   const auto [left, right] = closures::cut(text, '=');
   const GiNaC::ex side = closures::read_formula(left, system);
-  const bool one_side = closures::split(text, '=').size() == 1;  // `a =` lacks one
+  const bool one_side = closures::split(text, '=').size() == 1;  // `a =` has two, one missing
   return one_side ? side : side - closures::read_formula(right, system);
 }
 

@@ -19,7 +19,7 @@ struct PrintedEntry {
   }
 };
 
-/// A printed matrix: rows are closures, or expressions that follow them; columns are symbols.
+/// A printed matrix: rows are closures, or quantities that depend on them; columns are symbols.
 struct PrintedMatrix {
   std::vector<std::string> rows;
   std::vector<std::string> columns;
@@ -34,34 +34,34 @@ struct DerivedEntry {
 [[nodiscard]] DerivedEntry derived_entry(closures::ClosureSystem& system,
                                          const PrintedMatrix& matrix, std::size_t place);
 
-/// What a source prints, as it is shown, and where it stands.
+/// What a source prints, as reports show it, and its place.
 struct Printed {
   std::string text;
   closures::Place place;
 };
 
-/// What cannot be read, as a finding.
+/// The finding for a printed text that cannot be read.
 [[nodiscard]] Finding unreadable(const std::string& item, const std::string& printed,
                                  const closures::FormulaError& error);
 
-/// The printed closure against the derived one of that name. An equation may be printed with all
-/// its signs turned round, which `is_turned` tells.
+/// Compares the printed closure with the derived one of that name. An equation may be printed with
+/// all its signs reversed; `is_turned` tells whether it is.
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                                     const closures::PlacedText& printed);
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                                     const GiNaC::ex& read, const Printed& printed);
 [[nodiscard]] bool is_turned(const Finding& closure);
 
-/// Each entry against the derivative of its row by its column: a partial one if the row is a
-/// closure, else the total one.
+/// Compares each entry with the derivative of its row by its column: the partial one if the row is
+/// a closure, else the total one.
 [[nodiscard]] std::vector<Finding> audit_matrix(closures::ClosurePoints& points,
                                                 const PrintedMatrix& matrix);
-/// One entry of a matrix, its row and column counted from 0. `read` makes its expression.
+/// Compares one entry of a matrix; row and column count from 0. `read` makes its expression.
 [[nodiscard]] Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame,
                                   std::size_t row, std::size_t column, const Printed& printed,
                                   const std::function<GiNaC::ex()>& read);
 
-/// Both sides of a printed equation against each other, where the closures hold.
+/// Compares both sides of a printed equation with each other, where the closures hold.
 [[nodiscard]] Finding audit_equation(closures::ClosurePoints& points, const std::string& item,
                                      const closures::PlacedText& left,
                                      const closures::PlacedText& right,

@@ -17,7 +17,7 @@ struct Finding {
   std::string printed;
   std::string derived;
   std::string note;    ///< what explains a difference, if anything does
-  std::string line{};  ///< of the file, at the place, for people
+  std::string line{};  ///< the line of the file at the place, for people
 
   [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
   [[nodiscard]] bool is_wrong() const {
@@ -25,14 +25,14 @@ struct Finding {
   }
 };
 
-/// What one `printed` statement came to. A matrix has its entries row by row.
+/// The findings of one `printed` statement; those of a matrix are row by row.
 struct AuditedStatement {
   std::string label;  ///< `matrix (8)`
   closures::Place place;
   std::size_t columns = 0;  ///< of a matrix; zero for anything else
   std::vector<Finding> findings;
   std::string file;      ///< in which the findings' places are; empty for the audit file itself
-  std::string remark{};  ///< what the answers are worth
+  std::string remark{};  ///< how a program was run, and that this is no proof
 };
 
 struct AuditReport {

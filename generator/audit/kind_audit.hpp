@@ -8,9 +8,9 @@
 
 namespace assur::generator::audit {
 
-/// Rows `NUMBER : KIND, KIND, ... [: FAMILY]`. Each kind is asked whether it belongs to the model
-/// of that number, each row for kinds that it leaves out, and each family whether the group is a
-/// structure: it is if and only if all its loops are of family 3.
+/// Rows `NUMBER : KIND, KIND, ... [: FAMILY]`. Checks whether each kind belongs to the model of
+/// that number, which kinds a row leaves out, and whether the family is right: a model is a
+/// structure if and only if its family is 3.
 [[nodiscard]] std::vector<Finding> audit_kinds(const structure::Group& group,
                                                const std::vector<closures::PlacedText>& rows,
                                                const std::string& file);

@@ -12,7 +12,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // of a scene's own numbers, relative
+constexpr double rounding = 1e-9;  // relative, of numbers that are computed in double
 
 std::string shown(double value) {
   std::ostringstream text;
@@ -68,10 +68,10 @@ NumericExample::Value NumericExample::read_number(const closures::PlacedText& nu
 
 void NumericExample::give(const std::string& name, const closures::PlacedText& number) {
   values_[name] = read_number(number);
-  values_[name].half_unit = 0;  // a dimension of 300 mm is not one of 299.5 to 300.5
+  values_[name].half_unit = 0;  // a given 300 mm is exact, not 299.5 to 300.5
 }
 
-/// Throws ExpressionError, for a name that is not known as well.
+/// Throws ExpressionError, also for an unknown name.
 text::Expression NumericExample::read_tree(const closures::PlacedText& formula) const {
   text::Expression tree = text::parse_expression(formula.text);
   std::vector<const text::Expression*> used;
@@ -139,7 +139,7 @@ Finding NumericExample::audit(const std::string& name, const closures::PlacedTex
   return finding;
 }
 
-/// Which printed number makes a result what is printed, or would have to be another.
+/// Tells which printed numbers yield the printed result, or which one would have to be different.
 std::string NumericExample::explanation(const text::Expression& formula,
                                         const Value& result) const {
   std::vector<const text::Expression*> used;
@@ -184,7 +184,7 @@ std::string NumericExample::explanation(const text::Expression& formula,
          needed_inputs(formula, result.printed, inputs);
 }
 
-/// The value that each input alone would have to have.
+/// The value of each input that alone would make the result right.
 std::string NumericExample::needed_inputs(const text::Expression& formula, double result,
                                           const std::vector<std::string>& inputs) const {
   std::string text;

@@ -8,19 +8,19 @@
 
 namespace assur::generator::audit {
 
-/// A chain of numbers: inputs, and results printed with a formula each. A formula has two readings:
-/// with the derived values of what it names, which is the truth, and with the printed ones, which
+/// A chain of numbers: inputs, and printed results with one formula each. A formula is evaluated
+/// with the derived values of the names in it, which is right, and with the printed ones, which
 /// shows where a difference comes from.
 class NumericExample {
  public:
-  /// A value that is derived, not printed: of a scene, or of a group.
+  /// A value that is not printed but derived from a scene or a group.
   void define(const std::string& name, double value);
   /// A value derived by a formula in derived values. Throws FormulaError.
   void define(const std::string& name, const closures::PlacedText& formula);
   /// An input, taken as printed and exact. Throws FormulaError.
   void give(const std::string& name, const closures::PlacedText& number);
   /// A printed result: agrees if it is the derived value within half a unit of its last digit.
-  /// Throws FormulaError for what is no number.
+  /// Throws FormulaError if `number` is not a number.
   [[nodiscard]] Finding audit(const std::string& name, const closures::PlacedText& number,
                               const closures::PlacedText& formula);
   [[nodiscard]] bool is_known(const std::string& name) const { return values_.contains(name); }

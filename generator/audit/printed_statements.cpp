@@ -177,7 +177,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
     if (!closures::take_keyword(formulas, "of")) {
       reader_.fail(frame.place, "expected 'of ROWS by COLUMNS' or 'of FORMULA, FORMULA, ...'");
     }
-    // A closure's value says something off the closures alone.
+    // Where the closures hold, the value of a closure is zero, so it is compared elsewhere.
     expected.on_closures = !reader_.system().closures().empty();
     for (const closures::PlacedText& formula : closures::split(formulas, ',')) {
       expected.items.push_back(formula.text);
@@ -259,7 +259,7 @@ void Auditor::read_printed_kinds(const closures::Statement& statement,
     reader_.fail(rest.place, "expected 'printed kinds LABEL of GROUP'");
   }
   const structure::Group& group = group_by_name(rest);
-  if (statement.rows.empty()) {  // nothing would be compared, and nothing agrees with nothing
+  if (statement.rows.empty()) {  // without a comparison nothing agrees
     reader_.fail(statement.head.place, "expected rows 'NUMBER : KIND, KIND, ... [: FAMILY]'");
   }
   answer("kinds " + label.text, label.place, 0, audit_kinds(group, statement.rows, reader_.file()));

@@ -16,7 +16,7 @@ double as_double(const GiNaC::ex& value) {
 
 RoundedValue rounded(double value, double error) { return {value, error + std::abs(value)}; }
 
-/// f(x) with the slope of f there.
+/// f(x), given its value and the slope of f at x.
 RoundedValue through(const RoundedValue& x, double value, double slope) {
   return rounded(value, std::abs(slope) * x.error);
 }
@@ -92,7 +92,7 @@ class Evaluator {
   const SymbolValues& values_;
 };
 
-/// How much a relative change of J and b in J x = b changes the largest x, at most.
+/// The condition number of J x = b, J the Jacobian: the largest row sum of |J^-1| |J|, at least 1.
 double condition(const closures::ClosurePoints::Point& point) {
   const GiNaC::matrix& inverse = point.inverse_jacobian;
   if (inverse.is_zero_matrix()) {

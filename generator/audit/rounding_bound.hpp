@@ -1,26 +1,26 @@
-// Turns an expression and a point into its value in double, and a bound of what rounding may do.
+// Turns an expression and a point into its value in double and a bound on the rounding error.
 #pragma once
 
 #include "closures/closure_points.hpp"
 
 namespace assur::generator::audit {
 
-/// The value and, in units of a rounding of one half ulp, the error of a careful evaluation from
-/// inputs that have themselves been rounded.
+/// The value, and a bound on the error of its evaluation in double from inputs that have themselves
+/// been rounded.
 struct RoundedValue {
   double value = 0;
-  double error = 0;  ///< relative to 2^-53
+  double error = 0;  ///< absolute, in units of 2^-53
 };
 
-/// Values of symbols by name; angles in radians.
+/// Values by symbol; angles in radians.
 using SymbolValues = std::map<GiNaC::ex, RoundedValue, GiNaC::ex_is_less>;
 
-/// The values that a program is given at a point, and those of total derivatives and rates that
-/// have been asked of the point.
+/// The values that a program is given at a point, and those of the total derivatives and rates that
+/// have been solved for there.
 [[nodiscard]] SymbolValues symbol_values(closures::ClosurePoints& points,
                                          const closures::ClosurePoints::Point& point);
 
-/// The value of an expression without abbreviations. Throws NotAlgebraic for what has no value.
+/// The value of an expression without abbreviations. Throws NotAlgebraic if it has no value.
 [[nodiscard]] RoundedValue rounded_value(const GiNaC::ex& expression, const SymbolValues& values);
 
 }  // namespace assur::generator::audit

@@ -15,11 +15,11 @@ namespace {
 using closures::ClosurePoints;
 using Point = ClosurePoints::Point;
 
-/// Half a unit in the last place of a double, and how many of them another order of operations may
-/// cost against the bound for the derived one.
+/// Half a unit in the last place of a double, and the factor by which another order of operations
+/// may exceed the bound on the rounding error for the derived one.
 constexpr double half_ulp = 0x1p-53;
 constexpr double other_orders = 4096;
-/// A point where rounding alone may do more than this tells nothing.
+/// A point at which rounding alone may cause a larger error than this is not used.
 constexpr double blurred = 1e-6;
 
 std::string decimal_text(double value) {
@@ -29,7 +29,7 @@ std::string decimal_text(double value) {
   return text.str();
 }
 
-/// The program of one statement, and the points at which it is asked.
+/// The program of one statement, and the points at which it is run.
 class ProgramAudit {
  public:
   ProgramAudit(ClosurePoints& points, const ExpectedMatrix& expected, const RunStatement& run,
@@ -58,7 +58,7 @@ class ProgramAudit {
   }
 
  private:
-  /// At how many points, under which conditions, and what that is worth.
+  /// At how many points and under which conditions the program was run, and that this is no proof.
   [[nodiscard]] std::string remark() const {
     std::string text = "computed at " + std::to_string(asked_.size()) +
                        (drawing_.assembled() ? " assembled" : "") + " rational points" +
@@ -72,7 +72,7 @@ class ProgramAudit {
     return text + ": evidence, not proof";
   }
 
-  /// Special places may be too much for the program: then there are no simple points.
+  /// The program may fail at special points; then there are no simple points.
   void ask_simple_points() {
     std::vector<Asked> list = drawing_.simple();
     try {
@@ -120,7 +120,7 @@ class ProgramAudit {
     }
   }
 
-  /// The point as far as the program is told of it.
+  /// The values of the symbols that the derived entry or the call of the program mentions.
   [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) const {
     std::vector<GiNaC::ex> told = {expected_.derived[entry]};
     for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
@@ -131,7 +131,7 @@ class ProgramAudit {
     return points_.point_text(point, told);
   }
 
-  /// What rounding may do, or nothing where that hides everything.
+  /// The error that rounding may cause, or nothing where it may hide the value.
   [[nodiscard]] std::optional<double> tolerance(std::size_t entry, const Asked& asked) const {
     const GiNaC::ex derived = points_.system().expanded(expected_.derived[entry]);
     const RoundedValue value = rounded_value(derived, asked.values);
@@ -142,7 +142,7 @@ class ProgramAudit {
     return by_rounding + value.error * run_.rounding;
   }
 
-  /// Takes the point as the entry's counterexample if it is one, and simpler than the last.
+  /// Whether the entry differs at the point. The simplest such point becomes its counterexample.
   [[nodiscard]] bool differs(std::size_t entry, Asked& asked, Finding& finding) {
     const std::optional<double> allowed = tolerance(entry, asked);
     const double derived = drawing_.value_at(expected_.derived[entry], asked.point);
@@ -230,7 +230,7 @@ class ProgramAudit {
   AskedPoints drawing_;
   std::vector<Asked> asked_;
   std::vector<Asked> simple_;
-  std::vector<double> repeated_;  ///< what the first point gives when it is asked again
+  std::vector<double> repeated_;  ///< the values at the first point, computed again at the end
 };
 
 }  // namespace

@@ -8,7 +8,7 @@ namespace assur::generator::audit {
 
 struct RunAnswer {
   std::vector<Finding> findings;
-  std::string remark;  ///< at how many points, and what that is worth
+  std::string remark;  ///< at how many points the program was run, and that this is no proof
 };
 
 /// Runs the program at assembled points, and once more at simple ones if an entry is wrong, for a

@@ -18,7 +18,7 @@ using running::Language;
 constexpr std::size_t most_points = 400;
 constexpr double most_rounding = 0.01;
 
-/// The number that a text is as a whole; `expected` says which numbers are good.
+/// The number that the whole text spells; `expected` describes the allowed numbers in a message.
 template <typename Number>
 Number number(const PlacedText& text, Number least, Number most, const std::string& expected) {
   Number value = 0;

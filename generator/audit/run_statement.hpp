@@ -1,4 +1,4 @@
-// Turns the rows of a `printed run` statement into a program and how it is asked.
+// Turns the rows of a `printed run` statement into a program and the way to run it.
 #pragma once
 
 #include "audit/running/program_values.hpp"
@@ -6,15 +6,15 @@
 
 namespace assur::generator::audit {
 
-/// Fewer points than this tell nothing.
+/// Fewer points than this do not suffice for a verdict.
 constexpr std::size_t fewest_points = 3;
 
 struct RunStatement {
   running::UserProgram program;
-  closures::PlacedText result;              ///< where the expression stands
-  std::vector<closures::PlacedText> where;  ///< formulas that are positive at the points
+  closures::PlacedText result;              ///< the expression, and where it stands
+  std::vector<closures::PlacedText> where;  ///< formulas that must be positive at the points
   std::size_t points = 40;
-  double rounding = 0;  ///< a relative error that is let pass beside rounding of double
+  double rounding = 0;  ///< a relative error that is allowed in addition to rounding in double
 };
 
 /// `file` is the program's, `rows` are those of the statement: before, result, entry, flags,

@@ -12,7 +12,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// Far below what a slip does, far above rounding.
+/// Far below the effect of a slip, and far above that of rounding.
 constexpr double agreement = 1e-9;
 
 bool alike(double computed, const RoundedValue& guess) {
@@ -75,7 +75,7 @@ class Guesser {
     return "";
   }
 
-  /// The entry that stands at another's place under a rule, for all of `affected`.
+  /// Whether each affected entry is what should stand at another place, which `other` gives.
   [[nodiscard]] bool all_hold(const std::vector<std::size_t>& affected,
                               const std::function<std::size_t(std::size_t)>& other) const {
     return std::ranges::all_of(

@@ -1,11 +1,11 @@
-// Turns wrong entries that a program computes into a word on the slip that would explain them.
+// Turns wrong entries that a program computes into a guess at the slip that explains them.
 #pragma once
 
 #include "audit/rounding_bound.hpp"
 
 namespace assur::generator::audit {
 
-/// What a program computes, and what it should, at the same points.
+/// What a program computes, and what it should compute, at the same points.
 struct ComputedMatrix {
   std::size_t rows;
   std::size_t columns;

@@ -21,7 +21,7 @@ constexpr std::size_t widest_cell = 32;
 static_assert(std::ranges::all_of(mechanism::outcome_words,
                                   [](std::string_view word) { return word.size() < widest_cell; }));
 
-/// Writes a cell where there is room for the widest, and gives its end.
+/// Writes a cell to a place with room for the widest one, and returns its end.
 char* put_cell(Column::Kind kind, double number, char* at) {
   switch (kind) {
     case Column::Kind::whole:
@@ -89,7 +89,7 @@ class CsvReader : public TableReader {
   }
 
  private:
-  /// A last line without its end is one that is not whole.
+  /// Reads the next line. Refuses a last line without a line end, which is incomplete.
   bool next_line() {
     if (!std::getline(in_, line_)) {
       return false;

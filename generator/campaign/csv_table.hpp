@@ -9,7 +9,7 @@
 
 namespace assur::generator::campaign {
 
-/// The names of the columns as a line without its end, and from it.
+/// The names of the columns as a line without its end, and the names in such a line.
 [[nodiscard]] std::string csv_head(const std::vector<mechanism::Column>& columns);
 [[nodiscard]] std::vector<std::string> names_in_csv_head(const std::string& line);
 

@@ -137,7 +137,7 @@ std::string difference(const Description& one, const Description& other) {
     const auto& first = place < one.entries.size() ? one.entries[place] : none;
     const auto& second = place < other.entries.size() ? other.entries[place] : none;
     if (first.first != second.first) {
-      // What one of them does not have at all is what differs, and not the line that it moved.
+      // The difference is the entry that one of them lacks, and not the entries that it shifts.
       const std::string& name =
           first.first.empty() || one.text_of(second.first).empty() ? second.first : first.first;
       return differs(name, one.text_of(name), other.text_of(name));

@@ -1,4 +1,4 @@
-// Turns what a file of rows is part of into named texts that can be compared, and back.
+// Turns the description of a campaign's table into named texts that can be compared, and back.
 #pragma once
 
 #include <assur/mechanism/campaign_columns.hpp>
@@ -21,9 +21,9 @@ struct Shard {
 /// Reads `i/n`, with 1 <= i <= n <= 1e6; throws InputError with the option's name.
 [[nodiscard]] Shard shard_of(const std::string& text, const std::string& option);
 
-/// What a campaign's table is of: the scene, by a hash of its text, the options that its rows
-/// depend on, and what a summary needs beside the rows. Files are parts of one table if all of it
-/// is equal but the shard.
+/// Describes a campaign's table by a hash of the scene's text, the options that its rows depend on,
+/// and what a summary needs beside the rows. Files are parts of one table if their descriptions are
+/// equal except for the shard.
 struct Description {
   std::vector<std::pair<std::string, std::string>> entries;  ///< no text holds an end of line
   std::vector<mechanism::Column> columns;
@@ -36,21 +36,21 @@ struct Description {
   [[nodiscard]] std::string text_of(const std::string& name) const;
   /// The numbers of a name; NaN for `-`.
   [[nodiscard]] std::vector<double> numbers_of(const std::string& name) const;
-  /// The texts of a name that stands several times.
+  /// The texts of a name that may occur several times.
   [[nodiscard]] std::vector<std::string> texts_of(const std::string& name) const;
 
-  /// All of it as named texts, and from these. `where` is the file, for messages; throws
-  /// InputError.
+  /// The description as named texts, and the description that such texts give. `where` is the file,
+  /// for messages; throws InputError.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> written() const;
   [[nodiscard]] static Description read(
       const std::vector<std::pair<std::string, std::string>>& written, const std::string& where);
 };
 
-/// What differs first between two descriptions, but for their shards: `seed: 2 instead of 1`;
-/// nothing if they are of one table.
+/// The first difference between two descriptions, except for their shards: `seed: 2 instead of 1`;
+/// empty if they are of one table.
 [[nodiscard]] std::string difference(const Description& one, const Description& other);
 
-/// A number with the fewest digits that tell it from all others; `-` for none.
+/// A number with the fewest digits that tell it from all others; `-` if it is not finite.
 [[nodiscard]] std::string number_text(double number);
 
 /// FNV-1a with 64 bits, in hexadecimal digits.

@@ -25,7 +25,7 @@ constexpr const char* singular = "#ff7f0e";
 constexpr const char* free_motion = "#d62728";
 constexpr const char* refused = "#7f7f7f";
 
-/// White for none, then from light to dark.
+/// Nearly white for the smallest number of configurations, and darker for larger ones.
 std::string colour_of(std::size_t rank, std::size_t ranks) {
   const double share = ranks < 2 ? 0 : static_cast<double>(rank) / static_cast<double>(ranks - 1);
   const auto between = [share](int light, int dark) {
@@ -84,7 +84,7 @@ class Map {
                  "singular");
   }
 
-  /// One rectangle for cells of one colour that are above one another.
+  /// One rectangle for neighbouring cells of one colour in a column.
   [[nodiscard]] std::string cells() const {
     std::string body = "<g shape-rendering=\"crispEdges\">\n";
     for (std::uint64_t column = 0; column < columns_; ++column) {

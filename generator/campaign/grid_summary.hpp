@@ -1,4 +1,4 @@
-// Turns the rows of a grid into how many configurations its cells have, and where that changes.
+// Turns the rows of a grid into the number of configurations of each cell, and where it changes.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +17,10 @@ struct NamedAxis {
   std::uint64_t count;
 };
 
-/// What is told of one cell.
+/// What the rows of one cell say.
 struct Cell {
   std::uint16_t configurations = 0;
-  bool near_singular = false;  ///< a configuration is
+  bool near_singular = false;  ///< one of its configurations is
   bool families = false;       ///< a group moves freely, or is inconsistent
   bool refused = false;
 };
@@ -28,7 +28,7 @@ struct Cell {
 /// Whether two cells are known to have different numbers of configurations.
 [[nodiscard]] bool is_change(const Cell& one, const Cell& other);
 
-/// Where the least and the greatest of an output's coordinate are.
+/// The least and the greatest value of an output's coordinate.
 struct CoordinateRange {
   std::string name;
   double least, greatest;
@@ -36,7 +36,7 @@ struct CoordinateRange {
 
 class GridSummary {
  public:
-  /// Throws InputError, `where` before it, where the description is not of a grid.
+  /// Throws InputError, with `where` in front, if the description is not that of a grid.
   GridSummary(Description description, const std::string& where);
   void add(const std::vector<double>& rows);
 
@@ -50,7 +50,7 @@ class GridSummary {
   /// How many pairs of cells that are neighbours along an axis have different numbers of
   /// configurations: between them a configuration is singular, or leaves the limits of joints.
   [[nodiscard]] std::uint64_t changes() const;
-  /// The first cell that is refused, or all of them.
+  /// The number of the first cell that is refused; the one behind the last cell if none is.
   [[nodiscard]] std::uint64_t first_refused() const;
 
  private:
@@ -66,10 +66,10 @@ class GridSummary {
 
 [[nodiscard]] std::string grid_text(const GridSummary& summary);
 [[nodiscard]] std::string grid_json(const GridSummary& summary);
-/// Throws InputError for a grid that has not one or two axes, or too many cells to be drawn.
+/// Throws InputError for a grid that has more than two axes, or too many cells to be drawn.
 void expect_drawable(const Description& description, const std::string& where);
-/// The cells, coloured by how many configurations they have, as SVG. Lines stand where the number
-/// changes, marks where a configuration is nearly singular or moves freely.
+/// The cells as SVG, coloured by their number of configurations, or by a colour for cells that are
+/// nearly singular, move freely or are refused. Lines stand where the number changes.
 [[nodiscard]] std::string grid_picture(const GridSummary& summary);
 
 }  // namespace assur::generator::campaign

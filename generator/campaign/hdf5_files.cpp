@@ -8,7 +8,7 @@ namespace assur::generator::campaign {
 
 namespace {
 
-/// The module's function; throws InputError, `where` before it, where there is no module.
+/// The module's function; throws InputError, with `where` in front, if there is no module.
 template <typename Function>
 Function* loaded(const char* name, const std::string& where) {
   void* const found = function_of_module("assur_hdf5", name);

@@ -17,11 +17,11 @@ namespace {
 
 using mechanism::Column;
 
-/// So many rows are written at once, whatever blocks they come in: the bytes of the file depend on
-/// the order of writing.
+/// The number of rows that are written at once, whatever blocks they come in, since the bytes of
+/// the file depend on the order of writing.
 constexpr hsize_t rows_at_once = 16384;
 
-/// An identifier of the library, closed at the end.
+/// An identifier of the library, which the destructor closes.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*closing)(hid_t)) : id_(id), closing_(closing) {}
@@ -41,14 +41,14 @@ class Handle {
   herr_t (*closing_)(hid_t);
 };
 
-/// The library prints its errors otherwise, and at the end of the program writes anew what it could
-/// not write, until it crashes.
+/// Otherwise the library prints its errors, and at the end of the program tries again to write what
+/// it could not write, until it crashes.
 void be_quiet() {
   (void)H5dont_atexit();
   (void)H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Files are locked here already, and the library's own lock would meet that one.
+/// Partial files are locked already, and the library's own lock would conflict with that.
 Handle access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
 #if H5_VERSION_GE(1, 10, 7)
@@ -69,7 +69,7 @@ Handle type_of(Column::Kind kind) {
   return type;
 }
 
-/// The names as they stand in the line of names. A slash would make a group.
+/// The names as in the line of names, but different and without slashes, which would make groups.
 std::vector<std::string> data_set_names(const std::vector<Column>& columns) {
   std::vector<std::string> names;
   std::set<std::string> taken;
@@ -132,7 +132,7 @@ class Hdf5Writer : public TableWriter {
   }
 
  private:
-  /// What could not be written is not tried again by closing it.
+  /// Abandons all after an error, since closing would try again to write what could not be written.
   void expect(hid_t result) {
     if (result < 0) {
       const int reason = errno == 0 ? EIO : errno;
@@ -177,7 +177,7 @@ class Hdf5Writer : public TableWriter {
       const Handle space(H5Dget_space(sets_[column]), H5Sclose);
       (void)H5Sselect_hyperslab(space, H5S_SELECT_SET, &written_, nullptr, &count, nullptr);
       const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-      if (columns_[column].kind == Column::Kind::outcome) {  // the library converts no such numbers
+      if (columns_[column].kind == Column::Kind::outcome) {  // the library cannot convert these
         const std::vector<std::uint8_t> words(held_[column].begin(), held_[column].end());
         const Handle type = type_of(Column::Kind::outcome);
         expect(H5Dwrite(sets_[column], type, memory, space, H5P_DEFAULT, words.data()));

@@ -1,4 +1,4 @@
-// Turns what a sample says of its outputs into histograms, as SVG.
+// Turns the statistics of a sample's outputs into histograms as SVG.
 #include <algorithm>
 #include <assur/text/counts.hpp>
 #include <assur/text/numbers.hpp>
@@ -18,8 +18,8 @@ constexpr double margin = 40;
 constexpr double head = 50;
 constexpr std::size_t most_bars = 64;
 
-/// One coordinate: the bars, the worst case and the deviation that first derivatives tell, and the
-/// density of the normal law of the sample's mean and deviation.
+/// One coordinate: the bars, the worst case and the deviation that first derivatives predict, and
+/// the density of the normal law of the sample's mean and deviation.
 class Panel {
  public:
   Panel(const SampledOutput& output, std::size_t axis, double left, double top)
@@ -62,7 +62,7 @@ class Panel {
     body += words(left_, below, "middle", text::short_number(from_, 4));
     body += words(left_ + width_, below, "middle", text::short_number(to_, 4));
     return body + words(left_ + width_ / 2, below + 3, "middle",
-                        name + " from " + text::short_number(predicted_.nominal, 4));
+                        name + ", deviation from " + text::short_number(predicted_.nominal, 4));
   }
 
  private:
@@ -77,7 +77,7 @@ class Panel {
            (bar.to - bar.from);
   }
 
-  /// At so many deviations from the mean.
+  /// The density at a distance from the mean that is given in standard deviations.
   [[nodiscard]] double normal_density(double deviations) const {
     return std::exp(-deviations * deviations / 2) / (deviation_ * std::sqrt(2 * std::numbers::pi));
   }
@@ -117,8 +117,8 @@ std::string histogram_picture(const SampleSummary& summary) {
       margin, 20, "start",
       summary.description().text_of("name") + ": " + text::with_noun(summary.count(), "sample"));
   body += words(margin, 38, "start",
-                "red: worst case; green: rss / sqrt(3); blue: normal law of the sample's mean and "
-                "deviation");
+                "black: nominal; red: worst case; green: rss / sqrt(3); blue: normal law of the "
+                "sample's mean and deviation");
   double top = head;
   for (const SampledOutput& output : summary.outputs()) {
     for (const std::size_t axis : {0U, 1U}) {

@@ -1,4 +1,4 @@
-// Turns the tables of all shards of a campaign into the table that it gives without shards.
+// Turns the tables of all shards of a campaign into the table of the whole campaign.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,7 @@ struct ShardFiles {
 };
 
 /// Throws InputError where a file is no table, two are not of one campaign or hold the same shard,
-/// or some are missing, which the message names.
+/// or shards are missing; the message names them.
 [[nodiscard]] ShardFiles shard_files(const std::vector<std::filesystem::path>& files);
 
 /// Writes the rows of all of them to one table, if it has a name, and hands them over. Throws

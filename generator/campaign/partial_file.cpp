@@ -24,8 +24,8 @@ std::filesystem::path partial_name(std::filesystem::path file) {
                          "; give another name");
 }
 
-/// Whether a name still is that of an open file: the process that held the lock before may have
-/// given the file its own name, or removed it.
+/// Whether a path still names the open file: the process that held the lock before may have given
+/// the file its final name, or removed it.
 bool is_named(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -122,7 +122,7 @@ void expect_writable(const std::filesystem::path& file) {
 void expect_other(const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs) {
   for (const std::filesystem::path& input : inputs) {
-    std::error_code error;  // a file that does not exist is no other one
+    std::error_code error;  // a file that does not exist is none of the inputs
     if (std::filesystem::equivalent(file, input, error) ||
         std::filesystem::equivalent(partial_name(file), input, error)) {
       throw text::InputError(file.string() + ": to write it would replace the file " +

@@ -1,4 +1,4 @@
-// Turns what is written bit by bit into a file that is there as a whole or not at all.
+// Turns text that is written piece by piece into a file that exists as a whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 namespace assur::generator::campaign {
 
 /// A file under a temporary name, `NAME.partial`, that takes its own name when it is whole. It is
-/// locked: of two processes that write the same file one is refused. What a killed process has left
-/// is written anew by the next.
+/// locked: of two processes that write the same file one is refused. The next process overwrites
+/// what a killed one has left.
 class PartialFile {
  public:
   /// Throws InputError where the file cannot be made, or another process is writing it.
@@ -21,11 +21,11 @@ class PartialFile {
 
   [[nodiscard]] const std::filesystem::path& target() const { return target_; }
   [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
-  /// Throws InputError where there is no room.
+  /// Throws InputError where it cannot be written, for lack of room for instance.
   void write(const std::string& text);
-  /// Brings all to the disk and gives the file its name.
+  /// Brings everything to the disk and gives the file its name.
   void finish();
-  /// Throws an InputError that names the file and says why, by the system's number of the error.
+  /// Throws an InputError that names the file and the reason, which is the system's error number.
   [[noreturn]] void fail(int reason) const;
 
  private:
@@ -43,8 +43,8 @@ void expect_directory(const std::filesystem::path& file);
 /// it is that of a directory, or there is no directory to hold it.
 void expect_writable(const std::filesystem::path& file);
 
-/// Throws InputError where the file, or the temporary one that becomes it, is one of those that are
-/// read: it would be lost.
+/// Throws InputError where the file, or the temporary one that becomes it, is one of the inputs,
+/// which would be lost.
 void expect_other(const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs);
 

@@ -35,15 +35,15 @@ Json json_number(double number) { return std::isfinite(number) ? Json(number) : 
 
 std::string axis_name(std::size_t coordinate) { return coordinate == 0 ? "x" : "y"; }
 
-/// A number of a coordinate that both reports tell: its name in each, and what it is. What is not
-/// known, as the deviation of no sample, is NaN.
+/// A number of a coordinate that both reports contain: its name in each, and its value. A value
+/// that is not known, such as the deviation of a single sample, is NaN.
 struct Row {
   const char* text;
   const char* json;
   std::function<double(const SampledOutput&, Eigen::Index)> number;
 };
 
-/// A number of at least so many samples.
+/// The number, or NaN if it is of fewer than `least` samples.
 double known(const SampledOutput& output, double number, std::uint64_t least = 1) {
   return output.statistics.count() >= least ? number : std::numeric_limits<double>::quiet_NaN();
 }

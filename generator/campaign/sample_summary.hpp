@@ -1,4 +1,4 @@
-// Turns the rows of a sample into what it says of each output, beside what derivatives say.
+// Turns the rows of a sample into statistics of each output, beside the predictions by derivatives.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace assur::generator::campaign {
 
-/// What derivatives at the nominal values say of one coordinate; NaN where they are not known.
+/// What derivatives at the nominal values predict for one coordinate; NaN where it is not known.
 struct FirstOrder {
   double nominal, worst_case, rss;
   double variance, mean_shift;  ///< of first and of second order
@@ -26,7 +26,7 @@ struct SampledOutput {
 
 class SampleSummary {
  public:
-  /// Throws InputError, `where` before it, where the description is not of a sample.
+  /// Throws InputError, with `where` in front, if the description is not that of a sample.
   SampleSummary(Description description, const std::string& where);
   void add(const std::vector<double>& rows);
 
@@ -37,7 +37,7 @@ class SampleSummary {
     return counts_[static_cast<std::size_t>(outcome)];
   }
   [[nodiscard]] std::uint64_t count() const;
-  /// The first sample of an outcome, of which there is one.
+  /// The first sample with an outcome that occurs.
   [[nodiscard]] std::uint64_t first_of(mechanism::Outcome outcome) const {
     return first_[static_cast<std::size_t>(outcome)];
   }
@@ -48,13 +48,13 @@ class SampleSummary {
   std::array<std::uint64_t, mechanism::outcome_words.size()> counts_{}, first_{};
 };
 
-/// What a sample's description has beside the columns; see docs/guide/campaigns.md.
+/// Adds nominal values and predictions to a sample's description; see docs/guide/campaigns.md.
 void describe_nominal(const std::vector<mechanism::NominalPoint>& points, Description& description);
 
 /// The summary for people, and as JSON.
 [[nodiscard]] std::string sample_text(const SampleSummary& summary);
 [[nodiscard]] std::string sample_json(const SampleSummary& summary);
-/// A histogram of each coordinate as SVG, with what derivatives say of it.
+/// A histogram of each coordinate as SVG, with the predictions by derivatives.
 [[nodiscard]] std::string histogram_picture(const SampleSummary& summary);
 
 }  // namespace assur::generator::campaign

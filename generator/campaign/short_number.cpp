@@ -14,8 +14,8 @@ __extension__ using Wide = unsigned __int128;
 
 /// No number here needs more room.
 constexpr std::size_t room = 32;
-/// Where the first digit may stand behind or before the point, so that fixed notation is the
-/// shorter one and every product below is exact.
+/// The range of decimal exponents in which fixed notation is the shorter one and every product
+/// below is exact.
 constexpr int least_exponent = -4;
 constexpr int most_exponent = 14;
 
@@ -29,7 +29,7 @@ constexpr auto powers_of_five = [] {
 
 /// digits x 10^(exponent - 16), of 17 digits with zeros at their end.
 struct Decimal {
-  std::uint64_t digits = 0;  ///< zero where this function does not tell them
+  std::uint64_t digits = 0;  ///< zero where `shortest` does not find them
   int exponent = 0;
 };
 
@@ -47,7 +47,7 @@ constexpr auto pairs_of_digits = [] {
   return pairs;
 }();
 
-/// The multiple of a step nearest to whole + part/2^shift; zero if two are as near.
+/// The multiple of a step nearest to whole + part/2^shift; zero if two are equally near.
 template <std::uint64_t Step>
 std::uint64_t nearest(std::uint64_t whole, std::uint64_t part, int shift) {
   const std::uint64_t below = whole / Step * Step;
@@ -56,9 +56,9 @@ std::uint64_t nearest(std::uint64_t whole, std::uint64_t part, int shift) {
   return to_below == to_above ? 0 : to_below < to_above ? below : below + Step;
 }
 
-/// The shortest decimal among those closer to m 2^e than to its neighbours, m of 53 bits and no
-/// power of two, and of these the closest. All is exact: with 10^k times the number in [1e16,
-/// 1e17), what is closer to it is an interval of 1.1 to 22.3 whole numbers.
+/// The shortest decimal that is closer to m 2^e than to its neighbouring doubles, and of several
+/// the closest; m has 53 bits and is no power of two. All is exact: with 10^k times the number in
+/// [1e16, 1e17), the numbers closer to it form an interval of 1.1 to 22.3 whole numbers.
 Decimal shortest(std::uint64_t m, int e) {
   // The decimal exponent, or one less: log10(2) is 78913 / 2^18 to five digits.
   int exponent = ((e + 52) * 78913) >> 18;
@@ -72,7 +72,7 @@ Decimal shortest(std::uint64_t m, int e) {
     const Wide value = Wide{m} * 2 * half;
     const auto whole = static_cast<std::uint64_t>(value >> shift);
     if (whole >= ten_to_the<17>) {
-      continue;  // it was one less
+      continue;  // the exponent was one too small
     }
     // At most 48 of the 101 bits stand behind the point: sums of parts and steps have 64.
     const std::uint64_t mask = (std::uint64_t{1} << shift) - 1;
@@ -80,7 +80,7 @@ Decimal shortest(std::uint64_t m, int e) {
     const std::uint64_t above = part + half;
     const std::int64_t below = static_cast<std::int64_t>(part) - static_cast<std::int64_t>(half);
     if ((above & mask) == 0 || (static_cast<std::uint64_t>(below) & mask) == 0) {
-      return {};  // an end of the interval: whether it belongs to it is for others to tell
+      return {};  // an end of the interval is whole: std::to_chars decides whether it counts
     }
     const std::uint64_t highest = whole + (above >> shift);
     const std::uint64_t lowest = whole + static_cast<std::uint64_t>(below >> shift) + 1;
@@ -95,7 +95,7 @@ Decimal shortest(std::uint64_t m, int e) {
   }
 }
 
-/// Writes so many digits, in pairs.
+/// Writes a number with this number of digits, in pairs.
 template <int Digits>
 void put_digits(std::uint32_t number, char* at) {
   for (int place = Digits - 2; place >= 0; place -= 2) {

@@ -1,4 +1,4 @@
-// Turns a campaign's rows into a file whose format its ending says, and back.
+// Turns a campaign's rows into a file in the format that its extension says, and back.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace assur::generator::campaign {
 
-/// Takes rows in the order of their items. All of it throws InputError where the file cannot be
-/// written.
+/// Takes rows in the order of their items. Every function throws InputError where the file cannot
+/// be written.
 class TableWriter {
  public:
   TableWriter() = default;
@@ -36,8 +36,8 @@ class TableReader {
   virtual ~TableReader() = default;
 
   [[nodiscard]] const Description& description() const { return description_; }
-  /// The next rows in place of others; whether there are any. Throws InputError where the file is
-  /// not whole.
+  /// Replaces `rows` by the next rows, and returns false if there are none. Throws InputError where
+  /// the file is not complete.
   [[nodiscard]] virtual bool next(std::vector<double>& rows) = 0;
 
  protected:
@@ -52,8 +52,8 @@ void expect_table_name(const std::filesystem::path& file, const std::string& opt
                                                         const Description& description);
 [[nodiscard]] std::unique_ptr<TableReader> table_reader(const std::filesystem::path& file);
 
-/// Hands a file's rows over, and throws InputError where they are not those of its shard: each item
-/// has rows, one after the other.
+/// Hands a file's rows over, and throws InputError where they are not those of its shard: one or
+/// more rows for each item, in the order of the items.
 void for_each_row_block(TableReader& reader, const std::string& file,
                         const std::function<void(const std::vector<double>&)>& use);
 

@@ -1,4 +1,4 @@
-// Turns an angle into whole multiples of angles that are no sums.
+// Turns an angle into a sum of whole multiples of angles that are not sums themselves.
 #pragma once
 
 #include "closures/closure_system.hpp"
@@ -18,8 +18,8 @@ struct AngleTerms {
   int quarter_turns = 0;
 };
 
-/// The terms of an angle, abbreviations of sums taken apart. Throws NotAlgebraic for numbers other
-/// than quarter turns and for multiples that are not whole.
+/// The terms of an angle, with abbreviations of sums taken apart. Throws NotAlgebraic for numbers
+/// other than quarter turns and for multiples that are not whole.
 [[nodiscard]] AngleTerms angle_terms(const GiNaC::ex& angle, const ClosureSystem& system);
 
 }  // namespace assur::generator::closures

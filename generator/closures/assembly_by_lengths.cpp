@@ -47,7 +47,7 @@ AssemblyByLengths::AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiN
   for (const GiNaC::ex& length : lengths) {
     lengths_.emplace_back(length, slopes(equations_, length));
   }
-  // Coordinates leave the roots rational.
+  // Coordinates, whose columns are constant, come first: solving for them leaves roots rational.
   std::stable_partition(lengths_.begin(), lengths_.end(),
                         [](const auto& each) { return is_constant(each.second); });
 }

@@ -5,9 +5,9 @@
 
 namespace assur::generator::closures {
 
-/// Gives as many of the lengths as there are equations the values that make the equations zero. It
-/// chooses lengths that occur linearly and independently, and among these first the ones with
-/// constant coefficients, such as coordinates.
+/// Solves the equations for as many lengths as there are equations. It chooses lengths that occur
+/// linearly and independently, and among these first the ones with constant coefficients, such as
+/// coordinates.
 class AssemblyByLengths {
  public:
   AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiNaC::lst& lengths);

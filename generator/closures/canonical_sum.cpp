@@ -93,7 +93,7 @@ GiNaC::numeric CanonicalSum::content() const {
     denominators = GiNaC::lcm(denominators, term.coefficient.denom());
   }
   const GiNaC::numeric size = GiNaC::abs(numerators / denominators);
-  // The order of the terms may be another once the numbers are smaller.
+  // The order of the terms may change when their numbers become smaller.
   return scaled(size.inverse()).is_reversed() ? -size : size;
 }
 

@@ -31,10 +31,10 @@ struct CanonicalTerm {
   [[nodiscard]] std::string size_text() const;
 };
 
-/// GiNaC orders terms by addresses and gives products of sums the signs that come of it: 1/(a - b)
-/// is -1/(b - a) in some runs. Here terms have the order of their texts, and a sum that is a
-/// factor, or the argument of an odd or even function, begins with a plus; what sign that takes is
-/// the product's.
+/// GiNaC orders terms by addresses, and the signs of the sums in a product depend on that order:
+/// 1/(a - b) is -1/(b - a) in some runs. Here terms are in the order of their texts, and a sum that
+/// is a factor, or the argument of an odd or even function, begins with a plus; where that needs
+/// another sign, the product takes it.
 class CanonicalSum {
  public:
   explicit CanonicalSum(const GiNaC::ex& expression);
@@ -42,7 +42,7 @@ class CanonicalSum {
   /// The terms are in the order of their texts without signs.
   [[nodiscard]] const std::vector<CanonicalTerm>& terms() const { return terms_; }
   [[nodiscard]] std::string text() const;
-  /// Whether this one of two opposite sums is the reversed one.
+  /// Whether this is the reversed one of two opposite sums: its first term is negative.
   [[nodiscard]] bool is_reversed() const;
   [[nodiscard]] CanonicalSum scaled(const GiNaC::numeric& factor) const;
 
@@ -51,7 +51,7 @@ class CanonicalSum {
 
   /// Adds up terms that are alike, and sorts.
   void gather();
-  /// The number of which all coefficients are coprime whole multiples, the first a positive one.
+  /// The number that divides all coefficients into coprime whole ones, the first one positive.
   [[nodiscard]] GiNaC::numeric content() const;
   static void multiply(CanonicalTerm& product, const std::string& text, CanonicalFactor factor);
   static void multiply(CanonicalTerm& product, const CanonicalSum& sum,

@@ -10,7 +10,7 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// Values for symbols: nothing is to be matched as a pattern, which takes much longer.
+/// Symbols are replaced without matching patterns, which would take much longer.
 constexpr unsigned unmatched = GiNaC::subs_options::no_pattern;
 
 /// The direction of the sum of two angles.
@@ -72,7 +72,7 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
   try {
     return known_[expression] = converted(expression);
   } catch (const NotAlgebraic&) {
-    // The first of several errors is told, in an order of our own.
+    // Of several errors the first is reported, in an order that does not depend on GiNaC.
     roots_.resize(known_roots);
     in_order_ = true;
     return converted(expression);
@@ -124,7 +124,7 @@ GiNaC::ex CircleAlgebra::converted(const GiNaC::ex& expression) {
 
 std::vector<GiNaC::ex> CircleAlgebra::operands(const GiNaC::ex& expression) const {
   std::vector<GiNaC::ex> list(expression.begin(), expression.end());
-  // GiNaC's order serves as well as any where no two roots get numbers and nothing is wrong.
+  // GiNaC's order serves where at most one part makes roots, which get numbers, and nothing fails.
   const bool matters = in_order_ || std::count_if(list.begin(), list.end(), makes_roots) > 1;
   return matters ? ordered_operands(expression) : list;
 }
@@ -220,7 +220,7 @@ bool CircleAlgebra::vanishes(const GiNaC::ex& algebraic) const {
   try {
     return has_no_rest(algebraic);
   } catch (const std::invalid_argument&) {
-    return false;  // GiNaC divides no polynomials whose numbers are irrational
+    return false;  // GiNaC cannot divide polynomials with irrational numbers
   }
 }
 
@@ -259,7 +259,7 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned rever
     const GiNaC::ex radicand = root.radicand.subs(values, unmatched).expand();
     const GiNaC::ex number = radicand.evalf();
     if (!GiNaC::is_a<GiNaC::numeric>(number)) {
-      continue;  // in symbols that the point leaves free
+      continue;  // it has symbols that the point leaves free
     }
     if (GiNaC::ex_to<GiNaC::numeric>(number).is_negative()) {
       throw NotAlgebraic("the root of a negative number");

@@ -15,13 +15,13 @@ namespace assur::generator::closures {
 /// The largest whole multiple of an angle that is written as a polynomial in its cosine and sine.
 inline constexpr int max_multiple = 64;
 
-/// An expression that no polynomial with c^2 + s^2 = 1 and r^2 = radicand stands for.
+/// Thrown for an expression that has no form in c and s, c^2 + s^2 = 1, and r, r^2 = radicand.
 class NotAlgebraic : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Whether an expression has roots, or angles whose cosine or sine is one.
+/// Whether an expression has roots, or angles whose cosine or sine is a root.
 [[nodiscard]] bool makes_roots(const GiNaC::ex& expression);
 
 /// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
@@ -30,7 +30,7 @@ class NotAlgebraic : public std::runtime_error {
                                                     equations::Vector2 step, int factor);
 
 /// The ring of polynomials in lengths, in the cosine c and sine s of each angle, c^2 + s^2 = 1, and
-/// in square roots r, r^2 = radicand. What vanishes there vanishes everywhere.
+/// in square roots r, r^2 = radicand. An expression that is zero in it is zero at every point.
 class CircleAlgebra {
  public:
   void add_angle(const GiNaC::symbol& angle);
@@ -39,11 +39,11 @@ class CircleAlgebra {
   /// where the expression is one. Throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
   /// Whether the algebraic form is zero modulo the relations. False does not prove the contrary
-  /// where roots depend on each other, or where it has too many terms to multiply them out.
+  /// where roots depend on each other, or where there are too many terms to multiply out.
   [[nodiscard]] bool vanishes(const GiNaC::ex& algebraic) const;
   /// The algebraic form at a point that gives values to lengths, cosines and sines. Throws
-  /// NotAlgebraic where a root is of a negative number or a denominator vanishes. `reversed` has a
-  /// bit for each root that is to be taken as the negative one.
+  /// NotAlgebraic where a radicand is negative or a denominator vanishes. `reversed` has a bit for
+  /// each root, which is set where the negative root is meant.
   [[nodiscard]] GiNaC::ex at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
                              unsigned reversed = 0) const;
 
@@ -52,7 +52,7 @@ class CircleAlgebra {
 
   /// (c, s) of an angle that was added.
   [[nodiscard]] const equations::Vector2& direction(const GiNaC::symbol& angle) const;
-  /// An algebra with the same angles and roots, to go on with for one expression alone.
+  /// An algebra with the same angles and roots, to which one expression may add its own roots.
   [[nodiscard]] CircleAlgebra extended() const;
   [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
   /// Whether a symbol occurs under a root.
@@ -76,8 +76,8 @@ class CircleAlgebra {
 
   std::map<std::string, equations::Vector2> directions_;  ///< by the names of the angles
   std::vector<Root> roots_;
-  bool in_order_ = false;  ///< all operands are met in an order of our own
-  /// What expressions are at one point they are at the next.
+  bool in_order_ = false;  ///< all operands are visited in an order that is not GiNaC's
+  /// The algebraic forms of expressions, which are the same at every point.
   std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> known_;
 };
 

@@ -52,10 +52,10 @@ void ClosurePoints::follow_system() {
   second_rates_.clear();
   closures_are_algebraic_ = true;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
-    try {  // the roots of closures come first, whatever is asked of them first
+    try {  // numbers the roots of closures before those of expressions
       static_cast<void>(algebraic(closure.expression));
     } catch (const NotAlgebraic&) {
-      closures_are_algebraic_ = false;  // what needs it says so
+      closures_are_algebraic_ = false;  // reported where it is needed
     }
   }
 }
@@ -168,7 +168,7 @@ void ClosurePoints::invert_jacobian(Point& point) {
   point.inverse_jacobian = jacobian.inverse();
 }
 
-/// x of J x = -slopes.
+/// The solution x of J x = -slopes.
 GiNaC::matrix ClosurePoints::solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point) {
   if (point.inverse_jacobian.rows() != slopes.size()) {
     throw NotAlgebraic("total derivatives need as many closures as unknowns");

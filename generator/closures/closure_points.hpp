@@ -1,4 +1,4 @@
-// Turns a closure system into exact rational points, where it is assembled or anywhere, and values.
+// Turns a closure system into exact rational points, assembled or not, and values at them.
 #pragma once
 
 #include <deque>
@@ -12,7 +12,7 @@
 
 namespace assur::generator::closures {
 
-/// The points of a system, which may go on growing: then they are drawn anew.
+/// The points of a system. They are drawn anew when the system changes.
 class ClosurePoints {
  public:
   /// A rational configuration: values of lengths, of cosines and sines, of rates and, as far as
@@ -26,22 +26,22 @@ class ClosurePoints {
 
   [[nodiscard]] ClosureSystem& system() { return system_; }
 
-  /// The points that comparisons use, one after the other, drawn by fixed seeds: `assembled`, where
-  /// the closures hold, or anywhere; nullptr when there are no more. Points where all roots are
+  /// The points that comparisons use, one after the other, drawn by fixed seeds; the closures hold
+  /// there if `assembled`. Returns nullptr when there are no more. Points where all roots are
   /// rational come first.
   [[nodiscard]] Point* point(std::size_t index, bool assembled);
-  /// The point of these values of all symbols, of which some lengths may take others so that the
-  /// closures hold; nothing where they cannot.
+  /// The point with these values of all symbols, except for some lengths, which are changed so that
+  /// the closures hold; nothing where they cannot hold.
   [[nodiscard]] std::optional<Point> assembled_from(const GiNaC::exmap& values);
   /// The symbols of an angle's cosine and sine in a point's values.
   [[nodiscard]] equations::Vector2 direction(const GiNaC::symbol& angle);
 
-  /// An expression with roots that the closures have not. What it says may depend on their signs.
+  /// An expression with roots that the closures do not have, on whose signs its value depends.
   struct Rooted {
     CircleAlgebra algebra;  ///< of the closures, and then of the expression
     GiNaC::ex whole;        ///< without abbreviations
     GiNaC::ex form;         ///< algebraic
-    std::size_t first_own;  ///< root of the expression
+    std::size_t first_own;  ///< the number of the expression's first own root
   };
 
   /// Nothing for an expression without roots of its own. Throws NotAlgebraic.
@@ -51,8 +51,9 @@ class ClosurePoints {
   [[nodiscard]] std::deque<Point> points_on_all_branches(const Rooted& rooted, bool assembled);
   /// The value of the form, with some of its roots negative; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const Rooted& rooted, Point& point, unsigned reversed = 0);
-  /// The quantities whose signs may tell branches apart, those of the expressions first: cosines
-  /// and sines of angles and of their sums, lengths and their differences.
+  /// The quantities whose signs may tell branches apart, those of the expression first: cosines and
+  /// sines of angles, of their sums and differences, and their products; lengths, their differences
+  /// and sums.
   [[nodiscard]] std::vector<GiNaC::ex> telling(const GiNaC::ex& expression) const;
 
   /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
@@ -69,7 +70,7 @@ class ClosurePoints {
   struct PointList {
     std::deque<Point> drawn;
     unsigned next_seed = 1;
-    bool rational_roots = true;  ///< asked of the points that are still drawn
+    bool rational_roots = true;  ///< required of the next points that are drawn
   };
 
   void follow_system();
@@ -85,7 +86,7 @@ class ClosurePoints {
   void solve_rates(Point& point);
   /// The partial derivatives of the closures by a symbol.
   [[nodiscard]] const std::vector<GiNaC::ex>& slopes_of_closures(const AuditSymbol& by);
-  /// What the rates of the closures are where those of the unknowns are zero.
+  /// The first or second rates of the closures where those of the unknowns are zero.
   [[nodiscard]] const std::vector<GiNaC::ex>& rates_of_closures(bool second);
   [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
   [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,

@@ -14,7 +14,7 @@ class ClosureReader {
  public:
   explicit ClosureReader(std::string file) : file_(std::move(file)) {}
 
-  /// False if the statement is not one of these; it then becomes the one that `fail` speaks of.
+  /// Returns false if the statement is not one of these. `fail` refers to it in either case.
   [[nodiscard]] bool read(const Statement& statement);
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::string& source() const { return source_; }
@@ -25,15 +25,15 @@ class ClosureReader {
 
   /// Where a piece of the statement's joined text stands in the file.
   [[nodiscard]] Place place_in_file(Place joined) const { return place_in(statement_, joined); }
-  /// Throws AuditSyntaxError; the place is one of the statement's joined text.
+  /// Throws AuditSyntaxError; `joined` is a place in the statement's joined text.
   [[noreturn]] void fail(Place joined, const std::string& what) const;
   /// Throws unless a name can be declared for a number.
   void expect_new(const PlacedText& name) const;
-  /// Throws unless a name can be declared for what formulas with derivatives have in them.
+  /// Throws unless a name can be declared for a symbol: no function of formulas may have it.
   void expect_new_in_formulas(const PlacedText& name) const;
-  /// A name that something outside the system has.
+  /// Reserves a name for something outside the system.
   void reserve(const std::string& name) { reserved_.insert(name); }
-  /// The names of a list, all of symbols or of anything in the system. Throws for others.
+  /// The names in a list, of symbols only or of anything in the system. Throws for other names.
   [[nodiscard]] std::vector<std::string> known_names(const PlacedText& list, bool symbols_only);
 
  private:

@@ -39,7 +39,7 @@ class ClosureSystem {
   struct Closure {
     std::string name;
     GiNaC::ex expression;
-    bool turned = false;  ///< read the other way round than it was typed
+    bool turned = false;  ///< all its signs are reversed
   };
 
   /// D(unknown, parameter), as a symbol.
@@ -52,13 +52,13 @@ class ClosureSystem {
   AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
   void abbreviate(const std::string& name, const GiNaC::ex& definition);
   void close(const std::string& name, const GiNaC::ex& expression);
-  /// Reads the same equation the other way round.
+  /// Reverses all signs of a closure.
   void negate_closure(const std::string& name);
 
   [[nodiscard]] AuditSymbol* symbol_named(const std::string& name);
   [[nodiscard]] const AuditSymbol* symbol_named(const std::string& name) const;
   [[nodiscard]] const GiNaC::ex* closure_named(const std::string& name) const;
-  /// The closure as it was typed, whichever way round it is read.
+  /// The closure with its signs as they were typed.
   [[nodiscard]] GiNaC::ex closure_as_typed(const std::string& name) const;
   [[nodiscard]] bool is_known(const std::string& name) const;
   /// What a name stands for in a formula, or nothing.
@@ -73,24 +73,24 @@ class ClosureSystem {
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
   /// de/da where the unknowns follow the closures.
   [[nodiscard]] GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& parameter);
-  /// de/dt along the rates of unknowns and moving parameters; of an expression in rates, the
-  /// second.
+  /// de/dt by the rates of unknowns and moving parameters; for an expression in rates, by the
+  /// second rates, too.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& expression) const;
 
   /// Abbreviations replaced by what they stand for.
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const;
-  /// Whether an expression holds total derivatives, which have values at points alone.
+  /// Whether an expression holds total derivatives or rates, which have values only at points.
   [[nodiscard]] bool follows_closures(const GiNaC::ex& expression) const;
 
   [[nodiscard]] std::vector<const AuditSymbol*> unknowns() const;
-  /// Those that total derivatives have been asked for.
+  /// The sensitivities that total derivatives so far contain.
   [[nodiscard]] const std::deque<Sensitivity>& sensitivities() const { return sensitivities_; }
-  /// Another number whenever symbols or closures have changed.
+  /// A number that changes whenever symbols or closures change.
   [[nodiscard]] unsigned revision() const { return revision_; }
 
  private:
   std::deque<AuditSymbol> symbols_;
-  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones
+  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones only
   GiNaC::exmap whole_;  ///< each abbreviation without abbreviations
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;

@@ -1,4 +1,4 @@
-// Turns an expression into how large it becomes when it is multiplied out.
+// Turns an expression into bounds on its size after it is multiplied out.
 #pragma once
 
 #include <map>
@@ -8,9 +8,9 @@
 namespace assur::generator::closures {
 
 /// The highest degree that is read, of numerator and denominator together: no mechanism needs a
-/// tenth of it, and a number of few digits to this power is computed in no time.
+/// tenth of it, and a number of few digits to this power is computed quickly.
 inline constexpr int max_degree = 1000;
-/// The numbers that are read have no more words of 64 binary digits.
+/// The largest length of a number that is read, in words of 64 binary digits.
 inline constexpr int max_words = 1024;
 /// More terms than this are not multiplied out, which would take minutes.
 inline constexpr double max_terms = 50000;
@@ -26,11 +26,11 @@ inline constexpr double max_terms_emitted = 5000;
 /// outermost one contains those of all others.
 inline constexpr int max_nesting_emitted = 12;
 
-/// Whether an expression is itself a root, or an angle whose cosine or sine is one.
+/// Whether an expression is itself a root, or an angle whose cosine or sine is a root.
 [[nodiscard]] bool is_root(const GiNaC::ex& expression);
 
-/// Bounds from above, as real numbers: they may be larger than any integer type holds. A number of
-/// terms beyond all limits may be given as less than it is, but is still beyond them.
+/// Upper bounds, as real numbers, since they may be larger than any integer type holds. A number of
+/// terms beyond all limits may be underestimated, but stays beyond them.
 struct Extent {
   double degree = 0;  ///< in symbols and functions, of numerator and denominator together
   double words = 0;   ///< of 64 binary digits, in the longest number; shorter ones count nothing

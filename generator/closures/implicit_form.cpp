@@ -14,7 +14,7 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// Powers of sums are multiplied out.
+/// The highest power, since powers of sums are multiplied out.
 constexpr int max_power = 64;
 
 bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
@@ -78,7 +78,7 @@ class Translation {
       equations::Variable& variable =
           list.emplace_back(name, symbol.angle ? Quantity::angle : Quantity::length,
                             symbol.meaning.empty() ? kind : kind + ", " + symbol.meaning);
-      // Two angles may differ in front of an underscore alone, and a length may be called cos_phi.
+      // By default phi_1 and psi_1 would both have the rate omega_1, and a length may be cos_phi.
       variable.cosine = GiNaC::symbol("cos(" + name + ")");
       variable.sine = GiNaC::symbol("sin(" + name + ")");
       variable.size = GiNaC::symbol("abs(" + name + ")");
@@ -95,7 +95,7 @@ class Translation {
     }
   }
 
-  /// An identifier of its own for a quantity, and with `inverse_` in front for one over it.
+  /// A new identifier for a quantity; the one with `inverse_` in front is kept for its reciprocal.
   std::string fresh(const std::string& wanted) {
     // Programs name their temporaries t1, t2, ... themselves.
     const bool temporary = wanted.size() > 1 && wanted[0] == 't' &&
@@ -217,7 +217,7 @@ class Translation {
     return sign * inverse;
   }
 
-  /// One over a value: `inverse_a5` of a length, else by number.
+  /// The reciprocal of a value, named `inverse_a5` for a symbol a5, else `inverse_divisor`.
   GiNaC::ex reciprocal(const GiNaC::ex& value, const std::string& degeneracy) {
     const GiNaC::ex denominator = multiplied_out(value);
     if (denominator.is_zero()) {
@@ -247,7 +247,7 @@ class Translation {
     return direction;
   }
 
-  /// The direction of the terms times the sense, so that the first one counts positive.
+  /// The direction of the sum of the terms times `sense`, which makes the first one positive.
   equations::Vector2 direction_of_terms(const AngleTerms& sum, int sense, std::string name) {
     equations::Vector2 direction{1, 0};
     std::string spelled;
@@ -326,7 +326,7 @@ class Translation {
   std::set<std::string> used_;
   ByExpression<const equations::Variable*> variables_;
   ByExpression<GiNaC::ex> numbers_;                 ///< of abbreviations
-  ByExpression<equations::Vector2> inverses_;       ///< of angles that are no variables
+  ByExpression<equations::Vector2> inverses_;       ///< of angles that are not variables
   std::map<std::string, equations::Vector2> sums_;  ///< of sums of angles, by their names
 };
 

@@ -14,7 +14,7 @@ namespace assur::generator::closures {
 /// those that move as inputs u. Sines and cosines become parts of directions; abbreviations, roots
 /// and divisors become named quantities, roots and divisors with the degeneracy that ends them.
 /// The emitted code uses the names of `types` itself everywhere, and `locals` in functions. Throws
-/// NotAlgebraic, with the closure's name, for what no polynomial in such quantities stands for.
+/// NotAlgebraic, with the closure's name, for what is not a polynomial in such quantities.
 [[nodiscard]] equations::ImplicitEquations implicit_form(const ClosureSystem& system,
                                                          const std::vector<std::string>& types,
                                                          const std::vector<std::string>& locals);

@@ -20,7 +20,7 @@ GiNaC::numeric exact_number(const std::string& text) {
   const std::size_t mark = text.find_first_of("eE");
   const std::string digits = text.substr(0, mark);
   if (digits.find_first_not_of(".0") == std::string::npos) {
-    return 0;  // with any exponent, which no other limit bounds
+    return 0;  // whatever the exponent, which nothing else limits
   }
   long exponent = mark == std::string::npos ? 0 : std::stol(text.substr(mark + 1));
   std::string whole;
@@ -50,7 +50,7 @@ text::Expression tree_of(const PlacedText& text) {
   }
 }
 
-/// Whether a power of a number has more digits than anybody computes with.
+/// Whether a power of a number may have more than 65536 binary digits.
 bool is_too_long(const GiNaC::ex& base, const GiNaC::ex& exponent) {
   constexpr double most_bits = 1 << 16;
   if (!GiNaC::is_a<GiNaC::numeric>(base)) {
@@ -62,7 +62,7 @@ bool is_too_long(const GiNaC::ex& base, const GiNaC::ex& exponent) {
   return !is_one && std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double()) * bits > most_bits;
 }
 
-/// Goes through a tree.
+/// Turns the nodes of a tree into expressions and vectors.
 class Reader {
  public:
   using PlaceOf = std::function<Place(std::size_t)>;
@@ -70,11 +70,11 @@ class Reader {
   Reader(const PlaceOf& place_of, ClosureSystem& system, const LocalNames& locals)
       : place_of_(place_of), system_(system), locals_(locals) {}
 
-  /// Throws FormulaError where the node has no value, too, as tan(pi/2) has none.
+  /// Throws FormulaError, also where the node has no value, as for tan(pi/2).
   GiNaC::ex scalar(const text::Expression& node) {
     try {
       return evaluated(node);
-    } catch (const std::domain_error&) {  // by GiNaC, of poles
+    } catch (const std::domain_error&) {  // from GiNaC, at poles
       fail("the expression has no value here", node);
     }
   }
@@ -173,8 +173,8 @@ class Reader {
     return *found;
   }
 
-  /// Degrees multiply where powers stand within powers or abbreviations, so that a short text may
-  /// ask for more than any time suffices for.
+  /// Degrees multiply where powers stand within powers or abbreviations, so that reading a short
+  /// text might never end.
   void expect_readable_extent(double degree, double words, const text::Expression& at) const {
     if (!(degree <= max_degree)) {
       fail("the degree of this, of numerator and denominator together, is higher than " +
@@ -225,7 +225,7 @@ class Reader {
     if (base.is_zero() && exponent.info(GiNaC::info_flags::negative)) {
       fail("division by zero", at);
     }
-    if (base.is_zero() && exponent.is_zero()) {  // GiNaC would throw, and lose the power
+    if (base.is_zero() && exponent.is_zero()) {  // GiNaC would throw, and leak memory
       fail("zero to the power of zero has no value", at);
     }
     if (is_too_long(base, exponent)) {

@@ -16,7 +16,7 @@ struct FormulaError : std::runtime_error {
   Place place;
 };
 
-/// Names that one formula has beside those of the system.
+/// Names that are known in one formula in addition to those of the system.
 struct LocalNames {
   std::map<std::string, std::string> stands_for;  ///< another name: `j` for `a3`
   std::map<std::string, GiNaC::ex> meanings;
@@ -27,7 +27,7 @@ struct LocalNames {
 [[nodiscard]] GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system,
                                      const LocalNames& locals = {});
 
-/// The expression of a tree that another reader has made. `place_of` tells where a column is.
+/// The expression of a tree that another reader has made. `place_of` gives the place of a column.
 /// Beside the functions above a tree may have `derivative` of two arguments: the partial one of a
 /// closure, the total one of all else.
 [[nodiscard]] GiNaC::ex expression_of(const text::Expression& tree,
@@ -37,7 +37,7 @@ struct LocalNames {
 /// What a formula may call beside the functions of scenes.
 [[nodiscard]] std::span<const text::ExpressionFunction> formula_functions();
 
-/// A sum of vectors point(x, y), polar(length, angle) and multiples of them.
+/// A sum or difference of vectors point(x, y) and polar(length, angle).
 [[nodiscard]] equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system);
 
 }  // namespace assur::generator::closures

@@ -98,7 +98,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Roo
     }
   }
   std::deque<Point> points;
-  for (const bool insists : {true, false}) {  // on lengths that are positive
+  for (const bool insists : {true, false}) {  // first only on positive lengths
     for (unsigned seed = 1; seed <= most_draws && points.size() < wanted; ++seed) {
       Point point{random_values(seed), {}};
       // The first three angles go through all their quadrants, the others through random ones.
@@ -134,7 +134,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Roo
           static_cast<void>(value(rooted, point));
           points.push_back(std::move(point));
         }
-      } catch (const std::runtime_error&) {  // a root ends, or the Jacobian is singular, there
+      } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, there
         continue;
       }
     }

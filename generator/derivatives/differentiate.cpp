@@ -43,7 +43,7 @@ ExpressionMatrix jacobian_of(const std::vector<GiNaC::ex>& functions,
   return matrix;
 }
 
-/// The derivative of a function along rates of one order of the variables, not expanded.
+/// The derivative of a function along the variables' rates of one order, not expanded.
 GiNaC::ex along(GiNaC::symbol equations::Variable::*rate, const GiNaC::ex& function,
                 const VariableList& variables, const equations::Vocabulary& vocabulary) {
   const std::vector<GiNaC::ex> gradient = vocabulary.gradient(function, variables);

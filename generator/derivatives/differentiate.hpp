@@ -33,7 +33,7 @@ struct Derivatives : ResidualDerivatives {
   ExpressionMatrix pose_input_jacobian;      ///< dp/du
   ExpressionMatrix pose_velocity;            ///< dp/dt, one row per link
   ExpressionMatrix pose_acceleration;        ///< d2p/dt2, one row per link
-  ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d' and u', likewise
+  ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d', u', one row per link
 };
 
 /// df/dq alone.

@@ -15,20 +15,20 @@ namespace {
 
 constexpr unsigned wanted_points = 4;
 constexpr unsigned most_draws = 100;
-/// Decimals are zero if this many digits of what they are the sum of have cancelled.
+/// A decimal counts as zero if this many digits have cancelled in the sum that gave it.
 constexpr int digits_of_zero = 40;
 
 using Row = std::vector<GiNaC::numeric>;
 
-/// A value, and the size of what was added up to it. A value that is zero but for the rounding of
-/// roots is zero.
+/// A value, and the size of the terms that it was summed from. A sum that differs from zero only by
+/// the rounding of roots is set to zero.
 struct Sized {
   GiNaC::numeric value;
   GiNaC::numeric size;
 };
 using Values = std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less>;
 
-/// Exact numbers are zero only if they are; others are compared with a size.
+/// Whether a number counts as zero: an exact one only if it is zero, others if small beside `size`.
 bool is_nothing(const GiNaC::numeric& number, const GiNaC::numeric& size) {
   if (number.is_zero() || number.is_crational()) {
     return number.is_zero();
@@ -54,7 +54,7 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
     }
     return result;
   }
-  if (GiNaC::is_a<GiNaC::power>(expression)) {  // whole, since roots have names
+  if (GiNaC::is_a<GiNaC::power>(expression)) {  // the exponent is whole, since roots have names
     const auto exponent = GiNaC::ex_to<GiNaC::numeric>(expression.op(1));
     const Sized base = measured(expression.op(0), values);
     return {GiNaC::pow(base.value, exponent), GiNaC::pow(base.size, exponent)};
@@ -68,9 +68,9 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
 /// What is demanded of the square roots at a random point.
 enum class Roots : unsigned char { real, any };
 
-/// Values of all variables and names; nothing where a denominator vanishes or a root is not as it
-/// is demanded. Lengths are positive at every second seed, since most roots are real there; between
-/// these, they have mixed signs and negative signs by turns.
+/// Values of all variables and names; nothing where a denominator vanishes or a root is not as
+/// demanded. At odd seeds lengths are positive, since most roots are real there; at even seeds they
+/// are by turns of mixed signs and all negative.
 std::optional<Values> random_point(const equations::ImplicitEquations& equations, unsigned seed,
                                    Roots roots) {
   equations::SeededNumbers random(seed);
@@ -124,7 +124,7 @@ void balance(std::vector<Row>& rows, std::size_t columns) {
   }
 }
 
-/// By elimination, which takes the largest entry of each column.
+/// The rank by elimination, with the largest entry of each column as the pivot.
 unsigned rank_of(std::vector<Row> rows, std::size_t columns) {
   balance(rows, columns);
   std::size_t rank = 0;
@@ -148,7 +148,7 @@ unsigned rank_of(std::vector<Row> rows, std::size_t columns) {
   return static_cast<unsigned>(rank);
 }
 
-/// The largest rank at some points; nothing if none is found.
+/// The largest rank at a few random points; nothing if no such point is found.
 std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equations,
                                        const ExpressionMatrix& jacobian, Roots roots) {
   std::optional<unsigned> rank;
@@ -177,8 +177,8 @@ std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equat
 unsigned generic_rank(const equations::ImplicitEquations& equations,
                       const ExpressionMatrix& jacobian) {
   const equations::MoreDigits digits;
-  // Where roots are imaginary, sqrt(x)*sqrt(y) may be -sqrt(x*y), and equations that depend on one
-  // another seem not to.
+  // Where roots are imaginary, sqrt(x)*sqrt(y) may be -sqrt(x*y), and dependent equations seem
+  // independent.
   if (const std::optional<unsigned> rank = rank_at_points(equations, jacobian, Roots::real)) {
     return *rank;
   }

@@ -5,7 +5,7 @@
 
 namespace assur::generator::derivatives {
 
-/// Returns the largest rank at three random points, which need not fulfil the equations. It is
+/// Returns the largest rank at four random points, which need not fulfil the equations. It is
 /// exact if there are no roots; otherwise decimals of 60 digits are compared. All roots are real at
 /// these points, unless no such point is found.
 [[nodiscard]] unsigned generic_rank(const equations::ImplicitEquations& equations,

@@ -10,7 +10,7 @@ namespace assur::generator::derivatives {
 
 namespace {
 
-/// An angle of a compatibility condition that occurs in no earlier one, and its factor there.
+/// An angle of a compatibility condition that occurs in no earlier condition.
 const equations::Variable& angle_to_solve_for(const equations::ClosureEquations& equations,
                                               std::size_t condition) {
   const auto earlier_ones = std::span(equations.compatibility).first(condition);
@@ -30,7 +30,7 @@ const equations::Variable& angle_to_solve_for(const equations::ClosureEquations&
   throw GeneratorError("mobility", equations.model->title(), "an angle condition without an angle");
 }
 
-/// Names of the prismatic joints and of the links they join, for the verdict.
+/// Why angles are over-determined, for the verdict; empty if they are not.
 std::string cause(const equations::ClosureEquations& equations) {
   if (equations.compatibility.empty()) {
     return "";

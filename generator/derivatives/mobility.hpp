@@ -17,9 +17,9 @@ struct Mobility {
   std::string reason;
 };
 
-/// Evaluates the Jacobian in rational numbers at random assembled configurations: random rational
-/// points of the circle for the angles, lengths that solve the (in lengths linear) equations. The
-/// rank at a point is never above the generic rank, so the largest over a few points is taken.
+/// Evaluates the Jacobian in rational numbers at random assembled configurations: the angles are
+/// random rational points of the circle, and the lengths solve the equations, which are linear in
+/// them. The rank at a point is never above the generic rank, so the largest of three is taken.
 [[nodiscard]] Mobility mobility_of(const equations::ClosureEquations& equations,
                                    const ExpressionMatrix& jacobian);
 

@@ -201,8 +201,8 @@ class DerivationGatherer {
     return texts;
   }
 
-  /// The quantities that expressions need, in the order of their definition, but for those that
-  /// were given before.
+  /// The quantities that expressions need, in the order of their definition, except those that were
+  /// given before.
   std::vector<DerivedQuantity> newly_used(const equations::Vocabulary& vocabulary,
                                           const std::vector<GiNaC::ex>& used) {
     GiNaC::exset occurring;

@@ -83,7 +83,7 @@ struct DerivedStep {
   std::vector<DerivedSeries> series;
 };
 
-/// How an unknown follows from those known before it: numerators over the denominator, which are a
+/// How an unknown follows from those known before it: the numerators over the denominator are a
 /// displacement, or an angle's cosine and sine.
 struct DerivedBackSubstitution {
   std::string unknown;
@@ -106,7 +106,7 @@ struct DerivedElimination {
 struct Derivation {
   const structure::Model* model;
   structure::Kind kind;                      ///< the kind asked for
-  structure::JointTable<std::string> roles;  ///< the model's joints that its joints play
+  structure::JointTable<std::string> roles;  ///< for each of its joints, the model's joint it plays
 
   structure::LinkTable<std::string> frames;  ///< of the links, in words
   structure::LinkTable<std::string> angles;  ///< of the links, as sums
@@ -122,7 +122,7 @@ struct Derivation {
   unsigned mobility;
   std::string reason;
   std::optional<DerivedDeterminant> determinant;  ///< of a rigid model
-  std::optional<DerivedElimination> elimination;  ///< likewise
+  std::optional<DerivedElimination> elimination;  ///< of a rigid model
 };
 
 /// The derivation of the model that `kind` belongs to.

@@ -47,7 +47,7 @@ struct ScalarClosure {
   std::string value;
 };
 
-/// A numbered matrix; one of `derivatives` holds d row / d column.
+/// A numbered matrix; if it is one of `derivatives`, its entries are d row / d column.
 struct MatrixDisplay {
   int number;
   DerivedMatrix matrix;

@@ -160,7 +160,7 @@ double formula_width(const std::string& formula) {
       width += 0.9;
     }
   }
-  bool low = false;  // behind an underscore letters are small
+  bool low = false;  // letters after an underscore are small
   for (const char c : formula) {
     const bool part = is_letter(c) || is_digit(c);
     low = part && (low || c == '_');

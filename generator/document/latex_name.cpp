@@ -27,7 +27,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
   return parts;
 }
 
-/// `{\mathit{BCG},x}` from the parts of a name behind its head.
+/// `{\mathit{BCG},x}` from the parts of a name after its head.
 std::string subscript(const std::vector<std::string>& parts, std::size_t from) {
   std::string text;
   for (std::size_t at = from; at < parts.size(); ++at) {
@@ -42,7 +42,7 @@ std::string subscript(const std::vector<std::string>& parts, std::size_t from) {
   return text.empty() ? "" : "_{" + text + "}";
 }
 
-/// The angle that a direction's name holds: `BCG_minus_CD`, `BCG_plus_psi_G_BCG`.
+/// The angle in the name of a direction: `BCG_minus_CD`, `BCG_plus_psi_G_BCG`.
 std::string angle_of(const std::string& letters) {
   std::string text;
   std::string rest = letters;
@@ -69,7 +69,7 @@ LatexName direction_name(const std::string& function, const std::string& letters
   return {function, "(" + angle_of(letters) + ")"};
 }
 
-/// `BCG_along_CD`: the component of a loop's vectors that turn with BCG along its closing vector.
+/// `BCG_along_CD`: of a loop's vectors that turn with BCG, the component along its closing vector.
 LatexName component_name(const std::string& turning, const std::string& sign,
                          const std::string& frame) {
   const std::string seen =

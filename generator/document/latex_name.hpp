@@ -5,7 +5,8 @@
 
 namespace assur::generator::document {
 
-/// A name in two parts, between which an exponent goes: `\cos` and `\theta`, or all and nothing.
+/// A name in two parts, between which an exponent goes: `\cos` and `\theta`; or the whole name and
+/// an empty text.
 struct LatexName {
   std::string head;
   std::string tail;

@@ -7,8 +7,8 @@
 
 namespace assur::generator::document {
 
-/// Text that is an audit file at once: names, closures and matrices are its statements, all else
-/// its comments.
+/// Text that is also an audit file: names, closures and matrices are its statements, all else its
+/// comments.
 [[nodiscard]] std::string derivation_text(const Derivation& derivation);
 /// A complete LaTeX document.
 [[nodiscard]] std::string derivation_latex(const Derivation& derivation);

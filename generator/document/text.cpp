@@ -1,4 +1,4 @@
-// Turns a derivation into text that is an audit file at once.
+// Turns a derivation into text that is also an audit file.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <sstream>
@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-/// A line broken before spaces, behind `lead` in every line but the first.
+/// A line broken at spaces; every line but the first begins with `lead`.
 std::string broken(const std::string& line, const std::string& lead) {
   std::string text;
   std::string rest = line;
   while (rest.size() > line_width) {
     std::size_t at = rest.rfind(' ', line_width);
-    // A sign stays with the term behind it.
+    // A sign stays with the term that follows it.
     while (at != std::string::npos && at > lead.size() &&
            std::string("+-").find(rest[at - 1]) != std::string::npos && rest[at - 2] == ' ') {
       at = rest.rfind(' ', at - 1);
@@ -66,7 +66,7 @@ class TextRenderer {
     separate();
     text_ += comment(heading.text);
   }
-  /// One empty comment, not two.
+  /// Adds an empty comment line, unless the text ends with one.
   void separate() { text_ += text_.ends_with("\n#\n") ? "" : "#\n"; }
 
   void show(const Table& table) {
@@ -129,7 +129,7 @@ class TextRenderer {
     const DerivedMatrix& matrix = display.matrix;
     const std::string number = "(" + std::to_string(display.number) + ")";
     if (display.derivatives) {
-      // Lines behind the first are rows, so the first is never broken.
+      // Every line after the first is read as a row, so the first is never broken.
       text_ += "# " + number + "\nprinted matrix " + matrix.name + " of " +
                text::joined(matrix.rows, " ") + " by " + text::joined(matrix.columns, " ") + "\n";
       for (const auto& row : matrix.entries) {

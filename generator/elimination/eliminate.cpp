@@ -251,8 +251,7 @@ Elimination eliminate(const equations::ClosureEquations& equations) {
     choices = {{remaining[0], nullptr}};
   } else {
     choices = {{remaining[0], remaining[1]}};
-    // An angle that is left with a displacement stays: the displacement is the simpler to
-    // eliminate.
+    // Of an angle and a displacement the angle stays: the displacement is simpler to eliminate.
     if (remaining[0]->is_angle() == remaining[1]->is_angle()) {
       choices.emplace_back(remaining[1], remaining[0]);
     }

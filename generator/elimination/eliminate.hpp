@@ -32,8 +32,8 @@ struct Elimination {
   std::string polynomial_text;       ///< the polynomial in the names that `record` gives it
 };
 
-/// The elimination of a rigid model. Of the possible choices of the final unknown the one of lowest
-/// generic degree is taken, the first of those.
+/// The elimination of a rigid model. Of the possible choices of the final unknown it takes the
+/// first that gives the lowest generic degree.
 [[nodiscard]] Elimination eliminate(const equations::ClosureEquations& equations);
 
 }  // namespace assur::generator::elimination

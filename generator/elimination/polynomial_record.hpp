@@ -8,7 +8,7 @@
 
 namespace assur::generator::elimination {
 
-/// Two equations by their coefficients in `second`, which hold only `first`.
+/// Two equations as polynomials in `second`, with coefficients that contain no unknown but `first`.
 [[nodiscard]] RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equations,
                                              const equations::Variable& second,
                                              const equations::Variable& first);

@@ -28,14 +28,14 @@ struct RecordedStep {
   std::string title;                  ///< `BCDEB squared: free of theta_CD`
   std::string rule;                   ///< why the step is allowed; formulas in backquotes
   std::vector<std::string> formulas;  ///< the rule in symbols, in the syntax of scene files
-  std::vector<const equations::Variable*> eliminated;  ///< the unknowns that no later step holds
+  std::vector<const equations::Variable*> eliminated;  ///< the unknowns that no later step contains
   std::vector<RecordedQuantity> quantities = {};
   std::vector<RecordedSeries> series = {};
   std::size_t vocabulary_size = 0;  ///< how many names there are once the step is done
 
-  /// Records a quantity and gives its symbol, so that later ones are written in it.
+  /// Records a quantity and returns its symbol, in which later quantities are written.
   GiNaC::symbol record(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
-  /// Likewise both components of a vector, but for those that are plain already.
+  /// Records both components of a vector, except those that are plain already.
   equations::Vector2 record(const std::string& name, const equations::Vector2& value,
                             const std::string& meaning);
   /// Records an equation, value = 0.

@@ -60,7 +60,7 @@ class LoopReduction {
     if (result_.equations.size() != result_.remaining.size() || result_.remaining.empty() ||
         result_.remaining.size() > 2) {
       throw GeneratorError("elimination", equations_.model->title(),
-                           "the reduction does not leave one equation in one unknown, or two in two");
+                           "the reduction leaves neither one equation nor two in as many unknowns");
     }
     return std::move(result_);
   }
@@ -122,7 +122,7 @@ class LoopReduction {
     finish(std::move(step));
   }
 
-  /// Displacements that occur in this loop and in no other.
+  /// Unknown angles, or else displacements, that occur in this loop and in no other.
   [[nodiscard]] std::vector<const equations::Variable*> own_unknowns(const LoopVector& loop,
                                                                      bool angles) const {
     std::vector<const equations::Variable*> own;
@@ -140,7 +140,7 @@ class LoopReduction {
 
   void reduce_loop(const LoopVector& loop) {
     const std::vector<const equations::Variable*> slides = own_unknowns(loop, false);
-    // Two slides that are all the unknowns there are: one of them stays for the final polynomial.
+    // If two displacements are the only unknowns, one of them stays for the final polynomial.
     if (slides.size() == 2 && equations_.unknowns.size() > 2) {
       solve_two_slides(loop, *slides[0], *slides[1]);
     } else if (!slides.empty()) {
@@ -150,7 +150,7 @@ class LoopReduction {
     }
   }
 
-  /// Loop . normal = 0 holds no displacement; loop . direction = 0 gives it back.
+  /// Loop . normal = 0 is free of the displacement; loop . direction = 0 gives it back.
   void project(const LoopVector& loop, const equations::Variable& slide) {
     const equations::Vector2 along = direction(loop.closure, slide);
     const equations::Vector2 rest = without(loop.closure, slide);
@@ -172,7 +172,7 @@ class LoopReduction {
     finish(std::move(step));
   }
 
-  /// Both components of the loop go into its two displacements.
+  /// Solves the two components of the loop for its two displacements.
   void solve_two_slides(const LoopVector& loop, const equations::Variable& first,
                         const equations::Variable& second) {
     const equations::Vector2 first_along = direction(loop.closure, first);

@@ -14,7 +14,7 @@ namespace assur::generator::elimination {
 struct BackSubstitution {
   const equations::Variable* unknown;
   std::vector<GiNaC::ex> numerators;  ///< a displacement's value; an angle's cosine and sine
-  GiNaC::ex denominator;              ///< one, or what must not vanish
+  GiNaC::ex denominator;              ///< one, or an expression that must not vanish
   std::string degeneracy;             ///< what the vanishing of the denominator means
 };
 

@@ -24,7 +24,7 @@ Vector2 rotated(const Vector2& direction, const Vector2& local) {
 }
 bool is_zero(const Vector2& vector) { return vector.x.is_zero() && vector.y.is_zero(); }
 
-/// A place reached by walking: its position, and the vectors walked, for reading.
+/// A place that a walk reaches: its position, and the names of the vectors walked, for reading.
 struct Place {
   Vector2 position;
   std::vector<std::string> vectors;
@@ -176,7 +176,7 @@ class ClosureWalk {
   /// The vector by which a joint's slide moves its second link against its first.
   Vector2 slide(JointIndex index) {
     const LinkIndex first = joint(index).first;
-    // Either link knows the direction; the one with fewer angles in it reads better.
+    // Either link gives the direction; the shorter sum of angles reads better.
     const bool first_is_plain =
         first == structure::base_link || frame(first).feature_of(index).direction.text() == "0";
     const AngleSum angle = line_angle(index, first_is_plain ? first : joint(index).second);

@@ -10,7 +10,7 @@
 
 namespace assur::generator::equations {
 
-/// One vector loop-closure equation: the chord joint reached on both sides coincides.
+/// One vector loop-closure equation: both walks to the chord joint reach the same place.
 struct LoopClosure {
   std::string name;             ///< `BCDEB`
   structure::JointIndex chord;  ///< the joint that closes the loop
@@ -25,7 +25,7 @@ struct LinkPose {
   Vector2 direction;  ///< (cos, sin) of `angle` in the names of the vocabulary
 };
 
-/// The link whose angle an unknown is, or the joint whose slide it is.
+/// The link whose angle an unknown is, or the joint whose displacement it is.
 using Owner = std::variant<structure::LinkIndex, structure::JointIndex>;
 
 /// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
@@ -39,13 +39,13 @@ struct ClosureEquations : ImplicitEquations {
   structure::LinkTable<LinkFrame> frames;
   structure::LinkTable<LinkPose> poses;
   std::vector<LoopClosure> loops;
-  /// Sums of angles that must vanish because prismatic joints alone close a loop. They hold no
-  /// unknown: a model that has any over-determines its angles.
+  /// Sums of angles that must vanish because prismatic joints alone close a loop. They contain no
+  /// unknown, so a model that has such a sum over-determines its angles.
   std::vector<AngleSum> compatibility;
 };
 
-/// `moves`: of each dimension, in order, whether it moves in time; it is an input then, behind the
-/// model's own. None move where the list ends.
+/// `moves`: for each dimension, in order, whether it varies in time. One that does is an input,
+/// after the model's own inputs. Dimensions beyond the end of the list are constant.
 [[nodiscard]] ClosureEquations closure_equations(const structure::Model& model,
                                                  const std::vector<bool>& moves = {});
 

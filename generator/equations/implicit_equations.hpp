@@ -10,7 +10,7 @@
 namespace assur::generator::equations {
 
 /// Scalar equations f(q, d, u) = 0 with unknowns q, dimensions d, which are held, and inputs u,
-/// which may move. Non-copyable: what is derived refers to the variables.
+/// which may move. Non-copyable, because angle sums and derivations point to the variables.
 struct ImplicitEquations {
   ImplicitEquations() = default;
   ImplicitEquations(const ImplicitEquations&) = delete;

@@ -29,7 +29,7 @@ struct LinkFrame {
   [[nodiscard]] const Feature& feature_of(structure::JointIndex joint) const;
 };
 
-/// A variable for a dimension, by its name, quantity and meaning; it stays where it is.
+/// Declares a dimension by its name, quantity and meaning. The variable must keep its address.
 using DeclareDimension =
     std::function<const Variable&(const std::string&, Variable::Quantity, const std::string&)>;
 

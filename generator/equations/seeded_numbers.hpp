@@ -14,7 +14,7 @@ class SeededNumbers {
  public:
   explicit SeededNumbers(unsigned seed) : engine_(seed) {}
 
-  // std::uniform_int_distribution differs between libraries; what is derived and judged must not.
+  // std::uniform_int_distribution differs between libraries; derivations and verdicts must not.
   int integer(int low, int high) {
     return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1));
   }
@@ -28,7 +28,7 @@ class SeededNumbers {
   }
 
  private:
-  // Compilers differ in which operand of a quotient they compute first, so each has a statement.
+  // Compilers differ in which operand of a quotient they compute first, so each has its statement.
   GiNaC::numeric quotient(int low, int high) {
     const GiNaC::numeric divisor = integer(1, 30);
     const GiNaC::numeric dividend = integer(low, high);

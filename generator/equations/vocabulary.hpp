@@ -15,7 +15,7 @@ namespace assur::generator::equations {
 
 /// A quantity with a name of its own: `BC_x`, the x-component of the vector from B to C.
 struct NamedQuantity {
-  /// What the quantity is of its definition.
+  /// Whether the quantity equals its definition, or the reciprocal or the square root of it.
   enum class Form : unsigned char { itself, reciprocal, square_root };
 
   GiNaC::symbol symbol;
@@ -35,25 +35,25 @@ class Vocabulary {
   /// Names both components `<name>_x` and `<name>_y` of a vector.
   Vector2 name(const std::string& name, const Vector2& definition, const std::string& meaning);
 
-  /// Gives a quantity a symbol of the caller's. It is not taken apart again: `expand` keeps it.
+  /// Gives a quantity the caller's symbol. `expand` keeps the symbol instead of the definition.
   void define(const GiNaC::symbol& symbol, const GiNaC::ex& definition, const std::string& meaning);
 
-  /// Names one over a denominator; `degeneracy` says what its vanishing means. A plain number is
-  /// inverted as it is.
+  /// Names one over a denominator; `degeneracy` says what its vanishing means. The reciprocal of a
+  /// number is returned as a number.
   GiNaC::ex name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                             const std::string& degeneracy);
 
   /// Names a square root and one over it, which its derivatives need; `degeneracy` says what it
   /// means that the radicand vanishes or is negative. A root that has a name already is returned
-  /// under that name, and that of a square number as it is.
+  /// under that name, and the root of a square number as a number.
   GiNaC::ex name_root(const std::string& name, const GiNaC::ex& radicand,
                       const std::string& degeneracy);
 
   /// The expression in variables alone, expanded; reciprocals and roots stay as they are.
   [[nodiscard]] GiNaC::ex expand(const GiNaC::ex& expression) const;
-  /// The total derivative, through the definitions, in names wherever names serve.
+  /// The total derivative, through the definitions, written in names where possible.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& expression, const Variable& variable) const;
-  /// The total derivatives by several variables. The expression is derived by each name only once.
+  /// The total derivatives by several variables; the derivative by each name is computed only once.
   [[nodiscard]] std::vector<GiNaC::ex> gradient(const GiNaC::ex& expression,
                                                 const VariableList& variables) const;
 
@@ -69,7 +69,7 @@ class Vocabulary {
 
   std::vector<NamedQuantity> quantities_;
   GiNaC::exmap expansions_;
-  /// Total derivatives by the names of quantity and variable. Each of them is derived only once.
+  /// Total derivatives by the names of quantity and variable, so that each is computed only once.
   mutable std::map<std::pair<std::string, std::string>, GiNaC::ex> slopes_;
 };
 

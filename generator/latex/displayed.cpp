@@ -15,7 +15,7 @@ namespace {
 struct Environment {
   std::string_view name;
   bool rows;              ///< each row is an equation
-  bool argument = false;  ///< it begins with one that says how columns look
+  bool argument = false;  ///< its argument describes its columns
 };
 constexpr std::array<Environment, 12> environments = {{{"equation", false},
                                                        {"align", true},
@@ -30,11 +30,11 @@ constexpr std::array<Environment, 12> environments = {{{"equation", false},
                                                        {"multline", false},
                                                        {"displaymath", false}}};
 
-/// The last of them is below the sections that equations belong to.
+/// Equations belong to parts, chapters and sections, but not to subsections.
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
 
-// Deeper nesting and longer equations than any person writes would exhaust the stack, or patience.
+// Equations with more nesting or tokens than any person writes would exhaust the stack or the time.
 constexpr int most_braces = 60;
 constexpr std::size_t longest_equation = 20000;
 
@@ -219,7 +219,7 @@ class Scanner {
       show(inside, counted);
       return;
     }
-    // A row that begins with a sign goes on with the one before it.
+    // A row that begins with a sign or relation continues the one before it.
     std::vector<Tokens> equations;
     for (const Tokens& row : rows_of(inside)) {
       if (!equations.empty() && continues(row)) {
@@ -237,7 +237,7 @@ class Scanner {
     return "line " + std::to_string(token.place.line);
   }
 
-  /// The tag if there is one, or the next number.
+  /// Adds an equation, with its tag if there is one, or else with the next number if it is counted.
   void show(const Tokens& equation, bool counted) {
     if (equation.empty()) {
       return;

@@ -1,4 +1,4 @@
-// Turns the tokens of a paper into its displayed equations, as they are numbered.
+// Turns the tokens of a paper into its displayed equations with their numbers.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ struct DisplayCommand {
   std::size_t number = 0;
 };
 
-/// The displayed equations from the first to the last. Formulas within the text are left out.
+/// The displayed equations in their order. Formulas within the text are left out.
 /// Throws FormulaError where an environment is not closed, and for files and conditions that are
 /// not followed.
 [[nodiscard]] std::vector<Displayed> displayed(

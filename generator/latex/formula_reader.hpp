@@ -1,5 +1,5 @@
-// Turns tokens, one after the other, into the tree of a formula: the parts of the reader share
-// where it stands.
+// Turns tokens, one after the other, into the tree of a formula; the parts of the reader share the
+// position that it has reached.
 #pragma once
 
 #include "latex/read_latex.hpp"
@@ -31,7 +31,7 @@ class FormulaReader {
   Expression whole();
 
  private:
-  // The place that is read, and trees that remember theirs.
+  // The position in the tokens, and trees that remember their places.
   [[noreturn]] void fail(const std::string& what, std::size_t at) const;
   void skip_spaces();
   Expression read(Tokens tokens, std::size_t at);

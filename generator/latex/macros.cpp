@@ -8,7 +8,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// No call in a paper needs as many; definitions that use each other have no end.
+/// No call in a paper needs as many replacements, but definitions that use each other have no end.
 constexpr std::size_t most_replacements = 20000;
 constexpr std::size_t most_tokens = 2000000;
 
@@ -115,7 +115,7 @@ class Expander {
     }
   }
 
-  /// What a group defines ends with it.
+  /// The definitions in a group end with it.
   void follow_group(const Token& token) {
     if (token.is("{") || token.is("\\begin")) {
       groups_.emplace_back();
@@ -229,7 +229,7 @@ class Expander {
   Tokens result_;
   std::map<std::string, Macro> macros_;
   using Definition = std::pair<std::string, std::optional<Macro>>;
-  std::vector<std::vector<Definition>> groups_;  ///< what stood before in those that are open
+  std::vector<std::vector<Definition>> groups_;  ///< former definitions, by open group
   bool global_ = false;                          ///< what is defined outlives its group
   /// How often each call in the file has been replaced, by its place. Calls within what replaces
   /// it have the same place and count with it.

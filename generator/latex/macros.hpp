@@ -10,7 +10,7 @@ namespace assur::generator::latex {
 /// Replaces what \newcommand, \renewcommand, \def and \DeclareMathOperator define, with arguments
 /// where they have some, and leaves the definitions out. A token of an argument keeps its place,
 /// one of a definition takes that of the call. `kept` are commands that are not replaced. Throws
-/// FormulaError for definitions of other forms that are used, and for those without end.
+/// FormulaError where a definition of another form is used, and where replacing does not end.
 [[nodiscard]] Tokens expanded(const Tokens& tokens, const std::set<std::string>& kept);
 
 }  // namespace assur::generator::latex

@@ -14,11 +14,11 @@ constexpr std::array<std::string_view, 38> symbol_names = {
     "sigma",    "tau",   "upsilon", "phi",    "varphi",  "chi",        "psi",   "omega",
     "vartheta", "Gamma", "Delta",   "Theta",  "Lambda",  "Xi",         "Sigma", "Upsilon",
     "Phi",      "Psi",   "Omega",   "ell",    "varrho",  "varsigma"};
-/// What sets letters in another shape and leaves their meaning.
+/// Commands that change the shape of letters, but not their meaning.
 constexpr std::array<std::string_view, 8> shapes = {"\\mathrm", "\\mathit", "\\text",
                                                     "\\textrm", "\\mathsf", "\\mathnormal",
                                                     "\\textit", "\\mathtt"};
-/// What makes another symbol of a letter.
+/// Commands that make another symbol of a letter.
 constexpr std::array<std::string_view, 15> accents = {
     "\\mathbf",   "\\boldsymbol", "\\bm",        "\\vec",     "\\bar",
     "\\overline", "\\hat",        "\\tilde",     "\\widehat", "\\mathcal",
@@ -64,7 +64,7 @@ bool glob(const std::string& pattern, std::size_t at, const std::string& text, s
     return from < text.size() && text[from] == pattern[at] &&
            glob(pattern, at + 1, text, from + 1, captured);
   }
-  // No superscript: it may be a power.
+  // A `?` stands for no superscript, which may be a power.
   for (std::size_t end = from + 1; end <= text.size() && text[end - 1] != '^'; ++end) {
     captured.push_back(text.substr(from, end - from));
     if (glob(pattern, at + 1, text, end, captured)) {
@@ -342,7 +342,7 @@ std::optional<Meaning> Notations::by_spelling(const Tokens& tokens, std::size_t 
   return Meaning{one ? spelled : without, atom->name, atom->power, atom->dots, atom->end};
 }
 
-/// `ab` may be a times b, or a quantity that is named so.
+/// `ab` may be a times b, or a quantity of that name.
 void Notations::refuse_words(const Tokens& tokens, std::size_t at) const {
   if (!tokens[at].is_letter() || (at > 0 && tokens[at - 1].is_letter())) {
     return;

@@ -19,7 +19,7 @@ struct Atom {
   std::size_t end = 0;  ///< behind it
 };
 
-/// The symbol that begins at a token, or nothing. Throws FormulaError for an index twice.
+/// The symbol that begins at a token, or nothing. Throws FormulaError for a second index.
 [[nodiscard]] std::optional<Atom> read_atom(const Tokens& tokens, std::size_t at);
 
 /// What a notation of the map stands for.
@@ -39,9 +39,9 @@ class Notations {
 
   explicit Notations(Declared declared) : declared_(std::move(declared)) {}
 
-  /// A notation may be several symbols, and a `?` in it stands for any text, which is put in place
-  /// of the `?` of the formula, in their order, commas as underscores; the last for all that
-  /// follow. An empty formula: the paper defines it.
+  /// A notation may be several symbols. Each `?` in it stands for any text, which replaces the `?`
+  /// of the formula in their order, with commas as underscores; the last text also replaces all
+  /// that follow. With an empty formula, the paper defines the quantity.
   void add(const Tokens& notation, const std::string& formula);
   /// Whether a notation was added already, however it is spelled.
   [[nodiscard]] bool contains(const Tokens& notation) const;

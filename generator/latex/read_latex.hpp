@@ -18,13 +18,13 @@ struct Reading {
   std::map<std::string, std::vector<std::string>> summed = {};
 };
 
-/// A formula, and where its parts stand: the column of a part counts in `places`, from 1.
+/// A formula, and the places of its parts: the column of a part is its number in `places`, from 1.
 struct LatexFormula {
   text::Expression tree;
   std::vector<Place> places;
 };
 
-/// The name in a tree of what the paper itself defines.
+/// The name that trees use for a quantity that the paper itself defines.
 [[nodiscard]] std::string printed_name(const std::string& notation);
 
 /// Throws FormulaError. `place` is where a formula that has no tokens should stand.

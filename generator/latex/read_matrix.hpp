@@ -16,7 +16,7 @@ struct LatexMatrix {
   Place place;
 };
 
-/// The matrix that the given tokens are as a whole; nothing if there is none in them. Throws
+/// The matrix that all the given tokens form; nothing if they contain none. Throws
 /// FormulaError for determinants, products with matrices and rows of different lengths.
 [[nodiscard]] std::optional<LatexMatrix> read_matrix(const Tokens& given);
 

@@ -19,7 +19,7 @@ class Depth {
  public:
   explicit Depth(bool brackets) : brackets_(brackets) {}
 
-  /// Whether the token stands outside; it is counted.
+  /// Whether the token stands outside. Call it for each token in turn.
   bool outside(const Token& token) {
     const bool opens = token.is("{") || token.is("\\begin") ||
                        (brackets_ && (token.is("(") || token.is("[") || token.is("\\{")));
@@ -71,8 +71,8 @@ bool has_relation(const Tokens& tokens) {
                      [&](const Token& token) { return depth.outside(token) && token.is("="); });
 }
 
-/// The equations that stand side by side: a mark ends one that has its relation where another with
-/// its own begins.
+/// The equations that stand side by side: an `&` ends an equation that has its `=` if another `=`
+/// follows.
 std::vector<Tokens> side_by_side(const Tokens& row) {
   const std::vector<Tokens> cells = cells_of(row);
   std::vector<Tokens> list(1);
@@ -106,7 +106,7 @@ std::vector<Tokens> system_rows(const Tokens& tokens, std::size_t& at) {
   return list;
 }
 
-/// Where a system of equations begins: at the start, but for an opening brace.
+/// Where a system of equations begins, at the start or behind a brace; else the number of tokens.
 std::size_t begin_of_system(const Tokens& tokens) {
   std::size_t at = 0;
   while (at < tokens.size() && (is_layout(tokens[at]) || tokens[at].is("\\{") ||

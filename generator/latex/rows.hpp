@@ -6,20 +6,20 @@
 namespace assur::generator::latex {
 
 [[nodiscard]] Tokens slice(const Tokens& tokens, std::size_t from, std::size_t to);
-/// What stands in the environment of which `at` is inside; `at` is moved behind its \end.
+/// What stands in the environment that begins before `at`; `at` is moved behind its \end.
 [[nodiscard]] Tokens take_environment(const Tokens& tokens, std::size_t& at,
                                       const std::string& name, const Token& opened);
-/// Between the line breaks that stand outside groups and inner environments; the last is left out
-/// if it is empty. \hline and widths of gaps are no part of them.
+/// The parts between line breaks outside groups and inner environments; the last one is left out if
+/// it is empty. \hline and widths of gaps are not part of them.
 [[nodiscard]] std::vector<Tokens> rows_of(const Tokens& tokens);
-/// Between the `&` that stand outside groups and inner environments.
+/// The parts between the `&` that stand outside groups and inner environments.
 [[nodiscard]] std::vector<Tokens> cells_of(const Tokens& row);
-/// Whether a row goes on with the one before it: it begins with a relation or a sign.
+/// Whether a row continues the one before it: it begins with a relation or a sign.
 [[nodiscard]] bool continues(const Tokens& row);
-/// The separate statements of a displayed equation: the rows of a system (`cases`, `aligned`), what
-/// \quad separates; without alignment marks and the punctuation at their ends.
+/// The separate statements of a displayed equation: the rows of a system (`cases`, `aligned`) and
+/// what \quad separates, without alignment marks and the punctuation at their ends.
 [[nodiscard]] std::vector<Tokens> statements_of(const Tokens& equation);
-/// The sides of a statement: between its `=` outside brackets. Throws FormulaError for other
+/// The sides of a statement, between its `=` outside brackets. Throws FormulaError for other
 /// relations.
 [[nodiscard]] std::vector<Tokens> sides_of(const Tokens& statement);
 

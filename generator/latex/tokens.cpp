@@ -98,7 +98,7 @@ class Tokenizer {
     advance(length);
   }
 
-  /// What a verbatim environment shows is no formula.
+  /// Skips a verbatim environment, which contains no formulas.
   void skip_verbatim() {
     if (tokens_.back().text != "}") {
       return;

@@ -49,7 +49,7 @@ template <typename List>
 [[nodiscard]] Tokens take_argument(const Tokens& tokens, std::size_t& at);
 /// The characters of tokens one after the other, as in the name of an environment.
 [[nodiscard]] std::string letters_of(const Tokens& tokens);
-/// Horizontal space that is no separation of formulas: `\,` and its like.
+/// Horizontal space that does not separate formulas: `\,` and the like.
 [[nodiscard]] bool is_thin_space(const Token& token);
 /// What changes the look of a formula and nothing else: `\displaystyle`, `\allowbreak`, `\left`.
 [[nodiscard]] bool is_layout(const Token& token);

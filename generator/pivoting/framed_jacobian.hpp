@@ -30,15 +30,15 @@ class FramedClosures {
     return frame_directions_[loop];
   }
 
-  /// d(closures)/d(variable), a component a row, in names of the vocabulary.
+  /// d(closures)/d(variable), one component per row, in names of the vocabulary.
   [[nodiscard]] std::vector<GiNaC::ex> derivative(const equations::Variable& variable) const;
   /// d2(closures)/dt2 for constant rates of the unknowns and the inputs: centripetal and Coriolis
   /// terms.
   [[nodiscard]] std::vector<GiNaC::ex> quadratic_rates() const;
-  /// An upper bound of a derivative's size, from the lengths alone: sums of |length|, one for a
-  /// direction.
+  /// An upper bound of each component of a derivative: by an angle, sums of |length| over the
+  /// vectors that turn with it; by a length, one for each vector that has it.
   [[nodiscard]] std::vector<GiNaC::ex> derivative_bound(const equations::Variable& variable) const;
-  /// An upper bound of each row's largest vector.
+  /// For each row, the sum of |length| over its loop's vectors that have an angle.
   [[nodiscard]] std::vector<GiNaC::ex> row_size() const;
 
  private:

@@ -33,8 +33,8 @@ std::vector<const equations::Variable*> variables_of(const equations::ClosureEqu
   return list;
 }
 
-/// The direction that a coefficient is. An angle enters it with the factor k for which turning the
-/// angle turns the coefficient k times as fast.
+/// The direction that a coefficient equals. An angle has the factor k in it if turning the angle
+/// turns the coefficient k times as fast.
 PolarTerm recognised_term(const equations::ClosureEquations& equations,
                           const equations::Variable& length,
                           const equations::Vector2& coefficient) {
@@ -86,7 +86,8 @@ bool occurs(const equations::Variable& unknown, const PolarLoop& loop) {
   });
 }
 
-/// Slides close a loop as well as links do; a slide's column has no length in it and goes first.
+/// Takes the frame of a slide or link whose unknown occurs in no other loop. Slides come first,
+/// since the column of a displacement contains no length.
 void choose_frame(const equations::ClosureEquations& equations, std::vector<PolarLoop>& loops,
                   std::size_t index) {
   PolarLoop& loop = loops[index];

@@ -48,7 +48,7 @@ bool is_negated(const GiNaC::ex& value) {
   return !GiNaC::is_a<GiNaC::symbol>(value) && GiNaC::is_a<GiNaC::symbol>(-value);
 }
 
-/// The name of a pivot that is one, without its sign.
+/// The text of a value without minus signs.
 std::string text_of(const GiNaC::ex& value) {
   std::ostringstream text;
   text << value;
@@ -126,7 +126,7 @@ void StructuredJacobian::order_elimination() {
     }
     return false;
   };
-  // A core of one is a core like any other: its pivot is where the group as a whole is singular.
+  // The last row is left as a core: its pivot tells where the group as a whole is singular.
   while (rows.size() > 1 && peel()) {
   }
   core_rows_ = rows;
@@ -156,7 +156,7 @@ std::string StructuredJacobian::readable(const GiNaC::ex& value) const {
   return text_of(value);
 }
 
-/// The determinant of a core of one or two, by its entries; of a larger one only its size.
+/// The determinant of a core of one or two rows in its entries; of a larger core only its size.
 std::string StructuredJacobian::core_text() const {
   const Core matrix = core();
   const auto product = [](const std::vector<GiNaC::ex>& factors, int sign) {

@@ -1,5 +1,5 @@
-// Turns the framed Jacobian into an order of elimination: what its zeros let be solved alone, and
-// the core that is solved at once.
+// Turns the framed Jacobian into an order of elimination: the unknowns that its zeros let be solved
+// one by one, and the core that is solved at once.
 #pragma once
 
 #include <string>
@@ -25,8 +25,8 @@ struct EliminationStep {
   std::size_t unknown;
 };
 
-/// The structure of J x = b in the frames of the loops: rows that hold a single unknown come first,
-/// unknowns that a single row holds come last, and between them stands the core, solved by Cramer's
+/// The structure of J x = b in the frames of the loops: rows with a single unknown come first,
+/// unknowns that occur in a single row come last, and between them is the core, solved by Cramer's
 /// rule. With the pivots, det J = sign * product of their values.
 class StructuredJacobian {
  public:
@@ -36,8 +36,8 @@ class StructuredJacobian {
   [[nodiscard]] const FramedClosures& closures() const { return closures_; }
   /// Names of the closures, the core's determinant and the one reciprocal.
   [[nodiscard]] const equations::Vocabulary& vocabulary() const { return vocabulary_; }
-  /// The core's determinant first, as a product where it is one; then what single steps divide by,
-  /// unless it is plus or minus one.
+  /// The core's determinant first, as its factors where it is a product of sines and cosines; then
+  /// the divisors of the single steps, except plus or minus one.
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
   [[nodiscard]] std::size_t core_pivot_count() const { return core_pivot_count_; }
   /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
@@ -46,8 +46,8 @@ class StructuredJacobian {
   /// det J as the product of its factors, for reading.
   [[nodiscard]] std::string determinant_text() const;
 
-  /// The solution of J x = b, for b in names. What occurs more than once is named in `names`, with
-  /// `label` for a prefix, and the solution itself by `symbols` where its unknown has one.
+  /// The solution of J x = b, for b in names. A component that needs a name is defined in `names`,
+  /// by the symbol of its unknown in `symbols` and with `meaning`.
   [[nodiscard]] std::vector<GiNaC::ex> solve(const std::vector<GiNaC::ex>& rhs,
                                              const std::vector<GiNaC::symbol>& symbols,
                                              const std::string& meaning,
@@ -68,7 +68,7 @@ class StructuredJacobian {
   [[nodiscard]] std::string readable(const GiNaC::ex& value) const;
   [[nodiscard]] Core core() const;
   void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);
-  /// row - sum of the entries times the values of the unknowns that are known already.
+  /// `rhs` minus the row's entries times the values of the unknowns in `solved`.
   [[nodiscard]] GiNaC::ex reduced(std::size_t row, const GiNaC::ex& rhs,
                                   const std::vector<GiNaC::ex>& solved) const;
 

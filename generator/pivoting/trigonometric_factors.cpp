@@ -49,7 +49,7 @@ struct Exponential {
 };
 
 /// The expression in squares of exponentials, times a monomial and a power of i; nothing if powers
-/// of i or odd powers of the exponentials stay behind.
+/// of i or odd powers of the exponentials are left.
 std::optional<GiNaC::ex> in_squares(const GiNaC::ex& expression,
                                     const std::vector<Exponential>& exponentials) {
   GiNaC::ex sum;
@@ -86,7 +86,7 @@ std::optional<GiNaC::ex> in_squares(const GiNaC::ex& expression,
   return sum;
 }
 
-/// a w^m - a w^n is a sine of the difference of the exponents, a sum of the two a cosine.
+/// Up to a monomial, a w^m - a w^n is a sine of m - n times the angle, and a w^m + a w^n a cosine.
 std::optional<TrigonometricFactor> binomial(const GiNaC::ex& factor,
                                             const std::vector<Exponential>& exponentials) {
   const std::vector<GiNaC::ex> terms = terms_of(factor.expand());
@@ -105,7 +105,7 @@ std::optional<TrigonometricFactor> binomial(const GiNaC::ex& factor,
     return std::nullopt;
   }
   result.sine = first.is_equal(-second);
-  // One of the two senses, the same in every process.
+  // Of the two signs of the angle, the same one is taken in every process.
   if (result.angle.terms().front().second < 0) {
     result.angle = equations::AngleSum() - result.angle;
   }

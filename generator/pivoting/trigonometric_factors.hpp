@@ -20,10 +20,10 @@ struct TrigonometricProduct {
   std::vector<TrigonometricFactor> factors;
 };
 
-/// The product that an expression in cosines and sines of the equations' angles is; nothing if it
-/// holds a length, or is no such product. With w = exp(2 i angle) for each angle, the expression is
-/// a polynomial over the rationals, up to a power of i and a monomial, and a factor of two terms is
-/// a cosine or a sine.
+/// Writes an expression in cosines and sines of the equations' angles as a product; nothing if it
+/// contains a length, or is no such product. With w = exp(2 i angle) for each angle, the expression
+/// is a polynomial over the rationals, up to a power of i and a monomial, and a factor of two terms
+/// is a cosine or a sine.
 [[nodiscard]] std::optional<TrigonometricProduct> trigonometric_product(
     const GiNaC::ex& expression, const equations::ClosureEquations& equations);
 

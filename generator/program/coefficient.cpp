@@ -7,7 +7,7 @@ namespace assur::generator::program {
 
 Coefficient::Coefficient(GiNaC::numeric value, GiNaC::ex origin)
     : value_(std::move(value)), origin_(std::move(origin)) {
-  // What vanishes or changes nothing but a sign is no matter of names.
+  // A coefficient of zero, one or minus one is written without names.
   if (is_zero() || !scales()) {
     origin_ = value_;
   }

@@ -7,7 +7,7 @@
 
 namespace assur::generator::program {
 
-/// A rational number, and the expression in named constants that it is: 25/16, which is `BC`.
+/// A rational number, and the expression in named constants that it equals: 25/16 as `BC`.
 /// Coefficients are compared by their values alone, and the first of equal ones gives its origin.
 class Coefficient {
  public:
@@ -20,7 +20,7 @@ class Coefficient {
   [[nodiscard]] const GiNaC::ex& origin() const { return origin_; }
   [[nodiscard]] bool is_zero() const { return value_.is_zero(); }
   [[nodiscard]] bool is_negative() const { return value_.is_negative(); }
-  /// Neither of 1 and -1.
+  /// Whether it is neither 1 nor -1.
   [[nodiscard]] bool scales() const { return value_ != 1 && value_ != -1; }
   [[nodiscard]] std::string text() const;  ///< of the value: `25/16`
   [[nodiscard]] Coefficient size() const { return is_negative() ? -*this : *this; }

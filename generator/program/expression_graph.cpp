@@ -7,7 +7,7 @@ namespace assur::generator::program {
 
 namespace {
 
-/// The symbol that occurs in most terms, the first of those, if it occurs in two or more.
+/// The symbol that occurs in the most terms, if these are two or more; of equals, the first.
 SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   std::map<SymbolRank, int> counts;
   for (const auto& [monomial, coefficient] : polynomial) {
@@ -30,16 +30,16 @@ SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
-/// Multiplications by the coefficients of a sum of monomials, all of them divided by a number.
+/// How many multiplications by coefficients a polynomial needs once these are divided by `divisor`.
 std::ptrdiff_t scalings(const Polynomial& polynomial, const GiNaC::numeric& divisor) {
   return std::count_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
     return !term.first.empty() && GiNaC::abs(term.second.value()) != divisor;
   });
 }
 
-/// The positive rational number by which all coefficients can be divided to coprime integers; one
-/// where these would be large, as they are for decimal fractions that have nothing in common, or
-/// where to multiply by it afterwards does not cost less.
+/// The positive rational number that divides all coefficients into coprime integers. It is replaced
+/// by one where these integers would be large, as for unrelated decimal fractions, and where taking
+/// it out saves no multiplication.
 Coefficient content_of(const Polynomial& polynomial) {
   constexpr int large = 20;
   GiNaC::numeric numerators = 0;
@@ -58,7 +58,7 @@ Coefficient content_of(const Polynomial& polynomial) {
   if (!in_common || scalings(polynomial, content) + 1 >= scalings(polynomial, 1)) {
     return 1;
   }
-  // A coefficient that is the content has its name.
+  // If a coefficient equals the content, the content takes its name.
   const auto same = std::find_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
     return GiNaC::abs(term.second.value()) == content;
   });
@@ -301,7 +301,7 @@ Measure ExpressionGraph::measure(NodeIndex index) const {
     measure.length += part.length;
     measure.time += part.time;
   }
-  // Terms measure the same, but for the lengths that are constants.
+  // All terms have the same measure, except that lengths that are constants are not counted.
   for (const ScaledNode& term : at.terms) {
     const Measure part = this->measure(term.node);
     const bool more = part.time != 0 || (measure.time == 0 && part.length != 0);

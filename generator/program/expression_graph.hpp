@@ -12,8 +12,8 @@
 namespace assur::generator::program {
 
 /// Additions (subtractions among them), multiplications, divisions and square roots. A change of
-/// sign is free, and so is what a compiler folds: numbers among themselves. To multiply by a number
-/// is a multiplication, by a power of two as well.
+/// sign is free, and so are operations on numbers alone, which a compiler folds. To multiply by a
+/// number is a multiplication, even by a power of two.
 struct OperationCount {
   std::size_t multiplications = 0;
   std::size_t additions = 0;
@@ -41,7 +41,7 @@ class ExpressionGraph {
   enum class Operation : unsigned char { constant, symbol, product, sum };
   struct Node {
     Operation operation;
-    SymbolRank symbol;               ///< none unless the node is a symbol
+    SymbolRank symbol;               ///< exists only if the node is a symbol
     std::vector<NodeIndex> factors;  ///< of a product, ascending, repeated for squares
     std::vector<ScaledNode> terms;   ///< of a sum, a positive one first if there is any
   };
@@ -55,9 +55,9 @@ class ExpressionGraph {
   /// most frequent first. `roots` are the results that must remain.
   void share_pairs(std::vector<ScaledNode>& roots);
 
-  /// Puts symbols in place of nodes wherever these are used: for each node the multiple of a symbol
-  /// that it is, and the root that defines the symbol by it and stays. Returns false if no root
-  /// changes.
+  /// Replaces nodes by symbols wherever they are used. For each node it takes the multiple of a
+  /// symbol that the node equals, and the place of the root that defines the symbol and keeps the
+  /// node. Returns false if no root changes.
   struct SymbolOfNode {
     ScaledNode value;
     std::size_t definition;
@@ -85,12 +85,12 @@ class ExpressionGraph {
   ScaledNode make_product(std::vector<NodeIndex> factors);
   ScaledNode make_sum(std::vector<ScaledNode> terms);
   static Key key_of(const Node& node);
-  /// Replaces the pair everywhere; returns false if no pair occurs twice.
+  /// Replaces the most frequent pair everywhere; returns false if there is no pair to share.
   bool share_factor_pair(std::vector<ScaledNode>& roots);
   bool share_term_pair(std::vector<ScaledNode>& roots);
   [[nodiscard]] NodeTable<bool> reachable(const std::vector<ScaledNode>& roots) const;
-  /// Rebuilds what the roots reach after nodes were rewritten or became symbols, merging equal
-  /// nodes.
+  /// Rebuilds the nodes that the roots reach after some were rewritten or became symbols, and
+  /// merges equal ones.
   void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten,
                const std::map<NodeIndex, SymbolOfNode>& symbols = {});
 

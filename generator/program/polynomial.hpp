@@ -15,10 +15,10 @@ using Monomial = std::vector<SymbolRank>;
 /// A polynomial: coefficients by monomial, in lexicographic order of the ranks.
 using Polynomial = std::map<Monomial, Coefficient>;
 
-/// The polynomial that an expression is in all symbols but constants; throws GeneratorError if it
-/// is none.
+/// An expression as a polynomial in all symbols but constants; throws GeneratorError if it is not a
+/// polynomial.
 [[nodiscard]] Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order);
-/// The expression that a polynomial is, its coefficients in the names of constants.
+/// A polynomial as an expression, with its coefficients in the names of constants.
 [[nodiscard]] GiNaC::ex expression(const Polynomial& polynomial, const SymbolOrder& order);
 
 }  // namespace assur::generator::program

@@ -57,7 +57,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     }
   }
   graph_.share_pairs(roots);
-  // A name in place of a part can make the whole one that has a name too.
+  // Once a part is replaced by its name, the whole may equal a quantity with a name, too.
   do {
     add_known(known, named, roots);
   } while (put_names(named, roots));

@@ -24,7 +24,7 @@ class Program {
     std::string name;
     ScaledNode value;
     equations::NamedQuantity::Form form =
-        equations::NamedQuantity::Form::itself;  ///< what the step is of the value
+        equations::NamedQuantity::Form::itself;  ///< the value, its reciprocal or its root
     std::string degeneracy;  ///< what it means that no reciprocal or root of the value exists
   };
   struct Assignment {
@@ -32,9 +32,9 @@ class Program {
     ScaledNode value;
   };
 
-  /// `order` ranks every symbol, the quantities' among them. Only quantities that the results need
-  /// are computed, and results that are zero are left out. What is computed for several steps gets
-  /// the name that it has among the `known` quantities of other programs, if it has one there.
+  /// `order` ranks every symbol, also those of the quantities. Only quantities that the results
+  /// need are computed, and results that are zero are left out. A value that is read several times
+  /// gets the name that it has among the `known` quantities of other programs, if it has one there.
   Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
           const std::vector<Result>& results,
           const std::vector<equations::NamedQuantity>& known = {});
@@ -54,10 +54,10 @@ class Program {
   [[nodiscard]] std::vector<std::string> reads() const;
 
  private:
-  /// Adds what is shared and known to what is named, and its definition to the roots.
+  /// Adds the known quantities that are shared to the named ones, and their values to the roots.
   void add_known(const std::vector<equations::NamedQuantity>& known,
                  std::vector<equations::NamedQuantity>& named, std::vector<ScaledNode>& roots);
-  /// Puts names in place of what they name; returns false if that changes nothing.
+  /// Replaces nodes by the names of the quantities that they equal; false if that changes nothing.
   bool put_names(const std::vector<equations::NamedQuantity>& named,
                  std::vector<ScaledNode>& roots);
   [[nodiscard]] bool is_computed(NodeIndex node) const;

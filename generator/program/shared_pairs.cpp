@@ -1,5 +1,5 @@
-// Turns an expression graph into one in which the pairs of factors and of terms that several of its
-// nodes have stand once.
+// Turns an expression graph into one in which every pair of factors or terms that several nodes
+// share is a node of its own.
 #include <algorithm>
 
 #include "program/expression_graph.hpp"

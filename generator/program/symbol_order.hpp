@@ -36,9 +36,9 @@ class SymbolOrder {
   [[nodiscard]] const GiNaC::symbol& symbol(SymbolRank rank) const { return entries_[rank].symbol; }
   [[nodiscard]] std::string name(SymbolRank rank) const { return symbol(rank).get_name(); }
   [[nodiscard]] const Measure& measure(SymbolRank rank) const { return entries_[rank].measure; }
-  /// The value of a constant, by its name; none for any other symbol.
+  /// The value of a constant, by its name; nothing for any other symbol.
   [[nodiscard]] std::optional<GiNaC::numeric> constant(const std::string& name) const;
-  /// The number that an expression in constants alone is; none for any other expression.
+  /// The value of an expression in constants alone; nothing for any other expression.
   [[nodiscard]] std::optional<GiNaC::numeric> number(const GiNaC::ex& expression) const;
 
  private:
@@ -49,11 +49,11 @@ class SymbolOrder {
   std::map<std::string, SymbolRank> ranks_;
   text::Table<SymbolRank, Entry> entries_;
   std::map<std::string, GiNaC::numeric> constants_;
-  GiNaC::exmap values_;  ///< the same by their symbols
+  GiNaC::exmap values_;  ///< the constants by their symbols
 };
 
 /// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities, and
-/// then those that are `known` beside them.
+/// then the `known` ones.
 [[nodiscard]] SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
                                        const equations::Vocabulary& vocabulary,
                                        const std::vector<equations::NamedQuantity>& known = {});

@@ -23,8 +23,8 @@ equations::Vector2 operator*(const GiNaC::ex& factor, const equations::Vector2& 
   return {(factor * vector.x).expand(), (factor * vector.y).expand()};
 }
 
-/// How the origin of a closure link's frame moves as one side reaches it: dp/dq, and what the time
-/// derivatives are without the unknowns' rates and without their second rates.
+/// How the origin of a closure link's frame moves, reached by one side: dp/dq, the velocity without
+/// the unknowns' rates, and the acceleration without their second rates.
 struct Origin {
   std::vector<equations::Vector2> by_unknown;
   equations::Vector2 velocity;
@@ -82,7 +82,7 @@ class SpecialPointDerivation {
     SpecialPoint point{
         link, GiNaC::symbol("S_" + word(link) + "_x"), GiNaC::symbol("S_" + word(link) + "_y"), {}};
     const Origin along_tree = tree_origin(link);
-    // The residual is what the walk to the chord's second link has ahead of the walk to its first.
+    // The residual is the chord's place on its second link minus that on its first.
     const int ahead = chord.second == link ? 1 : -1;
     const Origin through_chord = chord_origin(along_tree, loops[0], ahead);
     point.sides[0] = side(point, entry.other(link), along_tree);
@@ -127,9 +127,9 @@ class SpecialPointDerivation {
     return origin;
   }
 
-  /// Through the chord the origin is where the tree puts it, less `ahead` times the residual. That
-  /// is zero, but its derivatives hold other unknowns; the right-hand sides are minus what they
-  /// hold without them.
+  /// Through the chord the origin is where the tree puts it, minus `ahead` times the residual. The
+  /// residual is zero, but its derivatives contain other unknowns. The right-hand sides are the
+  /// negatives of its time derivatives without the unknowns' rates, or without their second rates.
   [[nodiscard]] Origin chord_origin(Origin origin, std::size_t loop, int ahead) const {
     const std::size_t row = 2 * loop;
     for (std::size_t k = 0; k < equations_.unknowns.size(); ++k) {
@@ -171,7 +171,7 @@ class SpecialPointDerivation {
   }
 
   /// Sets the line on which the two contributions of a side are parallel: their cross product is
-  /// zero. Returns why there is none, or nothing.
+  /// zero. Returns why there is no such line, or an empty text.
   [[nodiscard]] std::string find_line(const SpecialPoint& point, SpecialPointSide& side) const {
     const std::string where = "by " + word(side.by) + " link " + word(point.link);
     std::string movers;

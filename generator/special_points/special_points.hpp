@@ -1,5 +1,5 @@
-// Turns loop closures into special Assur points: the points of the closure links where every
-// unknown moves along one known direction, so that velocities follow from vector diagrams.
+// Turns loop closures into special Assur points: points of the closure links that the unknowns of a
+// side move along one known direction, so that velocities follow from vector diagrams.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 
 namespace assur::generator::special_points {
 
-/// What a point S of a closure link does as reached by one of its neighbours:
+/// The motion of a point S of a closure link, reached by one of its neighbours:
 ///   velocity      known_velocity + sum over k of contributions[k] dq_k/dt,
 ///   acceleration  known_acceleration + sum over k of contributions[k] d2q_k/dt2.
 /// On the line normal . S = offset all contributions are parallel to the normal.
 struct SpecialPointSide {
   structure::LinkIndex by;                        ///< the neighbour
-  std::vector<equations::Vector2> contributions;  ///< by unknown, of S
+  std::vector<equations::Vector2> contributions;  ///< for each unknown, in the coordinates of S
   std::vector<std::size_t> moving;  ///< the unknowns whose contribution is not zero everywhere
   equations::Vector2 normal;        ///< not of unit length
   GiNaC::ex offset;
-  equations::Vector2 known_velocity;      ///< of S and the inputs' rates
-  equations::Vector2 known_acceleration;  ///< of S, all rates, and the inputs' second rates
+  equations::Vector2 known_velocity;      ///< in S and the inputs' rates
+  equations::Vector2 known_acceleration;  ///< in S, all rates, and the inputs' second rates
 };
 
 /// The special point of one closure link: where the lines of its two sides cross.

@@ -17,7 +17,7 @@ using LinkTable = text::Table<LinkIndex, Item>;
 template <typename Item>
 using JointTable = text::Table<JointIndex, Item>;
 
-/// The frame, or whatever moving links the external joints attach to: none of the group's links.
+/// The frame, or the moving links that the external joints attach to; it is no link of the group.
 inline constexpr LinkIndex base_link{};
 
 /// A joint of a group. Its slide is measured from `first` to `second`.

@@ -49,7 +49,7 @@ std::vector<Model> orbits(const Group& group) {
   return models;
 }
 
-/// Kinds that an orbit and a printed row have in common.
+/// The number of kinds that an orbit and a printed row have in common.
 std::ptrdiff_t overlap(const Model& model, const PrintedRow& row) {
   return std::count_if(model.members.begin(), model.members.end(), [&](const Relabelling& member) {
     return std::find(row.kinds.begin(), row.kinds.end(), spell(*model.group, member.kind)) !=

@@ -12,8 +12,8 @@ class SceneError(Error, ValueError):
 class OverConstrained(SceneError):
     """A scene has more constraints than its links have freedoms.
 
-    ``surplus`` is the number of constraints too many, and ``joints`` has the names of the joints
-    among which they are.
+    ``surplus`` is the number of excess constraints, and ``joints`` has the names of the joints
+    among which these are.
     """
 
     surplus = 0

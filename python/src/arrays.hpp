@@ -1,4 +1,4 @@
-// Turns memory that an object owns into NumPy arrays that look into it and keep the object alive.
+// Turns memory that an object owns into NumPy arrays that view it and keep the object alive.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -11,7 +11,7 @@ namespace assur::python {
 
 namespace py = pybind11;
 
-/// A view that cannot be written to. `strides` are in bytes; the owner must not change any more.
+/// A view that cannot be written to. `strides` are in bytes; the owner must no longer change.
 [[nodiscard]] py::array view(const py::dtype& type, std::vector<py::ssize_t> shape,
                              std::vector<py::ssize_t> strides, const void* memory,
                              const py::object& owner);
@@ -23,13 +23,13 @@ template <typename Number>
               {static_cast<py::ssize_t>(sizeof(Number))}, numbers.data(), owner);
 }
 
-/// The numbers at a place of one row, a float where the shape is empty; of all rows, an array with
-/// a row for each.
+/// The numbers at a place of one row, as a float where the shape is empty; or those of all rows, as
+/// an array with one entry per row.
 [[nodiscard]] py::object numbers_at(const RowsView& of, std::size_t place,
                                     const std::vector<std::ptrdiff_t>& shape,
                                     const py::object& owner);
 
-/// Whether one row is regular; of all rows, an array.
+/// Whether one row is regular; for all rows, an array.
 [[nodiscard]] py::object regular_at(const RowsView& of, const py::object& owner);
 
 }  // namespace assur::python

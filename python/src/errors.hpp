@@ -11,7 +11,7 @@ namespace assur::python {
 
 namespace py = pybind11;
 
-/// A parameter, link, joint or output that is not there: `no output 'Q' (did you mean 'P'?)`.
+/// A parameter, link, joint or output that does not exist: `no output 'Q' (did you mean 'P'?)`.
 class UnknownName : public text::InputError {
  public:
   UnknownName(const std::string& what, const std::string& name,
@@ -30,11 +30,11 @@ class NotWanted : public text::InputError {
   using InputError::InputError;
 };
 
-/// Registers how these, and the library's, are raised.
+/// Registers how these errors, and the library's, are raised as exceptions of Python.
 void translate_errors();
 
-/// What `use` returns; what it throws of a mechanism is told with the scene's file ahead, as the
-/// command does.
+/// Returns what `use` returns. An error of the mechanism that it throws gets the scene's file in
+/// front, as in the command.
 template <typename Use>
 auto in_scene(const std::string& file, const Use& use) {
   try {

@@ -13,29 +13,29 @@
 
 namespace assur::python {
 
-/// A text of Python. Throws ShapeError for what is none, or cannot be told in UTF-8.
+/// A text of Python in UTF-8. Throws ShapeError for a value that is no text or has no UTF-8.
 [[nodiscard]] std::string utf8_of(const py::handle& value, const std::string& what);
-/// A whole number from zero. Throws ShapeError for what is none.
+/// A whole number, zero or more. Throws ShapeError for any other value.
 [[nodiscard]] std::uint64_t whole_number(const py::handle& value, const std::string& what);
-/// Likewise where the library counts by int.
+/// The same where the library counts by int.
 [[nodiscard]] int place_number(const py::handle& value, const std::string& what);
 
 /// An argument that is given by its place; its name ends in a space, which the name of no parameter
-/// does, so that no keyword meets it.
+/// does, so that no keyword can name it.
 using ByPlace = py::arg;
 
 /// Values by names; a keyword goes before the same name in the mapping.
 using Given = std::vector<std::pair<std::string, py::object>>;
 [[nodiscard]] Given given(const py::object& mapping, const py::kwargs& keywords);
 
-/// `NAME=EXPR` of numbers and of texts of expressions, as scenes are read with.
+/// Settings `NAME=EXPR`, as scenes are read with, from numbers and texts of expressions.
 [[nodiscard]] std::vector<std::string> settings_of(const Given& given);
 
 /// A number for each of some parameters. Throws UnknownName, and ShapeError for what is no number.
 [[nodiscard]] std::vector<std::pair<std::string, double>> numbers_of(
     const mechanism::Mechanism& mechanism, const Given& given);
 
-/// Parameters, and an array of as many values for each of them.
+/// Parameters, and an array of `count` values for each of them.
 struct Columns {
   std::vector<mechanism::ParameterIndex> parameters;
   std::vector<py::array_t<double>> values;

@@ -1,4 +1,4 @@
-// Turns a plan into the layout of a row of numbers: what is told of one configuration, and where.
+// Turns a plan into the layout of a row: which numbers of one configuration it holds, and where.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@
 
 namespace assur::python {
 
-/// In place of an extent: as many as the mechanism has parameters.
+/// Stands for an extent: the number of the mechanism's parameters.
 inline constexpr std::ptrdiff_t parameters = -1;
 
-/// What a scene has to ask for.
+/// What a scene has to ask for so that a field is in the row.
 enum class Need : unsigned char {
   position,
   velocity,
@@ -23,7 +23,7 @@ enum class Need : unsigned char {
   spread
 };
 
-/// Numbers that are told of a link, a slide or an output, in a row-major array.
+/// Numbers of a link, a slide or an output, in a row-major array.
 template <typename Part>
 struct Field {
   const char* name;
@@ -33,7 +33,7 @@ struct Field {
   const char* meaning;  ///< for the docstring
 };
 
-/// All that is told of a part: mechanism::Frame, mechanism::SlideState or mechanism::Point.
+/// All fields of a part: mechanism::Frame, mechanism::SlideState or mechanism::Point.
 template <typename Part>
 [[nodiscard]] const std::vector<Field<Part>>& fields();
 
@@ -43,7 +43,7 @@ struct Section {
 
   std::vector<std::string> names;    ///< of the parts
   std::size_t first = 0, width = 0;  ///< of the first part; of each of them
-  std::vector<std::size_t> offsets;  ///< of each field in a part; none where it is not wanted
+  std::vector<std::size_t> offsets;  ///< of each field in a part; `none` if it is not wanted
 
   [[nodiscard]] std::size_t end() const { return first + names.size() * width; }
 };
@@ -55,12 +55,12 @@ struct Layout {
   [[nodiscard]] std::size_t width() const { return outputs.end(); }
   template <typename Part>
   [[nodiscard]] const Section& section() const;
-  /// Writes what a configuration has to tell; what is not known is NaN.
+  /// Writes the numbers of a configuration; those that are not known are NaN.
   void write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
              const mechanism::Spread& spread, double* row) const;
 
   std::vector<mechanism::LinkIndex> link_of;    ///< in the order of the section
-  std::vector<mechanism::JointIndex> slide_of;  ///< likewise
+  std::vector<mechanism::JointIndex> slide_of;  ///< in the order of its section
   Section links, slides, outputs;
   std::ptrdiff_t parameter_count;
 };

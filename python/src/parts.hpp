@@ -1,4 +1,4 @@
-// Turns rows into what is told of each link, slide and output, by its name.
+// Turns rows into the numbers of each link, slide and output, by its name.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ struct Parts {
   RowsView of;
 };
 
-/// One of them.
+/// One of these parts.
 template <typename Part>
 struct PartState {
   RowsView of;

@@ -13,7 +13,7 @@ namespace {
 
 using Asked = SolvedScene::Asked;
 
-/// A group as the command tells of it.
+/// A group as the command prints it.
 struct GroupOfPlan {
   int assur_class;
   std::string kind;

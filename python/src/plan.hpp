@@ -1,4 +1,4 @@
-// Turns a scene, once, into what any number of values is solved with.
+// Turns a scene, once, into a plan that solves any number of sets of values.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,4 +1,4 @@
-// Turns configurations into rows of numbers, which arrays look into.
+// Turns configurations into rows of numbers, of which arrays are views.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 
 namespace assur::python {
 
-/// Rows of one layout, in one piece of memory; nothing is added once an array looks into it.
+/// Rows of one layout, in one piece of memory; no row is added once an array is a view of it.
 class Rows {
  public:
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout)
       : plan_(std::move(plan)), layout_(std::move(layout)) {}
 
-  /// Makes room for so many rows.
+  /// Makes room for a number of rows.
   void reserve(std::size_t rows);
   void add(const mechanism::Configuration& configuration, const mechanism::Spread& spread);
 
@@ -25,7 +25,7 @@ class Rows {
   [[nodiscard]] const double* row(std::size_t at) const {
     return numbers_.data() + at * layout_->width();
   }
-  /// One byte for each row, one where it is regular.
+  /// One byte for each row, 1 where it is regular.
   [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
 
  private:

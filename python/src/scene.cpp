@@ -92,7 +92,7 @@ std::string page(const Scene& scene) {
   });
 }
 
-/// Nothing where there is no picture: a notebook shows the text then.
+/// None where there is no picture: a notebook then shows the text.
 py::object picture_of_scene(const Scene& scene) {
   try {
     return py::str(svg_of_scene(scene, py::int_(0), false));

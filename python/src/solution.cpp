@@ -109,7 +109,7 @@ std::string svg_of_one(const SolvedConfiguration& one) {
   return svg(*one.solution, {number, false});
 }
 
-/// Nothing where there is no picture: a notebook shows the text then.
+/// None where there is no picture: a notebook then shows the text.
 template <typename Solved>
 py::object picture(const Solved& solved, std::string (*svg)(const Solved&)) {
   try {

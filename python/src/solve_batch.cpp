@@ -18,7 +18,7 @@ struct SolvedBatch : RowsView {
   std::vector<std::int64_t> item, configuration, offsets;
 };
 
-/// What an item is refused for is told with its place.
+/// Solves an item. An error names the item by its place.
 void solve_item(const mechanism::Plan& plan, const Columns& columns, py::ssize_t item,
                 mechanism::Values& values, mechanism::Solution& solution) {
   try {

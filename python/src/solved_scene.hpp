@@ -1,4 +1,4 @@
-// Turns solutions into objects whose arrays look into rows of numbers.
+// Turns solutions into objects whose arrays are views of rows of numbers.
 #pragma once
 
 #include <assur/mechanism/report.hpp>
@@ -16,7 +16,7 @@ struct SolvedScene : RowsView {
   /// What is solved for: all configurations, the one of a number, or the nearest to the reference.
   enum class Asked : unsigned char { all, numbered, nearest };
 
-  /// Throws as Plan::solve and its like do, with the scene's file ahead.
+  /// Throws as Plan::solve, solve_one and solve_nearest do, with the scene's file in front.
   SolvedScene(SharedPlan of, Replaced replaced_values, Asked what = Asked::all,
               std::size_t number = 0);
 
@@ -26,14 +26,14 @@ struct SolvedScene : RowsView {
   std::optional<mechanism::Nearest> nearest;
   Asked asked;
   std::size_t asked_number;
-  /// Rates of the motions through each configuration; null where there is one alone.
+  /// Rates of the motions through each configuration; null where there is only one motion.
   std::vector<std::shared_ptr<const Rows>> branches;
 
   /// The values that were solved.
   [[nodiscard]] mechanism::Values values() const { return planned->plan.values(replaced); }
-  /// What the command says of it.
+  /// The report that the command prints.
   [[nodiscard]] mechanism::Report report(const mechanism::Values& values) const;
-  /// Of the configuration in a row; none where it is not known.
+  /// The number of the configuration in a row; nothing where it is not known.
   [[nodiscard]] std::optional<std::size_t> number_of(std::size_t at) const;
 
  private:

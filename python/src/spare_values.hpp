@@ -17,8 +17,8 @@ using Replaced = std::vector<std::pair<std::string, double>>;
 /// depends on these is evaluated again, and nothing else.
 class SpareValues {
  public:
-  /// What `use` returns, which is called with values that have numbers in place of some parameters'
-  /// formulas. Threads that come together make values of their own.
+  /// Calls `use` with values that have numbers in place of some parameters' formulas, and returns
+  /// its result. Of threads that call at the same time, all but one make values of their own.
   template <typename Use>
   auto with(const mechanism::Plan& plan, const Replaced& replaced, const Use& use) {
     std::optional<Values> values = take(replaced);

@@ -100,7 +100,7 @@ class Collector {
   std::map<const SweptRows*, Rows*> rows_of_;
 };
 
-/// The sweep gives its own parameter its values.
+/// Throws MechanismError for a value of the swept parameter, which the sweep itself sets.
 void expect_others(const PlannedScene& planned, const Replaced& replaced) {
   const auto& sweep = planned.plan.request().sweep;
   for (const auto& [name, value] : replaced) {

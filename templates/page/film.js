@@ -1,6 +1,6 @@
-// Turns the data of the page into branches that can be asked where they are at any place of the sweep.
+// Turns the data of the page into branches, whose points are known at any place of the sweep.
 
-/** What the page was made with: the data of `film_json.hpp`, with places relative to `origin`. */
+/** The data of the page, which `film_json.hpp` writes with places relative to `origin`. */
 function madeWith() {
   const data = JSON.parse(document.getElementById("film").textContent);
   for (const branch of data.branches) {
@@ -11,13 +11,13 @@ function madeWith() {
   return data;
 }
 
-/** Numbers of 32 bits out of base 64. */
+/** Numbers of 32 bits from text in base 64. */
 function numbersOf(text) {
   const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
   return new Float32Array(bytes.buffer);
 }
 
-/** Rows of numbers that begin with x and y each, with the scene's own coordinates for these. */
+/** Rows of numbers, each of which begins with x and y, with x and y in the scene's coordinates. */
 function placed(numbers, width, origin) {
   const there = Float64Array.from(numbers);
   for (let at = 0; at < there.length; at += width) {
@@ -27,7 +27,7 @@ function placed(numbers, width, origin) {
   return there;
 }
 
-/** What a tenth of some numbers are above; 0 of none. */
+/** The number that about a tenth of some numbers exceed; 0 if there are no numbers. */
 function nearlyLargest(numbers) {
   numbers.sort((one, other) => one - other);
   return numbers.length === 0 ? 0 : numbers[Math.floor(0.9 * (numbers.length - 1))];
@@ -48,7 +48,7 @@ class Rows {
     this.count = count;
   }
 
-  /** The row at a place between two steps, linear between them; null where the branch is not. */
+  /** The row at a place between two steps, linear between them; null where there is no branch. */
   at(place) {
     const step = Math.min(Math.floor(place), this.count - 1);
     const part = place - step;
@@ -67,8 +67,8 @@ class Rows {
   }
 }
 
-/** A branch: where its points are, its outputs as x, y, vx, vy, ax, ay each, and how they vary, as
- * the variance of x, the covariance and the variance of y each, if they do. */
+/** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; and, if outputs vary,
+ * the variance of x, the covariance and the variance of y of each output. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
@@ -84,8 +84,8 @@ class Branch {
     this.widest = this.widestSpread();
   }
 
-  /** The curves of all outputs, in parts of the size of the branch from the corner of its box:
-   * browsers drop curves whose coordinates are very small. */
+  /** The curves of all outputs, from the corner of the branch's box and relative to its size,
+   * because browsers drop curves whose coordinates are very small. */
   wayOfOutputs() {
     const way = new Path2D();
     const [left, low] = this.box;
@@ -104,8 +104,8 @@ class Branch {
     return way;
   }
 
-  /** The largest length of a vector of the outputs. Beside dead centres they have no bound, so that
-   * a tenth of all is left out. */
+  /** The largest length of a vector of the outputs. Near dead centres lengths have no bound, so the
+   * longest tenth is left out. */
   longestOf(offset) {
     const lengths = [];
     const { numbers } = this.outputs;
@@ -118,7 +118,7 @@ class Branch {
     return nearlyLargest(lengths);
   }
 
-  /** How far outputs vary, likewise. */
+  /** The largest deviation of the outputs, also without the largest tenth. */
   widestSpread() {
     const deviations = [];
     const { numbers } = this.spreads;
@@ -131,7 +131,7 @@ class Branch {
     return nearlyLargest(deviations);
   }
 
-  /** The ends of all that is seen of it: [least x, least y, greatest x, greatest y]. */
+  /** The box of the branch: [least x, least y, greatest x, greatest y]. */
   extent() {
     const box = [Infinity, Infinity, -Infinity, -Infinity];
     const include = (rows, width) => {
@@ -151,7 +151,7 @@ class Branch {
     return box;
   }
 
-  /** Whether its last step is where its first one is, so that it can go on from there. */
+  /** Whether the last step is at the place of the first, so that the branch can go round. */
   isClosed(size) {
     const first = this.points.at(0);
     const last = this.points.at(this.points.count - 1);
@@ -160,8 +160,8 @@ class Branch {
   }
 }
 
-/** By how much ellipses are drawn larger than they are, so that the widest takes a tenth of the
- * picture or nearly: 1, 2 or 5 times a power of ten; 0 where nothing varies. */
+/** The factor by which ellipses are enlarged, so that the widest is at most a tenth of the picture:
+ * 1, 2 or 5 times a power of ten; 0 where nothing varies. */
 function magnification(widest, size) {
   if (!(widest > 0)) {
     return 0;

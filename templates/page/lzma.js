@@ -1,14 +1,14 @@
-// Turns bytes that were packed as LZMA into those that they were: no browser does it by itself.
+// Turns bytes that were packed as LZMA into the original bytes, which no browser does by itself.
 "use strict";
 
-/** What is packed in a file of the format `.lzma` that has a mark at its end. */
+/** The content of a file of the format `.lzma` that has an end marker. */
 function unpacked(packed) {
   const [contextBits, placeBits, positionBits] =
     [packed[0] % 9, Math.floor(packed[0] / 9) % 5, Math.floor(packed[0] / 45)];
   const chances = (count) => new Uint16Array(count).fill(1024);
   let out = new Uint8Array(1 << 20);
   let size = 0;
-  let next = 14;  // behind the head, and behind a byte that is always zero
+  let next = 14;  // after the header, and a byte that is always zero
   let range = 0xFFFFFFFF;
   let code = 0;
   for (let byte = 0; byte < 4; ++byte) {
@@ -21,7 +21,7 @@ function unpacked(packed) {
       code = (code << 8 | packed[next++]) >>> 0;
     }
   };
-  /** A bit whose chance to be zero is known, and is learnt from it. */
+  /** A bit, decoded by its probability of being zero, which is then adapted to the bit. */
   const bit = (known, at) => {
     const bound = (range >>> 11) * known[at];
     const isOne = code >= bound;
@@ -98,7 +98,7 @@ function unpacked(packed) {
     out[size++] = byte;
   };
   const literals = chances(0x300 << (contextBits + placeBits));
-  /** A byte of its own; after a copy, the byte that would have gone on tells what it is not. */
+  /** A literal byte; after a copy it differs from `differs`, the byte that would have come next. */
   const literal = (differs) => {
     const before = size > 0 ? out[size - 1] : 0;
     const at = 0x300 * (((size & (1 << placeBits) - 1) << contextBits) + (before >> (8 - contextBits)));
@@ -121,8 +121,8 @@ function unpacked(packed) {
   const [isRepeated, isOlder, isThird, isFourth] = [0, 1, 2, 3].map(() => chances(12));
   const [fresh, repeated] = [lengths(), lengths()];
   let state = 0;
-  let last = [0, 0, 0, 0];  // how far away, less one, the last four copies came from
-  /** Puts the distance that is used again in front. */
+  let last = [0, 0, 0, 0];  // the distances of the last four copies, each less one
+  /** Moves the distance that is used again to the front. */
   const again = () => {
     const used = bit(isThird, state) === 0 ? 1 : bit(isFourth, state) === 0 ? 2 : 3;
     last = [last[used], ...last.filter((_, place) => place !== used)];

@@ -1,6 +1,6 @@
-// Turns what the reader does, and time, into what the page shows.
+// Turns the reader's actions and time into what the page shows.
 
-/** A sweep takes so many seconds. */
+/** The duration of a sweep. */
 const sweepSeconds = 6;
 
 class Page {
@@ -19,7 +19,7 @@ class Page {
     requestAnimationFrame((now) => this.tick(now));
   }
 
-  /** Shows a film, at the place where another one was. */
+  /** Shows a film, at the place in the sweep where the film before it was. */
   use(film) {
     const part = this.film && this.film.count > 1 ? this.place / (this.film.count - 1) : 0;
     this.film = film;

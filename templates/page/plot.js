@@ -1,6 +1,6 @@
 // Turns a quantity of an output into its curve along the sweep.
 
-/** What can be plotted, of a row x, y, vx, vy, ax, ay. */
+/** The quantities that can be plotted, computed from a row x, y, vx, vy, ax, ay. */
 const quantities = [
   ["x", (row) => row[0]],
   ["y", (row) => row[1]],
@@ -52,11 +52,11 @@ class Plot {
     const curves = shown.map((branch) => [branch, known.get(branch.number)]);
     const own = curves.find(([branch]) => branch.number === options.chosen)[1].filter(Number.isFinite);
     const all = curves.flatMap(([, values]) => values).filter(Number.isFinite);
-    // Beside dead centres rates have no bound: the scale is that of the branch that is looked at.
+    // Near dead centres rates have no bound, so the scale is that of the chosen branch.
     const bounded = quantity === "x" || quantity === "y" || own.length === 0 ? all : own;
     let low = Math.min(...bounded);
     let high = Math.max(...bounded);
-    // What differs by rounding alone is constant.
+    // Values that differ by rounding alone count as constant.
     const isConstant = !(high - low > 1e-6 * Math.max(Math.abs(low), Math.abs(high)));
     [low, high] = isConstant ? [low - 1, high + 1] : [low, high];
     context.font = "12px system-ui, sans-serif";

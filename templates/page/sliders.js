@@ -1,10 +1,11 @@
-// Turns what the reader sets parameters to into films of the mechanism at these values.
+// Turns values that the reader sets for parameters into films of the mechanism at these values.
 
-/** A slider and a field for each parameter of the scene. Only the last values that were set are
- * solved: what was set while the solver was busy with others is left out. */
+/** A slider and a field for each parameter of the scene. Values that were set while the solver was
+ * busy are solved only if they are the last ones. */
 class Sliders {
-  /** `show` takes a film; `tell` takes why there is none, or nothing, and whether there ever was
-   * one. First the page's own values are solved: where that fails, the browser cannot. */
+  /** `show` takes a film. `tell` takes the reason why there is none, or an empty text, and whether
+   * any film was solved so far. The page's own values are solved first: if that fails, the browser
+   * cannot solve at all. */
   constructor(place, scene, show, tell) {
     [this.show, this.tell] = [show, tell];
     this.scene = scene;
@@ -20,7 +21,7 @@ class Sliders {
     this.solve();
   }
 
-  /** Half of a value to either side; about zero, a tenth of the largest value there is. */
+  /** The range of a slider to either side: half of the value, or for 0 a tenth of the largest. */
   reach(value) {
     const largest = Math.max(...[...this.made.values()].map(Math.abs));
     return Math.abs(value) / 2 || largest / 10 || 1;
@@ -52,7 +53,7 @@ class Sliders {
     field.value = Number(value.toPrecision(12));
   }
 
-  /** A field that holds no number goes back to the value that there was. */
+  /** Sets a parameter. If `value` is not a number, the field returns to the value before. */
   set(name, value) {
     const before = this.changed.get(name) ?? this.made.get(name);
     const now = Number.isFinite(value) ? value : before;

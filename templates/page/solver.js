@@ -1,14 +1,14 @@
 // Turns a scene and values of its parameters into the data of a page, in a thread of its own.
 
-/** What the thread runs: the mechanism library as a module of WebAssembly. It is told the module
- * once, packed, and then one question after the other, each of which it answers. */
+/** The code that the thread runs: the mechanism library as a module of WebAssembly. The thread is
+ * sent the packed module once, and then one question after the other, each of which it answers. */
 function solverThread() {
   let library = null;  // as a promise
   let memory = null;
   let calls = null;
 
   const start = async () => {
-    // The library opens no file; to what it asks of a system the answer is an error.
+    // The library opens no file, so every call of a system function returns an error.
     const noSystem = new Proxy({}, { get: () => () => 8 });
     const { exports } = await WebAssembly.instantiate(await library, { wasi_snapshot_preview1: noSystem });
     exports._initialize();
@@ -45,13 +45,13 @@ function solverThread() {
       }
       postMessage(answer(data));
     } catch (error) {
-      calls = null;  // what stopped in the middle does not go on
+      calls = null;  // a module that stopped in the middle cannot go on
       postMessage({ obstacle: `the solver stopped: ${error.message}` });
     }
   };
 }
 
-/** Solves a scene of the page, for one who waits for each answer before asking again. */
+/** Solves a scene of the page. The caller must wait for each answer before it asks again. */
 class Solver {
   constructor(scene) {
     this.scene = scene;
@@ -60,7 +60,7 @@ class Solver {
     this.thread.postMessage({ module: scene.module });
   }
 
-  /** The data of the page at values of parameters; an error where there is nothing to show. */
+  /** The data of the page at values of parameters; rejects with an error if there is none. */
   solve(values) {
     const settings = Object.entries(values).map(([name, value]) => `${name}=${value}`);
     return new Promise((resolve, reject) => {

@@ -1,6 +1,6 @@
 // Turns a place of the film into a picture of the mechanism on a canvas.
 
-/** The colours of the page's style that were asked for: to ask takes long. */
+/** The colours of the page's style that were read so far, since reading takes long. */
 const knownColours = new Map();
 
 /** A colour of the page's style. */
@@ -12,7 +12,7 @@ function colour(name) {
   return knownColours.get(name);
 }
 
-/** A canvas as large as it is seen, in pixels of the screen; returns its context in pixels of CSS. */
+/** Clears a canvas, at the size in which the screen shows it; returns its context in CSS pixels. */
 function cleared(canvas) {
   const ratio = window.devicePixelRatio || 1;
   const width = Math.round(canvas.clientWidth * ratio);
@@ -30,7 +30,7 @@ function cleared(canvas) {
 }
 
 class Stage {
-  /** Its `film` is set before it draws, and may be set again. */
+  /** `film` must be set before `draw` is called, and may be set again. */
   constructor(canvas) {
     this.canvas = canvas;
     this.cornersOfNames = new Map();
@@ -70,7 +70,7 @@ class Stage {
     this.scale();
   }
 
-  /** The step of a branch that is nearest to a place where it is not. */
+  /** The step of a branch that is nearest to a place where the branch does not exist. */
   nearest(branch, place) {
     let best = 0;
     let least = Infinity;
@@ -154,7 +154,7 @@ class Stage {
     context.restore();
   }
 
-  /** What stands still: supports, guides and slots of the ground. */
+  /** Draws what does not move: supports, guides and slots of the ground. */
   ground(points) {
     this.context.strokeStyle = colour("muted");
     for (const shape of this.film.shapes.filter((one) => one.fixed && one.symbol !== "tracer")) {
@@ -199,7 +199,7 @@ class Stage {
     this.context.strokeStyle = edge;
   }
 
-  /** A rectangle about a line, on the page's ground. */
+  /** A rectangle about a line, filled with the colour of the page. */
   rectangle(from, to, half) {
     const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
     const aside = [-half * (to[1] - from[1]) / length, half * (to[0] - from[0]) / length];
@@ -211,7 +211,7 @@ class Stage {
     this.context.stroke();
   }
 
-  /** From back to front. */
+  /** Draws the links from back to front. */
   links(points, branch) {
     const order = ["plate", "bar", "rod", "tube", "guide", "slot", "block", "pin", "tracer"];
     const own = colour(`c${branch.colour}`);
@@ -267,7 +267,7 @@ class Stage {
     }
   }
 
-  /** About each output the ellipse of its covariance, which a circle becomes by a root of it. */
+  /** The ellipse of each output's covariance: the image of a circle under a root of the matrix. */
   spreads(branch, place, options) {
     const rows = branch.spreads.at(place);
     const outputs = branch.outputs.at(place);
@@ -324,8 +324,8 @@ class Stage {
     this.context.fill();
   }
 
-  /** Each name at a place once, in a corner of its point where no other name is: in that of the
-   * picture before, if it is free, so that names do not jump. */
+  /** Writes each name once per point, in a corner of the point that is free of other names: that of
+   * the previous picture, if it is free, so that names do not jump. */
   names(points) {
     const height = 11 * Math.min(this.unit, 1.4);
     this.context.fillStyle = colour("ink");

@@ -1,5 +1,5 @@
-// Law: arguments that cannot be used get one line on standard error that says which, what, and the
-// mend; nothing on standard output; exit status 2.
+// Law: arguments that cannot be used get exit status 2, nothing on standard output, and one line on
+// standard error that names the argument, the fault and the remedy.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -65,7 +65,7 @@ TEST(BadArguments, MissingOrRepeated) {
   }
 }
 
-/// Values of any length and with any letters are told on one line, shortened.
+/// Messages show values of any length and with any characters on one line, shortened.
 TEST(BadArguments, OfAnyLengthAndLetters) {
   const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
   const std::string endless(70000, 'x');
@@ -148,7 +148,7 @@ TEST(BadArguments, SuggestWhatWasMeant) {
   }
 }
 
-/// A cylinder whose ends meet: it has no direction, be its length a driver's or a parameter's.
+/// A cylinder without a direction: `position`, a number or a parameter, makes its ends meet.
 Json cylinder(const Json& position) {
   Json scene;
   const Json axis = {{"through", {0, 0}}, {"along", {1, 0}}};
@@ -177,7 +177,7 @@ TEST(BadArguments, EmissionOfALengthThatIsZero) {
                   "a length that depends on drivers.S.position is zero at the scene's own numbers");
 }
 
-/// What a sweep has to say of its steps is not told of a branch that it does not have.
+/// A branch that does not exist is refused without remarks on the steps of the sweep.
 TEST(BadArguments, BranchOfASweepThatIsDegenerate) {
   const TemporaryDirectory directory;
   Json scene = cylinder("long");

@@ -1,5 +1,5 @@
-// Law: a scene that cannot be used gets one line on standard error that says where, what, and the
-// mend; nothing on standard output; exit status 2.
+// Law: a scene that cannot be used gets exit status 2, nothing on standard output, and one line on
+// standard error that names the place, the fault and the remedy.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -211,7 +211,7 @@ constexpr std::array<Fault, 98> faults = {{
 INSTANTIATE_TEST_SUITE_P(Faults, BadScene, testing::ValuesIn(faults),
                          [](const auto& fault) { return std::string(fault.param.name); });
 
-/// Its gradient is zero there and its second derivative infinite.
+/// At AB = 100, (AB - 100)^1.5 has a gradient of zero and an infinite second derivative.
 TEST(BadCovariance, NeedsSecondDerivatives) {
   Json scene = Json::parse(read_file(ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json"));
   scene["links"]["rod"]["E"] = {"BE", "(AB - 100)^1.5"};

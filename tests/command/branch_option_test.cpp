@@ -1,4 +1,4 @@
-// Checks `assur solve --branch N`: what is reported is the N-th part of the whole report.
+// Law: `assur solve --branch N` reports that configuration, or branch, as the whole report does.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,8 +81,8 @@ TEST(BranchOption, PicksTheRowsOfOneBranchOfASweep) {
   }
 }
 
-/// A parallelogram's sweep that begins where it is flat: of the branches that cross there, each of
-/// which has a row, one is the nearest.
+/// The sweep of a parallelogram begins at its change point, where each of the branches that cross
+/// has a row: `--nearest` follows one of them.
 TEST(BranchOption, NearestFollowsOneOfTheBranchesThatCrossAtTheFirstStep) {
   Json scene = Json::parse(R"({"parameters": {"phi": 0},
       "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [2, 0]},

@@ -1,5 +1,5 @@
-"""Turns questions in JavaScript into answers of a page in Chromium, without a head, over the pipe of
-its debugging protocol."""
+"""Turns expressions in JavaScript into their values on a page in headless Chromium, over the pipe
+of its debugging protocol."""
 
 import fcntl
 import json
@@ -8,14 +8,14 @@ import subprocess
 
 
 class Browser:
-    """A browser with one page; `errors` holds what the page's console complained of."""
+    """A browser with one page; `errors` holds the errors of the page's console."""
 
     def __init__(self, program, folder):
         to_browser, self._to = os.pipe()
         self._from, from_browser = os.pipe()
 
         def place():
-            # The browser reads file 3 and writes file 4, and neither may be overwritten before.
+            # The browser reads descriptor 3 and writes 4; neither end may be overwritten by these.
             ends = [fcntl.fcntl(end, fcntl.F_DUPFD, 10) for end in (to_browser, from_browser)]
             for end, number in zip(ends, (3, 4)):
                 os.dup2(end, number)
@@ -89,7 +89,7 @@ class Browser:
             pass
 
     def value(self, expression):
-        """What an expression is, or what its promise becomes."""
+        """The value of an expression, or of the promise that it returns."""
         told = self._ask("Runtime.evaluate", expression=expression, awaitPromise=True,
                          returnByValue=True)
         if "exceptionDetails" in told:
@@ -97,5 +97,5 @@ class Browser:
         return told["result"].get("value")
 
     def picture(self):
-        """What the whole page looks like: PNG in base 64."""
+        """A picture of the whole page, as PNG in base 64."""
         return self._ask("Page.captureScreenshot", captureBeyondViewport=True)["data"]

@@ -1,5 +1,5 @@
-// Law: samples and maps give the same bytes in any parts, and refuse in one line what they cannot
-// do, with nothing lost and nothing half-written.
+// Law: samples and maps give the same bytes however they are divided into shards, and a request
+// that cannot be met is refused in one line, with no file lost or half written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ std::set<std::string> files_in(const fs::path& directory) {
   return names;
 }
 
-/// A folder with calls in it.
+/// Runs commands that write into a temporary folder.
 class Campaigns : public testing::Test {
  protected:
   [[nodiscard]] std::string path(const std::string& name) const {
@@ -142,7 +142,7 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
            {"gone/x.csv", ""}, {"gone/x.svg", ""}, {"x.csv", "--plot gone/x.svg"}}) {
     EXPECT_NE(refusal(sample, file, options).find("there is no directory "), std::string::npos);
   }
-  // No name is so long, and a link that leads to itself leads nowhere: nothing is computed then.
+  // The first name is too long for a file, and the link leads to itself: nothing is computed.
   const std::string longest(300, 'a');
   fs::create_symlink(path("circle.csv"), path("circle.csv"));
   for (const auto& [file, options] : std::vector<std::pair<std::string, std::string>>{
@@ -175,7 +175,7 @@ TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
   EXPECT_NE(refusal(of_scene, "scene.csv").find(" that is read; give another name"),
             std::string::npos);
   EXPECT_EQ(read("scene.csv"), scene);
-  // A table has another name while it is written.
+  // While a table is written, the name of its file ends in `.partial`.
   (void)directory_.write("x.csv.partial", scene);
   EXPECT_NE(refusal("sample " + path("x.csv.partial") + " --seed 1 --count 3", "x.csv")
                 .find(" that is read; give another name"),
@@ -258,7 +258,7 @@ TEST_F(Campaigns, SummariseAsJson) {
   const Json& point = drawn["outputs"]["P"];
   for (const std::size_t axis : {0U, 1U}) {
     const double worst = point["worst_case"][axis];
-    EXPECT_LT(point["greatest"][axis], 1.01 * worst);  // it is of first order
+    EXPECT_LT(point["greatest"][axis], 1.01 * worst);  // worst_case is of first order
     EXPECT_GT(point["least"][axis], -1.01 * worst);
     const double deviation = point["deviation_first_order"][axis];
     EXPECT_NEAR(point["deviation"][axis], deviation, 5 * deviation / std::sqrt(2.0 * 3000));

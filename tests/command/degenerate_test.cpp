@@ -1,4 +1,4 @@
-// Checks that degenerate dimensions get a verdict with a mobility, and never a random root or NaN.
+// Law: degenerate dimensions get a verdict with a mobility, and never a random root or NaN.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -50,7 +50,7 @@ TEST(Degenerate, CongruentLinksAndEqualBarsMoveFreely) {
 TEST(Degenerate, CoincidingExternalJointsTurnFreelyOrCannotBeAssembled) {
   Model01::Dimensions<double> d = some_dimensions();
   const Model01::Inputs<double> u;  // B = E
-  // With E at B, the angle between the ternary links decides both bars: a 3-4-5 turn makes them.
+  // With E at B, only the angle between the ternary links determines |CD| and |GF|: cos 0.6.
   const double dx = d.BC - 0.6 * d.ED;
   const double dy = -0.8 * d.ED;
   const double gx = d.x_G_BCG - (0.6 * d.x_F_EDF - 0.8 * d.y_F_EDF);
@@ -58,8 +58,8 @@ TEST(Degenerate, CoincidingExternalJointsTurnFreelyOrCannotBeAssembled) {
   d.CD = std::sqrt(dx * dx + dy * dy);
   d.GF = std::sqrt(gx * gx + gy * gy);
   const auto free = assemblies<Model01>(d, u);
-  // The lengths are rounded, so the polynomial vanishes to rounding only: the verdict must not be a
-  // list of random roots, and may be that double-double sees them miss each other.
+  // The lengths are rounded, so the polynomial vanishes only to within rounding: no random root may
+  // be listed as regular. Double-double may also see that the bars do not fit exactly.
   for (int index = 0; index < free.count; ++index) {
     EXPECT_NE(free.regularity[static_cast<std::size_t>(index)], Status::ok);
   }
@@ -69,9 +69,9 @@ TEST(Degenerate, CoincidingExternalJointsTurnFreelyOrCannotBeAssembled) {
   EXPECT_EQ(impossible.mobility, 0);
 }
 
-/// Along parallel slides both links could move together, but one bar asks for a shift of sqrt(3)
-/// against the other slide, and the other one for sqrt(4 - 1.25^2); without bars the slides would
-/// have to be one.
+/// Both links could move together along parallel slides. But one bar requires a shift of sqrt(3)
+/// between them along the slides, and the other one sqrt(4 - 1.25^2). Without bars the slides would
+/// have to coincide.
 TEST(Degenerate, ParallelExternalSlidesThatBarsHoldApartCannotBeAssembled) {
   Model11::Dimensions<double> d11;
   d11.x_G_BCG = 1;
@@ -108,7 +108,7 @@ TEST(Degenerate, AllZeroIsAVerdict) {
   EXPECT_EQ(found.count, 0);
 }
 
-/// It is what the scene is with ever shorter links: it cannot reach, or the link spins.
+/// A link of length zero is answered as ever shorter links are: it cannot reach, or it spins.
 TEST(Degenerate, ALinkWithoutLengthIsNamed) {
   const auto solved = [](const Json& scene) {
     const TemporaryDirectory directory;
@@ -144,8 +144,8 @@ TEST(Degenerate, LinksThatCannotReachAreNoAssembly) {
   EXPECT_EQ(root["configurations"].size(), 0U);
 }
 
-/// What `assur solve` answers to a mechanism of pinned bars. Points are "link.name" and where they
-/// are on it; joints pair them.
+/// What `assur solve` answers to a mechanism of pinned bars. `points` holds, for each "link.name",
+/// the coordinates on the link; each entry of `joints` is a pair of points.
 Json solved(const std::map<std::string, std::array<double, 2>>& points,
             const std::vector<std::array<std::string, 2>>& joints) {
   Json scene;
@@ -164,7 +164,7 @@ Json solved(const std::map<std::string, std::array<double, 2>>& points,
   return Json::parse(result.output);
 }
 
-/// A dyad in one line holds a dyad in one line: the second closes only where the first is known to
+/// A stretched dyad holds another stretched dyad. The second closes only if the first is known to
 /// more digits than the root of its final polynomial.
 TEST(Degenerate, AToggleThatHoldsAToggleIsOneConfiguration) {
   const Json apart = solved({{"ground.A", {0, 0}},
@@ -213,7 +213,7 @@ TEST(Degenerate, AToggleThatHoldsAToggleIsOneConfiguration) {
   }
 }
 
-/// A four-bar with the crank along the base: its text, and the emitter's messages.
+/// The emitter's messages for a four-bar whose crank lies along the base.
 std::string messages_of_emission(double crank, double coupler, double rocker, double base) {
   Json scene;
   scene["links"]["ground"] = {{"A", {0, 0}}, {"D", {base, 0}}};

@@ -1,5 +1,5 @@
-// Law: what cannot be drawn or written is exit status 2 with one line, and leaves every file as it
-// was; what is drawn is the same text whenever it is.
+// Law: what cannot be drawn or written is refused in one line with exit status 2 and leaves every
+// file as it was; a drawing has the same text wherever it is written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string four_bar = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
-/// Both cranks are driven, and the coupler that would join their pins is as long as the ground.
+/// A driven parallelogram, and at its pin B two links of no length that turn freely.
 const std::string parallelogram = R"({
   "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [1, 0]},
             "coupler": {"B": [0, 0], "C": [4, 0]}, "rocker": {"D": [0, 0], "C": [1, 0]},

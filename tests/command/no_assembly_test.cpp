@@ -1,6 +1,6 @@
-// Law: where there are no configurations the answer says which group fails to close, by how much,
-// in which configurations of those that hold it; a sweep says so once a stretch, from where to
-// where.
+// Law: where there are no configurations, the answer says which group fails to close, by how much,
+// and in which configurations of the groups that hold it; a sweep reports each such stretch once,
+// with its ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,13 +40,14 @@ CommandResult solved(const Json& scene, const std::string& format) {
                    directory.write("scene.json", scene.dump()).string());
 }
 
-/// The number behind some words of a text.
+/// The number that follows some words in a text.
 double number_after(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? std::nan("") : std::stod(text.substr(at + words.size()));
 }
 
-/// A pin in a slot, which passes the rocker's pivot at a distance, is two joints of one name.
+/// A pin in a slot that passes the rocker's pivot at a distance is modelled as two joints of one
+/// name.
 TEST(NoAssembly, NamesAPinInASlotOnce) {
   Json scene = four_bar(3);
   scene["links"].erase("coupler");
@@ -59,7 +60,7 @@ TEST(NoAssembly, NamesAPinInASlotOnce) {
   EXPECT_NE(reason.find("the joints B, D fail to close by"), std::string::npos) << reason;
 }
 
-/// The four-bar closes, and a dyad on its coupler is too short in both of its configurations.
+/// The four-bar closes, but a dyad on its coupler is too short in both configurations.
 TEST(NoAssembly, NamesTheGroupTheGapAndTheConfigurationsBeforeIt) {
   Json scene = four_bar(3);
   scene["outputs"]["E"] = "coupler.E";
@@ -96,7 +97,7 @@ TEST(NoAssembly, NamesTheGroupTheGapAndTheConfigurationsBeforeIt) {
   EXPECT_NEAR(number_after(reason, "with coupler at "), angle, 0.005 * std::abs(angle));
 }
 
-/// |BD|^2 = 17 - 8 cos phi, and coupler and rocker reach over 4: not where cos phi < 1/8.
+/// |BD|^2 = 17 - 8 cos phi; coupler and rocker reach 4, which is too little where cos phi < 1/8.
 TEST(NoAssembly, IsToldOnceAStretchOfASweep) {
   Json scene = four_bar(1);
   scene["sweep"] = {{"parameter", "phi"}, {"from", 0}, {"to", "2*pi"}, {"count", 61}};
@@ -107,7 +108,7 @@ TEST(NoAssembly, IsToldOnceAStretchOfASweep) {
             "coupler, rocker): the joints B, C, D fail to close by 1 at least\n");
 }
 
-/// Beside the four-bar a link that turns about its pin however the crank stands.
+/// Beside the four-bar, two equal bars on one pivot turn freely wherever the crank stands.
 TEST(Degenerate, IsToldOnceAStretchOfASweep) {
   Json scene = four_bar(3);
   scene["links"]["one"] = {{"A", {0, 0}}, {"S", {1, 0}}};
@@ -125,8 +126,8 @@ TEST(Degenerate, IsToldOnceAStretchOfASweep) {
       << result.messages;
 }
 
-/// A lever that turns all the way, and a rack on its pinion that is too far away as the crank
-/// passes the ground's line.
+/// A press whose lever turns all the way around. Where the crank lies along the line of the pivots,
+/// the rack is too far away for the links that it drives.
 Json press() {
   Json scene = Json::parse(read_file(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json"));
   scene["parameters"]["crank"] = 100;
@@ -178,8 +179,8 @@ int rows_of(const CommandResult& result) {
   return static_cast<int>(std::count(result.output.begin(), result.output.end(), '\n')) - 1;
 }
 
-/// Of the two branches one has the joint D within its limits throughout, and the other nowhere: a
-/// sweep numbers what `solve` lists.
+/// On one of the two branches joint D is within its limits throughout, and on the other nowhere.
+/// Only the first has a number, as a sweep numbers what `solve` lists.
 TEST(Limits, LeaveBranchesThatAreBeyondThemThroughoutWithoutNumbers) {
   Json scene = four_bar(3);
   scene["joints"]["D"]["limits"] = {0, std::numbers::pi};

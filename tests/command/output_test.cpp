@@ -1,5 +1,5 @@
-// Law: output that cannot be written is exit 2 with one line that says so, and leaves no part of a
-// file behind.
+// Law: a command that cannot write its output ends with exit status 2 and one line that says so
+// (none if a pipe was closed), and leaves no part of a file behind.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,13 +43,13 @@ TEST_P(UnwritableOutput, ToAClosedPipeEndsWithoutAWord) {
   EXPECT_EQ(result.messages, "");
 }
 
-/// A descriptor that may not be written to, as one that is closed.
+/// A descriptor that is open for reading only fails as a full device does.
 TEST_P(UnwritableOutput, ToADescriptorThatIsReadIsRefused) {
   expect_refusal(run_process(GetParam().arguments, open("/dev/null", O_RDONLY | O_CLOEXEC)));
 }
 
-/// The commands whose output is compared. The catalogue takes a second to derive, so by default
-/// only one of its formats is printed.
+/// The commands that print to the unwritable output. The catalogue takes a second to derive, so by
+/// default only one of its formats is printed.
 std::vector<Printing> printings() {
   std::vector<Printing> all = {
       {"SolveText", {"solve", four_bar}},
@@ -85,7 +85,7 @@ std::size_t files_in(const fs::path& directory) {
   return count;
 }
 
-/// Emitting prints nothing, so that its standard output does not matter.
+/// `emit` prints nothing, so its standard output does not matter.
 TEST(EmittedOutput, IsWholeWhateverTheStandardOutputIs) {
   const TemporaryDirectory reference;
   EXPECT_EQ(run_assur("emit --scene " + four_bar + " --output " + reference.path().string()).status,
@@ -129,7 +129,7 @@ TEST(EmittedOutput, OnAFullDiskKeepsTheFileThatWasThere) {
   EXPECT_EQ(files_in(directory.path()), 1U);
 }
 
-/// Where no directory can be made, whoever asks.
+/// In these places nobody can make a directory, not even root.
 TEST(EmittedOutput, InAReadOnlyPlaceIsRefused) {
   const TemporaryDirectory directory;
   const fs::path file = directory.write("file", "");

@@ -1,6 +1,6 @@
-"""Law: in a browser, the page of a scene says where `assur solve` has its outputs, on every branch at
-every step; its keys and buttons do what they say; what its sliders solve is what `assur solve --set`
-solves; what cannot be assembled is told; any size is drawn; and the console has no error."""
+"""Law: in a browser, the page of a scene has the outputs of `assur solve` on every branch at every
+step; its keys and buttons do what they say; its sliders solve as `assur solve --set` does; the page
+says what cannot be assembled and draws mechanisms of any size; and the console has no error."""
 
 import csv
 import io
@@ -141,7 +141,7 @@ def check(chromium, assur, scene, folder, output, parameter):
 
 
 def check_spreads(chromium, rows):
-    """The roots of the variances are the foot's `rss`, where that is known."""
+    """The square roots of the variances are the foot's `rss`, where that is known."""
     known = 0
     for branch, numbers in chromium.value(SPREADS):
         for step in range(len(numbers) // 3):

@@ -1,6 +1,6 @@
-# Turns the links of all pages into a verdict: each leads to a file that exists, and to a heading of
-# it where it names one; docs/README.md leads to every page below docs; and pages that sources name
-# exist.
+# Turns the links of all pages into a verdict: each leads to an existing file, and to one of its
+# headings if it names one; docs/README.md leads to every page below docs; and pages that sources
+# name exist.
 import pathlib
 import re
 import sys

@@ -1,4 +1,4 @@
-// Law: what would need too much time or memory is refused in one line, in little of both.
+// Law: what would take too much time or memory is refused in one line, and quickly.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -13,16 +13,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The seconds that children have taken of a processor: the clock would count what others take.
+/// The processor time of child processes in seconds, which other programs do not lengthen.
 double seconds_of_children() {
   rusage usage{};
   (void)getrusage(RUSAGE_CHILDREN, &usage);
   return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
 }
 
-/// The message of a call that is refused, after the name of the file. It may take a minute: that is
-/// hundreds of times what it takes, ten times with sanitizers, and nothing of what it would take to
-/// do what was asked.
+/// The message of a call that is refused, after the name of the file. The limit of a minute is
+/// hundreds of times what a refusal takes, or ten times with sanitizers, and far below what the
+/// request would take.
 std::string refusal_of(const std::string& scene, const std::string& call) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("scene.json", scene).string();
@@ -102,7 +102,7 @@ TEST(Resources, OfASweep) {
           ": sweep: there is no configuration 1 at any step, so there is no branch to follow\n");
 }
 
-/// Each is a link between two slides that cross.
+/// Each group is a link between two slides that cross.
 TEST(Resources, OfManyGroups) {
   Json scene;
   scene["want"] = {"position"};
@@ -125,9 +125,9 @@ TEST(Resources, OfManyGroups) {
   EXPECT_EQ(status_of(scene.dump()), 0);
 }
 
-/// Two bars of a length behind eleven dyads, both with their ends at one point: wherever that is,
-/// they turn freely. And derivatives of second order to 100 parameters, of 16384 configurations,
-/// which take 0.9 GB.
+/// Eleven dyads carry two equal bars whose ends are at one point, so that the bars turn freely in
+/// every configuration. Then fourteen dyads, 16384 configurations, have second derivatives with
+/// respect to 100 parameters, which would take 0.9 GB.
 TEST(LongResources, OfManyFamiliesAndNumbers) {
   const std::string mend =
       "; give joints limits, or ask for one configuration only: the nearest to a reference of more "
@@ -159,7 +159,7 @@ TEST(LongResources, OfManyFamiliesAndNumbers) {
             "there may be 16384 configurations, and no more than 109 can be listed" + mend);
 }
 
-/// The four-bar with more parameters, each a formula in the one before.
+/// The four-bar with more parameters, each a formula of the one before.
 std::string chain_of_parameters(int count, bool with_sensitivities) {
   nlohmann::json scene =
       nlohmann::json::parse(read_file(ASSUR_EXAMPLES "/four_bar_coupler_curve.json"));
@@ -184,7 +184,7 @@ TEST(Resources, OfManyParameters) {
   EXPECT_EQ(status_of(chain_of_parameters(15000, false)), 0);
 }
 
-/// Cranks in a row, each law in two others.
+/// A chain of cranks, in which the law of each one reads the two joints before it.
 std::string chain_of_laws(int count) {
   nlohmann::json scene;
   scene["links"]["ground"] = {{"P", {0, 0}}};

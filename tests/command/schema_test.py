@@ -1,5 +1,5 @@
-"""Law: `assur schema` accepts every scene that the reader accepts here, knows every key of one that
-has them all, and refuses an unknown key in each object, as the reader does."""
+"""Law: the schema that `assur schema` prints accepts every scene here that the reader accepts, has
+every key of a scene with all keys, and refuses unknown keys in each object, as the reader does."""
 
 import copy
 import json
@@ -68,7 +68,7 @@ def keys_of(schema):
 
 
 def objects_with_keys(scene):
-    """Where the objects of a scene are whose keys the format gives, not the scene."""
+    """The paths of those objects of a scene whose keys the format defines, and not the scene."""
     yield ()
     for part in ("report", "sweep", "covariance"):
         if part in scene:

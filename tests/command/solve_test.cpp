@@ -1,5 +1,5 @@
-// Checks `assur solve`: the worked mechanism against independent values and differences, and what
-// the contract promises of every result.
+// Law: `assur solve` gives the worked mechanism the values of an independent derivation and the
+// differences of solutions, and reports every scene and sweep as its contract says.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -149,7 +149,7 @@ TEST(Solve, DriverAloneIsAMechanismWithoutGroups) {
   EXPECT_NEAR(point["sensitivity"]["phi"][1].get<double>(), 2 * c, 1e-15);
 }
 
-// Both motions of a flat parallelogram turn steadily: an angular acceleration that cancels is 0.
+// In both motions of a flat parallelogram angular accelerations cancel: they are shown as 0.
 TEST(Solve, TextShowsNoRoundingInPlaceOfZero) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", R"({
@@ -208,7 +208,7 @@ std::vector<std::vector<std::string>> cells(const std::string& text) {
   return lines;
 }
 
-/// A terminal that nobody looks at; it holds a few thousand characters.
+/// A pseudo-terminal that nobody watches; it holds a few thousand characters.
 class Terminal {
  public:
   Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -254,7 +254,7 @@ std::string shown_by_sweep(int count) {
   const CommandResult result = run_assur_with_messages_to(terminal.name(), arguments);
   EXPECT_EQ(result.status, 0);
   std::string shown = terminal.shown();
-  // A long sweep that was not long enough for a bar is only repeated with more steps.
+  // A long sweep that still shows no bar is not compared: it is repeated with more steps.
   constexpr int few_steps = 1000;
   if (count < few_steps || !shown.empty()) {
     EXPECT_EQ(result.output, run_assur(arguments).output);
@@ -303,8 +303,8 @@ TEST(Solve, SweepNamesBranchesAndEvents) {
   EXPECT_EQ(events, (std::vector<std::string>{"birth 3 4", "fold 2 4", "birth 5 6", "fold 3 5"}));
 }
 
-/// The bars are as long as the ground between B and E, and the ternary links are congruent: where
-/// the crank's pin is that far from E, the group turns freely. Beyond, the branches go on.
+/// The ternary links are congruent and the bars have the length 2: at p = 0, where B is at that
+/// distance from E, the group turns freely. Beyond, the branches go on.
 TEST(Solve, SweepThroughADegenerateStep) {
   Json scene;
   scene["parameters"] = {{"p", 0}};
@@ -340,8 +340,8 @@ TEST(Solve, SweepThroughADegenerateStep) {
   }
 }
 
-/// A tetrad on the ground, all links in their own odd frames, with a prismatic joint everywhere but
-/// at G: model 23 or its like, which angles over-determine.
+/// A tetrad on the ground, all links in their own odd frames, with prismatic joints at B, C, D and
+/// E: model 18, whose slides over-determine the angles.
 TEST(Solve, DegenerateGroupIsAVerdict) {
   const TemporaryDirectory directory;
   const auto scene = [&](const std::string& angle) {

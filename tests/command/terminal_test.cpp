@@ -1,5 +1,5 @@
-// Law: what is printed fits a terminal of 80 columns, holds no escape sequence where it goes to a
-// file, and with --quiet nothing stands beside it but errors.
+// Law: tables and help fit a terminal of 80 columns, output to a file contains no escape sequence,
+// and with --quiet the command prints no message but errors.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,7 +14,7 @@ namespace {
 
 const std::string four_bar = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
 
-/// The lines of tables are indented; the name of a scene and sentences are as long as they are.
+/// Lines of tables are indented; a scene's name and sentences may be longer.
 void expect_narrow_tables(const std::string& text) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

@@ -49,7 +49,7 @@ class ExactDerivatives : public testing::Test {
   static Rational turning(const Direction<Moving>& direction) {
     return direction.cos.c0 * direction.sin.c1 - direction.sin.c0 * direction.cos.c1;
   }
-  /// d2 theta/dt2 likewise: cos sin'' - sin cos''.
+  /// d2 theta/dt2 from the second rates: cos sin'' - sin cos''.
   static Rational second_turning(const Direction<Moving>& direction) {
     return Rational(2) *
            (direction.cos.c0 * direction.sin.c2 - direction.sin.c0 * direction.cos.c2);

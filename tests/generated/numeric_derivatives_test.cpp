@@ -40,7 +40,7 @@ struct Point {
   typename Model::template Configuration<double> q;
 };
 
-/// One variable list of a point, by the position of its Jacobian.
+/// The lists of variables of a point, each of which has a Jacobian.
 enum class List : unsigned char { unknowns, dimensions, inputs };
 
 template <typename Model>

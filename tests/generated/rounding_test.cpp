@@ -13,7 +13,7 @@ namespace {
 constexpr int samples = 100;
 constexpr unsigned seed = 27182;
 
-/// All results of a model's functions, one list a function.
+/// All results of a model's functions, one list for each function.
 template <typename Model, typename Scalar>
 struct AllResults {
   std::vector<std::vector<Scalar>> lists;
@@ -112,8 +112,8 @@ TYPED_TEST(Rounding, StaysWithinUlps) {
         convert_vector(q1, no_q), convert_vector(q2, no_q), convert_vector(u1, no_u),
         convert_vector(u2, no_u));
     for (std::size_t list = 0; list < truth.lists.size(); ++list) {
-      // The unit is that of the largest entry of the function's result: where terms cancel, an
-      // entry of its own has no digits to be right in.
+      // The unit is that of the largest entry of the function's result: an entry whose terms cancel
+      // may have no correct digit of its own.
       double scale = 0;
       for (const double value : rounded.lists[list]) {
         scale = largest(scale, std::abs(value));

@@ -27,7 +27,7 @@ RationalMatrix<Rows, Columns> product(const RationalMatrix<Rows, Inner>& a,
   return result;
 }
 
-/// The determinant by expansion along the first row of what is left of `rows` and `columns`.
+/// The determinant of the rows from `row` on and of `columns`, by expansion along `row`.
 template <int Size>
 Rational determinant(const RationalMatrix<Size, Size>& matrix, std::vector<int> columns, int row) {
   if (columns.empty()) {
@@ -49,7 +49,7 @@ class Solution : public testing::Test {
   static constexpr int size = Model::unknown_count;
   using Square = RationalMatrix<size, size>;
 
-  /// A group at no singularity, where rational numbers would divide by zero.
+  /// Draws a group that is not singular; at a singularity rational numbers would divide by zero.
   void draw() {
     Vector<Rational, Model::pivot_count> pivots;
     bool singular = true;

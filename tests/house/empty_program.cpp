@@ -1,2 +1,2 @@
-// Does nothing: a program of one folder's library alone links if the folder needs none above it.
+// Does nothing: linked with one folder's library, it shows that the folder needs none above it.
 int main() { return 0; }

@@ -1,4 +1,4 @@
-// Turns the texts of source files into what they include against the rules of the house.
+// Turns the texts of source files into the lines that break the rules of the house.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@ using Files = std::map<std::string, std::string>;
 
 /// A folder, what stands below it, and the one namespace of its files.
 struct Folder {
-  std::string path;                    ///< with all that no longer path of the table claims
+  std::string path;                    ///< with its subfolders, except those in the table
   std::string name_space;              ///< `assur::text`
   std::vector<std::string> below;      ///< folders whose headers it may include
-  std::vector<std::string> libraries;  ///< of others: `Eigen`, `ginac`
-  /// Whether a folder inside has its name behind the namespace, or shares it.
+  std::vector<std::string> libraries;  ///< from outside: `Eigen`, `ginac`
+  /// Whether a folder inside appends its name to the namespace; otherwise it shares it.
   bool nested = false;
-  /// The folder through which this one is called, if any: what its headers declare, in its
+  /// The folder through which this one is called, if any: what its headers declare, in their
   /// namespace, is defined here.
   std::string door{};
 };
@@ -65,7 +65,7 @@ inline std::vector<SourceLine> lines_that_begin(const std::string& text, const s
   return lines;
 }
 
-/// The paths of a file's includes, written with whatever spaces.
+/// The paths that a file includes, whatever spaces its lines contain.
 inline std::vector<SourceLine> includes_of(const std::string& text) {
   std::vector<SourceLine> includes;
   std::istringstream in(text);
@@ -97,7 +97,7 @@ inline std::vector<SourceLine> namespaces_of(const std::string& text) {
   return names;
 }
 
-/// Holds files against a house.
+/// Checks files against a house.
 class HouseCheck {
  public:
   HouseCheck(const House& house, const Files& files) : house_(house), files_(files) {
@@ -126,7 +126,7 @@ class HouseCheck {
     return found == house_.folders.end() ? nullptr : &*found;
   }
 
-  /// Every arrow of the table leads to a folder of it, and none leads back.
+  /// Every arrow of the table leads to one of its folders, and no arrows form a circle.
   void check_table() {
     for (const Folder& folder : house_.folders) {
       std::set<std::string> seen;
@@ -147,7 +147,7 @@ class HouseCheck {
     }
   }
 
-  /// The file that an include means; empty where it is not one of the house's.
+  /// The file that an include names; empty if the house has no such file.
   [[nodiscard]] std::string resolved(const std::string& path, const SourceLine& include) const {
     std::vector<std::string> directories = house_.include_directories;
     if (include.quoted) {
@@ -185,7 +185,7 @@ class HouseCheck {
     }
   }
 
-  /// Standard headers, which have no folder and no ending, are everybody's.
+  /// Every folder may include the standard headers, which have no folder and no ending.
   void check_library(const std::string& path, const SourceLine& include, const Folder& folder) {
     const std::size_t slash = include.text.find('/');
     if (slash == std::string::npos) {
@@ -222,8 +222,8 @@ class HouseCheck {
     }
   }
 
-  /// Whatever begins a line between a door's namespace and its end has been declared by the door;
-  /// the line behind `template` says what it defines.
+  /// Between a door's namespace and its end, whatever begins at the margin must be declared by the
+  /// door. After `template`, the next line says what is defined.
   void check_definitions(const std::string& path, const std::string& text, const SourceLine& opened,
                          const Folder& door) {
     static const std::regex begins(R"(^(?!template )\w)");

@@ -19,8 +19,8 @@ const std::string models = "generated/assur";
 const std::string words = "runtime/text/include/assur/text";
 const std::string mechanism = "mechanism/include/assur/mechanism";
 
-/// A folder of the generator: all may use the error of its root and the ground, its own name is its
-/// namespace.
+/// A folder of the generator: its path is its namespace, and besides the folders below it may
+/// include the generator's root and `words`.
 Folder stage(const std::string& path, const std::vector<std::string>& below,
              std::vector<std::string> libraries = {"ginac"}, std::vector<std::string> more = {}) {
   std::string name_space = "assur::generator::" + path;
@@ -35,8 +35,8 @@ Folder stage(const std::string& path, const std::vector<std::string>& below,
   return {"generator/" + path, name_space, std::move(more), std::move(libraries)};
 }
 
-/// A stage of the library: its own name is its namespace, and what users call stands in the
-/// library's.
+/// A folder of the library: its name is its namespace, and what users call is in the library's
+/// namespace.
 Folder part(const std::string& name, const std::vector<std::string>& below,
             std::vector<std::string> libraries = {"Eigen"}) {
   std::vector<std::string> all = {mechanism, runtime, models, words};
@@ -137,7 +137,7 @@ Files files_of_the_project() {
       }
     }
   }
-  // They are written while the project is built.
+  // These headers are written while the project is built.
   files["generator/emission/cpp/templates.hpp"] = "";
   files["generator/audit/running/templates.hpp"] = "";
   files["mechanism/src/draw/templates.hpp"] = "";
@@ -266,7 +266,7 @@ TEST(House, NobodyOutsideNamesTheDetailsOfTheRuntime) {
   EXPECT_GT(read, 300);
 }
 
-/// A house of two storeys with a private room; the upper one is called through the lower.
+/// A house of two storeys with a private room; the upper storey is called through the lower one.
 House small_house() {
   return {{{"low", "assur::low", {}, {"Eigen"}, true},
            {"high", "assur::high", {"low"}, {}, false, "low"}},

@@ -1,5 +1,5 @@
-// Checks every example scene, all of which have a sweep: it assembles all along its sweep, and
-// rigid bodies that know no groups agree with all that the solver says.
+// Law: every example assembles all along its sweep, and rigid bodies with constraints, which know
+// no groups, agree with its configurations, rates and sensitivities.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ class Example : public testing::TestWithParam<std::string> {
   }
 };
 
-/// Difference of two vectors as a part of the larger of them.
+/// The difference of two vectors relative to the larger of them, or to `unit` if that is larger.
 template <typename One, typename Other>
 double relative(const One& one, const Other& other, double unit) {
   const Real size =
@@ -92,7 +92,7 @@ TEST_P(Example, AssemblesAllAlongItsSweep) {
   std::cout << least << " to " << most << " configurations\n";
 }
 
-/// What a mechanism is for: one way of assembly that goes all the way without a dead centre.
+/// A useful mechanism has a branch that goes all the way without a dead centre.
 TEST_P(Example, HasABranchThatLivesThroughout) {
   const Plan plan(mechanism::read_scene(file()));
   std::map<int, int> rows;
@@ -204,8 +204,8 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
           }
           return result;
         };
-        // Near folds longer steps leave more than rounding: 1.7e-9 where the solver is right to
-        // 2.2e-13 against 50 digits, the platform at 0.37 of its sweep.
+        // Near folds longer steps leave truncation errors: 1.7e-9 for the platform at 0.37 of its
+        // sweep, where the solver agrees with 50 digits to 2.2e-13.
         const auto difference =
             best_richardson<Eigen::VectorXd>(outputs, 2.5e-4 * std::max(1.0, std::abs(value)), 2);
         Eigen::VectorXd listed(difference.derivative.size());
@@ -223,9 +223,9 @@ TEST_P(Example, SensitivitiesAreDifferencesOfRigidBodies) {
   EXPECT_LT(worst, 1e-9);
 }
 
-/// Newton's method from many places finds nothing that is not listed, and all that is, each once.
-/// From 120 starts by `ctest -L long`, from 20 by default, and more where Newton's method seldom
-/// arrives.
+/// Newton's method from many starts finds only what is listed, and all of it; nothing is listed
+/// twice. There are 120 starts by `ctest -L long` and 20 by default, and more while a configuration
+/// is not found.
 TEST_P(Example, ListsWhateverNewtonFinds) {
   const int starts = is_whole_campaign() ? 120 : 20;
   constexpr int most_starts = 960;

@@ -57,7 +57,7 @@ inline bool is_active(int mutant) {
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
-    """The bytes [begin, end) of a file, by what they are replaced, and the operator alone."""
+    """The bytes [begin, end) of a file, the text that replaces them, and the operator alone."""
     path: pathlib.Path
     begin: int
     end: int
@@ -141,7 +141,7 @@ def mutants_of(patterns, build):
             elif child.kind == CursorKind.NAMESPACE:
                 visit(child)
 
-    # Headers are read together, for what they include takes longer than they.
+    # Headers are read together, since their includes take longer to read than they do.
     headers = "".join(f'#include "{path}"\n' for path in paths if path.suffix == ".hpp")
     if headers:
         visit(index.parse("headers.cpp", flags, [("headers.cpp", headers)]).cursor)
@@ -162,6 +162,9 @@ def planted(mutants, originals):
             mutant = mutants[number]
             changed = " ".join(mutant.text.split()).encode()
             original = content[mutant.begin:mutant.end]
+            if original.startswith(b"!"):
+                # Both alternatives are of one type; without it an empty optional would become full.
+                changed = b"bool(" + changed + b")"
             content = (content[:mutant.begin] + b"(ASSUR_MUTANT(%d) ? (" % number + changed +
                        b") : (" + original + b"))" + content[mutant.end:])
         texts[path] = content
@@ -180,7 +183,7 @@ def syntax_commands(build, targets):
                           capture_output=True, text=True, check=True)
     commands = []
     for line in made.stdout.splitlines():
-        # Before it stands what configures; tests prepare headers with commands of their own.
+        # The compilation comes last; commands before it configure or prepare headers.
         command = line.split(" && ")[-1]
         if " -c " in command:
             command = re.sub(r" -MD -MT \S+ -MF \S+| -o \S+", " ", command)
@@ -205,7 +208,7 @@ def without_errors(mutants, originals, build, targets, jobs):
             results = list(pool.map(lambda command: subprocess.run(
                 shlex.split(command), cwd=build, capture_output=True, text=True), commands))
         commands = [one for one, result in zip(commands, results) if result.returncode != 0]
-        # What a template refuses may be told where it was used, and not where it stands.
+        # An error in a template may be reported where it is used, and not where it is defined.
         wrong = []
         for kind in (" error:", ""):
             places = {(names[match[1]], int(match[2])) for result in results
@@ -223,7 +226,7 @@ def without_errors(mutants, originals, build, targets, jobs):
 
 
 def chosen(all_mutants, count, seed):
-    """As many mutants at random, none within another."""
+    """At most `count` mutants, chosen at random, none of which overlaps another."""
     order = list(all_mutants)
     random.Random(seed).shuffle(order)
     taken = collections.defaultdict(list)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns sources and the tests that hold them into a list of mutants and of those that survive.
+"""Turns sources and the tests that check them into a list of mutants and of those that survive.
 
 mutate.py BUILD SUBJECT [--count N] [--seed S] [--jobs J] [--harmless FILE] [--output FILE]
 
@@ -50,8 +50,8 @@ SUBJECTS = {
 
 
 def run(command, seconds, mutant=None, reached=None):
-    """The status of a command that may use some seconds of a processor; none if it took more. The
-    clock would count what other programs take, too; it ends what waits."""
+    """The status of a command that may use `seconds` of processor time, or None if it takes more.
+    Elapsed time would include other programs; a longer limit on it ends commands that wait."""
     environment = dict(os.environ)
     if mutant is not None:
         environment["ASSUR_MUTANT"] = str(mutant)
@@ -71,7 +71,7 @@ def run(command, seconds, mutant=None, reached=None):
 
 @dataclasses.dataclass
 class Killer:
-    """A call of a program, the mutants that it reaches, and what it takes as it is."""
+    """A call of a program, the mutants that it reaches, and its seconds without mutants."""
     name: str
     command: list
     reaches: set
@@ -115,7 +115,7 @@ def judge(options, build, patterns, calls):
     began = time.monotonic()
     all_mutants = mutants_of(patterns, build)
     originals = {mutant.path: mutant.path.read_bytes() for mutant in all_mutants}
-    # Some do not compile, and some no test reaches.
+    # Twice as many, since some do not compile and others are reached by no test.
     mutants = chosen(all_mutants, 2 * options.count, options.seed)
     switch = build / "mutant.hpp"
     switch.write_text(SWITCH % (len(mutants), len(mutants)))
@@ -124,7 +124,7 @@ def judge(options, build, patterns, calls):
     counts = collections.Counter()
     try:
         planted_count = len(mutants)
-        # What reads beyond an array is killed by assertions.
+        # Assertions kill mutants that read beyond an array.
         subprocess.run(["cmake", "-B", str(build), f"-DCMAKE_CXX_FLAGS=-include {switch}",
                         "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS"],
                        check=True, stdout=subprocess.DEVNULL, cwd=SOURCE)

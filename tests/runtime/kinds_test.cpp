@@ -1,4 +1,4 @@
-// Law: for each of the 64 kinds the generated model, reached by relabelling, agrees with rigid
+// Law: for every kind the generated model, reached by relabelling, agrees with rigid
 // bodies that know nothing of it: closure, poses, motion, sensitivities.
 #include <assur/kinematics.hpp>
 #include <iostream>
@@ -55,7 +55,7 @@ RealVector numbers(const Matrix<Real, Rows, Columns>& matrix) {
 
 Real largest_entry(const RealVector& list) { return list.cwiseAbs().maxCoeff(); }
 
-/// The largest error of `found` against `expected`, relative to what is more than one.
+/// The largest error of `found` against `expected`, relative to one plus the expected size.
 Real worst_of(Real so_far, const RealVector& found, const RealVector& expected) {
   for (Eigen::Index index = 0; index < found.size(); ++index) {
     so_far =
@@ -75,7 +75,7 @@ void expect_pose(const Pose<Real>& pose, const BodyPose& expected) {
   EXPECT_NEAR(static_cast<double>(wrapped(angle_of(pose.direction) - expected.theta)), 0.0, 1e-15);
 }
 
-/// That angles which prismatic joints tie agree: their differences are (1, 0).
+/// Expects that angles tied by prismatic joints agree: their differences are (1, 0).
 void expect_compatible(const RealVector& cosines_then_sines) {
   const Eigen::Index count = cosines_then_sines.size() / 2;
   for (Eigen::Index row = 0; row < count; ++row) {
@@ -201,7 +201,7 @@ TYPED_TEST(Kinds, MotionFollowsTheBodies) {
     this->for_each_group([&](const auto& space, const auto& forms, const auto& d, const auto& u,
                              const auto& q) {
       if (regularity<Model, Real>(d, u, q).margin < 1e-3L) {
-        return;  // finite differences need room; near-singular groups are the laboratory's
+        return;  // finite differences need room; near-singular groups are tested in stability/
       }
       // Every coordinate of the base moves with a rate and a second rate of its own.
       std::mt19937 engine(7);

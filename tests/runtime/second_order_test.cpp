@@ -130,7 +130,7 @@ TYPED_TEST(RuntimeSecondOrder, IsTheDifferenceOfFirstDerivatives) {
   EXPECT_LT(worst, 1e-11L);
 }
 
-/// Parameters have units of their own: a direction may be shorter than another by many digits.
+/// Parameters have units of their own: a direction may be far shorter than another.
 TYPED_TEST(RuntimeSecondOrder, IsBilinearToTheLastDigits) {
   using Model = TypeParam;
   const Curve<Model> curve(11);

@@ -55,7 +55,7 @@ TEST(BranchPoint, HasTheMotionAndTheSignOfTheDeterminant) {
 TEST(Assemblies, OfLengthsBelowTheSmallestWithAllDigitsAreThoseOfLongerOnes) {
   const Group group;
   const auto whole = assemblies<Model>(group.d, group.u);
-  // Lengths of few digits are those of both groups.
+  // Both groups have the lengths that few digits leave.
   const auto shortened = [](auto variables, double scale) {
     for_each_member(variables, [scale](double& length, std::size_t) { length *= scale; });
     return variables;
@@ -271,12 +271,12 @@ TEST(Version, IsThatOfTheProject) {
             version);
 }
 
-/// Where steps that are short enough are none among the parameters, a branch ends, too. A path that
-/// is asked without end loses its numbers.
+/// A branch ends, too, where a step that is short enough does not change so long a parameter. The
+/// path returns NaN after many calls, so that tracking cannot go on for ever.
 TEST(Track, EndsAtAFoldAmongParametersThatAreLong) {
   using Dyad = dyad::Model01;
   const Dyad::Dimensions<double> d{1, 1};
-  const double from = 0x1p50;  // a quarter apart from the next
+  const double from = 0x1p50;  // the next double is a quarter away
   int asked = 0;
   const auto away = [&](double time) {
     const double x = 1 + (time - from) / 64;  // beyond reach from 64 on

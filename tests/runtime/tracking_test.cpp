@@ -1,5 +1,5 @@
-// Law: a tracked branch ends where the complete sets of configurations, followed in small steps,
-// lead; otherwise a report is given.
+// Law: a tracked branch leads to the same configuration as the complete sets of configurations,
+// followed in small steps; otherwise the status reports that it does not.
 #include <assur/assemblies.hpp>
 #include <assur/tracking.hpp>
 #include <iostream>
@@ -111,8 +111,8 @@ TYPED_TEST(Tracking, KeepsTheBranchOrReports) {
 }
 
 TEST(TrackingReport, BranchesThatPassCloselyAreToldApart) {
-  // Two branches come within 0.007 radians after 0.08 of the crank's 0.1 radians, and go on where
-  // the other was heading: nothing but the sign of det J tells a step over all of it from a jump.
+  // Two branches come within 0.007 radians after 0.08 of the crank's 0.1 radians, and each goes on
+  // where the other was heading: only the sign of det J tells a step across that from a jump.
   using Model = tetrad::Model01;
   const Model::Dimensions<double> d{-0.37577811848562592, -1.3833727523473776, 1.7614270028643166,
                                     0.77184454352437148,  -1.4526254646752201, -0.26681985255125884,
@@ -170,9 +170,9 @@ TEST(TrackingReport, IsGivenWhereABranchEnds) {
 }
 
 TEST(TrackingReport, IsWithinAFifthOfAPercentOfTheEnd) {
-  // B leaves along a line; the dyad's branches meet where B first is as far from D as the sum or
-  // the difference of the links. Left out are lines that nearly touch the inner of the circles
-  // before.
+  // B leaves along a line; the dyad's branches meet where its distance from D is first the sum or
+  // the difference of the links. Lines that pass the inner of these two circles closely are left
+  // out.
   using Model = dyad::Model01;
   RandomInputs random(seed);
   int ended = 0;

@@ -28,7 +28,7 @@ inline Count counted;
 
 /// A number that counts what is done to it. Operations among constants of the text are folded by
 /// every compiler and are free. It has no value, because no generated function asks for one, and is
-/// passed by value and does not throw, because so its many thousand uses cost least to compile.
+/// passed by value and does not throw, because that way its many uses cost least to compile.
 struct Counting {
   bool constant = false;
 
@@ -57,7 +57,7 @@ struct Counting {
   friend Counting abs(Counting a) noexcept { return a; }
 };
 
-/// Makes an argument one of variables: a direction is (1, 0) by default.
+/// Makes the entries of an argument variables: by default a direction is the constant (1, 0).
 template <typename Argument>
 void set_variables(Argument& argument) {
   if constexpr (std::is_base_of_v<Eigen::MatrixBase<Argument>, Argument>) {
@@ -76,8 +76,8 @@ void set_variables(Variables<Counting>& variables) {
   std::apply([&](auto&... member) { (set(member), ...); }, variables.members());
 }
 
-/// One argument for each type of parameter, because tuples of them cost much to compile; what a
-/// function reads is const and is no argument that it writes.
+/// One argument for each type of parameter, because tuples of them cost much to compile. What a
+/// function reads is const, so that it is not the argument that the function writes.
 template <typename Parameter>
 Parameter argument() {
   static std::decay_t<Parameter> value;
@@ -85,7 +85,7 @@ Parameter argument() {
   return value;
 }
 
-/// What a function does with arguments none of which is a constant of the text.
+/// The operations of a function with arguments that are not constants of the text.
 template <typename... Parameters>
 Count operations_of(void (*function)(Parameters...)) {
   counted = {};

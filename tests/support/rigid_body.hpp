@@ -65,7 +65,7 @@ struct RigidBodies {
     return (b.x - a.x) * std::cos(a.angle) + (b.y - a.y) * std::sin(a.angle);
   }
 
-  /// Two constraints a joint: coincidence, or equal direction and no distance across.
+  /// Two constraints for each joint: coincidence, or equal direction and no distance across.
   [[nodiscard]] RealVector residual() const {
     RealVector f(2 * static_cast<Eigen::Index>(joints.size()));
     Eigen::Index row = 0;

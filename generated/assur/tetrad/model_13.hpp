@@ -81,7 +81,7 @@ struct Model13 {
   static constexpr int determinant_sign = 1;
 
 
-  /// What it means that a pivot of the structured elimination vanishes.
+  /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
       "GF = 0: theta_GF free to first order",

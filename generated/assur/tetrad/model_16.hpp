@@ -83,17 +83,17 @@ struct Model16 {
   /// Degree, in the lengths, of the discriminant of the final polynomial.
   static constexpr int discriminant_degree = 2;
   /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
-  /// its roots are regular configurations that close and differ by more than rounding; zero where
-  /// that does not follow.
+  /// its roots are regular configurations that close and differ by more than rounding; zero if no
+  /// such value is known.
   static constexpr double discriminant_error = 1.44e-07, regular_discriminant = 0;
-  /// What the numbers above are for the discriminant, these are for the divisor of the formula.
+  /// The same bounds for the divisor of the formula.
   static constexpr int leading_degree = 0;
   static constexpr double leading_error = 6.15e-13;
   /// Index of the first ordering key by which two roots above that value differ; 0 where that value
   /// is zero.
   static constexpr int first_key = 0;
 
-  /// What it means that a pivot of the structured elimination vanishes.
+  /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "cos(phi_B + psi_C_BCG - theta_GF) = 0: s_B, s_E free to first order",
       "sin(phi_B - phi_E) = 0: s_B, s_E free to first order",

@@ -83,14 +83,14 @@ struct Model19 {
   /// Degree, in the lengths, of the discriminant of the final polynomial.
   static constexpr int discriminant_degree = 2;
   /// For lengths up to one: a bound on the rounding of the discriminant, and the value above which
-  /// its roots are regular configurations that close and differ by more than rounding; zero where
-  /// that does not follow.
+  /// its roots are regular configurations that close and differ by more than rounding; zero if no
+  /// such value is known.
   static constexpr double discriminant_error = 4.6e-11, regular_discriminant = 0;
   /// Index of the first ordering key by which two roots above that value differ; 0 where that value
   /// is zero.
   static constexpr int first_key = 0;
 
-  /// What it means that a pivot of the structured elimination vanishes.
+  /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
   } };

@@ -80,7 +80,7 @@ struct Model03 {
   static constexpr int determinant_sign = -1;
 
 
-  /// What it means that a pivot of the structured elimination vanishes.
+  /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
       "FG = 0: theta_FG free to first order",

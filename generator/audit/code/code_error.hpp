@@ -13,7 +13,7 @@ struct CodeError : std::runtime_error {
   closures::Place place;
 };
 
-/// The advice for code that is no list of plain assignments.
+/// The advice for code that is more than a list of plain assignments.
 inline const std::string by_running = "; audit it by running: 'printed run' with --run";
 
 }  // namespace assur::generator::audit::code

@@ -9,7 +9,7 @@ namespace assur::generator::audit::code {
 
 namespace {
 
-/// Zeros and brackets alone.
+/// Whether all tokens are zeros, commas or braces.
 bool is_nothing(Tokens tokens) {
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& token) {
     return token.is("{") || token.is("}") || token.is(",") || token.is("0") || token.is("0.0") ||
@@ -192,7 +192,7 @@ class CppMatrix {
     Tokens rest = declared.subspan(1);
     expect_shape(leading_shape(rest), declared[0]);
     scope_.locals().forget({array_, array_, declared[0].place}, "this entry has no value yet");
-    // Braces set lists of plain numbers to zero, and nothing in a type that makes itself.
+    // Braces with zeros or nothing set a plain array to zero, but not the entries of a class.
     const bool plain = (!rest.empty() && rest[0].is("[")) || has(type, "array");
     while (!rest.empty() && rest[0].is("[")) {
       rest = rest.subspan(behind_closing(rest, 0));
@@ -209,7 +209,7 @@ class CppMatrix {
     }
   }
 
-  /// `Eigen::Matrix2d::Zero()` and its like.
+  /// `Eigen::Matrix2d::Zero()` and the like.
   [[nodiscard]] bool is_zero(Tokens value) const {
     for (std::size_t at = 2; at < value.size(); ++at) {
       if (value[at].is("Zero") && value[at - 1].is("::") && at + 1 < value.size() &&
@@ -253,7 +253,7 @@ class CppMatrix {
     }
   }
 
-  /// What stands behind the name sets all of it to zero.
+  /// Whether what stands behind the matrix's name sets all its entries to zero.
   [[nodiscard]] bool clears(Tokens rest) const {
     if (rest.size() > 2 && rest[1].is("setZero")) {
       expect_shape(leading_shape(rest.subspan(2)), rest[1]);
@@ -268,7 +268,7 @@ class CppMatrix {
   const std::string& array_;
   FilledMatrix filled_;
   CppScope scope_;
-  const Token* copied_ = nullptr;  ///< where the matrix is the function's own
+  const Token* copied_ = nullptr;  ///< where the matrix is declared, if it is the function's own
   bool returned_ = false;
 };
 

@@ -15,7 +15,7 @@ CodeName name_of(const Token& token) { return {token.spelling, token.spelling, t
 
 bool is_read(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::unknown; }
 
-/// Whether a value is what was assigned.
+/// Whether variables of this sort keep the real value that is assigned to them.
 bool is_kept(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::whole; }
 
 Tokens without_attributes(Tokens tokens) {
@@ -186,7 +186,7 @@ bool CppScope::is_whole_value(Tokens value) const {
   try {
     return locals_.is_whole(locals_.formula(value));
   } catch (const CodeError&) {
-    return false;  // said where it is used
+    return false;  // reported where it is used
   }
 }
 
@@ -240,7 +240,7 @@ void CppScope::check_reading(Tokens value) const {
   }
 }
 
-/// None of the values between braces, if there are any, does more than give a value.
+/// Throws CodeError where one of several values, or one in brackets, may do more than give a value.
 void CppScope::check_list(Tokens values) const {
   check_reading(values);
   const bool braces = has(values, "{");

@@ -1,4 +1,4 @@
-// Turns what a C++ file and its function declare beside the matrix into the names of formulas.
+// Turns what a C++ file and its function declare, except the matrix, into names for formulas.
 #pragma once
 
 #include "audit/code/declared_type.hpp"
@@ -7,7 +7,7 @@
 
 namespace assur::generator::audit::code {
 
-/// Whether one of the tokens is spelled so.
+/// Whether one of the tokens has this spelling.
 [[nodiscard]] bool has(Tokens tokens, const char* spelled);
 
 class CppScope {
@@ -18,18 +18,18 @@ class CppScope {
   [[nodiscard]] LocalValues& locals() { return locals_; }
   [[nodiscard]] TypeNames& types() { return types_; }
 
-  /// What the file has beside its statements: types, constants, functions and templates.
+  /// Reads what the file has beside its statements: types, constants, functions and templates.
   void read_file(const FillingFunction& file);
-  /// A parameter of the function; `shared`: through it something else may be changed.
+  /// Reads a parameter of the function; `shared` if something else may be changed through it.
   void take_parameter(Tokens parameter, bool shared);
   /// `name = EXPR`, `name{EXPR}`, `name(EXPR)` or `name` behind a type. Throws CodeError.
   void declare(Tokens part, Tokens statement, Tokens type);
-  /// `name = EXPR` of something that stands; `name += EXPR` makes it unreadable. Throws CodeError.
+  /// `name = EXPR` without a type; after `name += EXPR` the name is unreadable. Throws CodeError.
   void assign(Tokens part, Tokens statement);
-  /// Throws CodeError unless a value mentions the matrix by whole entries alone.
+  /// Throws CodeError where a value mentions the matrix and not one of its entries.
   void check_reading(Tokens value) const;
 
-  /// Throws CodeError for a name that formulas have for a function.
+  /// Throws CodeError for the name of a function of formulas.
   static void expect_no_function(const CodeName& name);
   /// Throw CodeError for a use of the matrix, and for a statement, that cannot be read.
   [[noreturn]] void refuse(const Token& at) const;
@@ -44,10 +44,10 @@ class CppScope {
   struct Declared {
     CodeName name;
     ValueSort sort = ValueSort::real;
-    bool shared = false;        ///< through it something else may be set
-    bool shared_parts = false;  ///< through its parts
+    bool shared = false;        ///< something else may be set through it
+    bool shared_parts = false;  ///< something else may be set through its parts
   };
-  /// The last one of that name, or of what it is part of.
+  /// The last declaration of that name, or of a variable that it is a part of; nullptr if none.
   [[nodiscard]] const Declared* declared(const CodeName& name) const;
   void read_member(Tokens member);
 

@@ -47,7 +47,7 @@ DeclaredShape shape_of_type(Tokens type) {
   }
   DeclaredShape shape;
   for (std::size_t at = 1; arrays.size() == 2 && at < type.size(); ++at) {
-    if (type[at - 1].is(",")) {  // the inner one ends first
+    if (type[at - 1].is(",")) {  // the inner array's size comes first
       (shape.columns ? shape.rows : shape.columns) = size_in(type.subspan(at, 1));
     }
   }

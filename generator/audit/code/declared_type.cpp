@@ -11,7 +11,7 @@ bool is_one_of(const Token& token, const std::set<std::string>& names) {
   return token.is_name() && names.contains(token.spelling);
 }
 
-/// `Matrix2f` for 'f', `VectorXi` for 'i': what Eigen calls its types of such numbers.
+/// `Matrix2f` for 'f', `VectorXi` for 'i': the names of Eigen's types with such numbers.
 bool is_eigen_type_of(const Token& token, char numbers) {
   const std::string& name = token.spelling;
   return token.is_name() && name.size() > 6 && name.ends_with(numbers) &&
@@ -26,7 +26,7 @@ bool is_whole_type(const Token& token) {
   return sized || is_one_of(token, types) || is_eigen_type_of(token, 'i');
 }
 
-/// Their values are not always what was assigned, or what a sum of them should be.
+/// Whether values of a type may differ from what was assigned, or sums of them may wrap round.
 bool is_rounded_type(const Token& token) {
   static const std::set<std::string> types = {
       "float",   "float_t", "half",     "bfloat16", "bool",   "char",   "short",   "unsigned",
@@ -74,7 +74,7 @@ std::size_t type_length(Tokens tokens) {
       break;
     }
   }
-  // The last name read is the variable's, unless one stands behind.
+  // Where no name follows, the last one read is the variable's, and nothing is declared.
   return named && at < tokens.size() && tokens[at].is_name() ? at : 0;
 }
 

@@ -7,11 +7,11 @@
 
 namespace assur::generator::audit::code {
 
-/// How many tokens of a declaration are its type; zero for what declares nothing.
+/// How many tokens of a declaration are its type; zero for a statement that declares nothing.
 [[nodiscard]] std::size_t type_length(Tokens tokens);
 
 /// What a type's values are to a formula: real numbers, whole ones, numbers that are rounded or
-/// wrapped round where they are stored, or something that may be anything.
+/// wrapped round when they are stored, or anything else.
 enum class ValueSort : unsigned char { real, whole, rounded, unknown };
 
 /// The types to which some code gives names of its own, and what their values are.
@@ -31,7 +31,7 @@ class TypeNames {
                                              {"Scalar", ValueSort::real}};  // of an Eigen matrix
 };
 
-/// Why values of this sort are not read, to go on a sentence about them.
+/// Why values of this sort are not read, as the end of a message.
 [[nodiscard]] const char* why_not_read(ValueSort sort);
 
 }  // namespace assur::generator::audit::code

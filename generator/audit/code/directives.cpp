@@ -7,7 +7,7 @@ namespace assur::generator::audit::code {
 
 namespace {
 
-/// What the preprocessor puts in place of these is known.
+/// Whether a header is known not to change what the code says.
 bool is_standard_header(const std::string& name) {
   static const std::set<std::string> known = {"algorithm",
                                               "array",
@@ -92,7 +92,7 @@ bool includes_known(const std::vector<std::string>& words) {
          is_standard_header(name.substr(1, name.size() - 2));
 }
 
-/// A compiler may have defined it before, or what stands in the file may be replaced by it.
+/// Whether a name is safe as a guard: no compiler predefines it, and the code does not use it.
 bool guards(const std::string& name, Tokens tokens) {
   return !name.starts_with("__") &&
          std::none_of(tokens.begin(), tokens.end(), [&](const Token& token) {

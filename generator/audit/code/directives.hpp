@@ -1,4 +1,4 @@
-// Turns the lines for the preprocessor into a refusal, where they may change what code says.
+// Turns lines for the preprocessor into a refusal where they may change what the code says.
 #pragma once
 
 #include "audit/code/tokens.hpp"

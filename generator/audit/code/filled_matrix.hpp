@@ -7,12 +7,12 @@ namespace assur::generator::audit::code {
 
 /// One entry: empty text stands for zero.
 struct CodeEntry {
-  closures::PlacedText text;  ///< a formula; its columns count on over the ends of lines
+  closures::PlacedText text;  ///< a formula; its columns are counted across line ends
   closures::LocalNames locals;
   std::string source;  ///< as it stands in the code
 };
 
-/// What of a code's matrix is audited: its name and size.
+/// The matrix in the code that is audited: its name and size.
 struct AuditedMatrix {
   std::string array;
   std::size_t rows;
@@ -29,18 +29,18 @@ class FilledMatrix {
       : matrix_(matrix), code_(code), entries_(matrix.rows * matrix.columns) {}
 
   [[nodiscard]] const AuditedMatrix& matrix() const { return matrix_; }
-  /// Indices from 0; `name` is how formulas name the entry, which may repeat it from then on.
-  /// Throws CodeError outside the matrix.
+  /// Assigns one entry, with indices from 0; formulas may use it as `name` from then on. Throws
+  /// CodeError outside the matrix.
   void assign(std::size_t row, std::size_t column, const CodeName& name, Tokens value,
               LocalValues& locals);
-  /// All of it, row by row. Throws CodeError unless there are as many.
+  /// Assigns all entries, row by row. Throws CodeError unless there are as many values.
   void assign_all(const std::vector<Tokens>& values, closures::Place place,
                   const LocalValues& locals);
   void clear() {
     entries_.assign(entries_.size(), {});
     undefined_.reset();
   }
-  /// It is declared at this place and has no values before they are assigned.
+  /// The matrix is declared at this place and has no values before they are assigned.
   void begin_undefined(closures::Place place) { undefined_ = place; }
   /// Throws CodeError where nothing has been assigned, and where an entry has no value at all.
   [[nodiscard]] std::vector<CodeEntry> entries();

@@ -24,7 +24,7 @@ const std::set<std::string>& types() {
 
 Tokens behind(Tokens tokens, std::size_t count) { return tokens.subspan(count); }
 
-/// How many tokens are `std::` or `this->`, which say nothing to a formula.
+/// How many tokens are `std::` or `this->`, which formulas leave out.
 std::size_t prefix(Tokens tokens) {
   const Tokens two = tokens.first(std::min<std::size_t>(tokens.size(), 2));
   return are(two, {"std", "::"}) || are(two, {"this", "->"}) ? 2 : 0;
@@ -162,7 +162,7 @@ class FormulaWriter {
   CodeFormula formula_;
 };
 
-/// What a part of a formula is in C++: a whole number, and its size where numbers alone tell it.
+/// Whether a part of a formula is a whole number in C++, and its size, with variables as zero.
 struct Whole {
   bool whole = false;
   double most = 0;
@@ -273,7 +273,7 @@ bool is_whole(const CodeFormula& formula, const std::vector<CodeName>& whole) {
   try {
     tree = text::parse_expression(formula.text.text, functions);
   } catch (const text::ExpressionError&) {
-    return false;  // whoever reads it as a formula says why
+    return false;  // the reader of formulas reports it
   }
   return Wholeness{formula, whole}(tree).whole;
 }

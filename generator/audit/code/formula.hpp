@@ -1,4 +1,4 @@
-// Turns a C++ expression into the formula that it is, character by character in the same place.
+// Turns a C++ expression into a formula with every name and number in the same place.
 #pragma once
 
 #include "audit/code/tokens.hpp"
@@ -16,7 +16,7 @@ struct CodeName {
   [[nodiscard]] bool is_part_of(const CodeName& whole) const;
 };
 
-/// The longest name that tokens begin with, and of how many tokens it is; none for a function.
+/// The longest name that the tokens begin with, and its number of tokens; zero for a function.
 struct LeadingName {
   CodeName name;
   std::size_t tokens = 0;
@@ -24,27 +24,27 @@ struct LeadingName {
 [[nodiscard]] LeadingName leading_name(Tokens tokens);
 
 struct CodeFormula {
-  closures::PlacedText text;  ///< its columns count on over the ends of lines
+  closures::PlacedText text;  ///< its columns are counted across line ends
   std::vector<CodeName> names;
   std::vector<CodeName> unknown_calls;  ///< of functions that formulas do not have
 };
 
-/// What languages write alike and mean otherwise.
+/// What is spelled alike in C++ and MATLAB but means something different.
 struct Dialect {
   bool caret_is_power = false;
   bool pi_is_known = false;
   bool whole_quotients_round = true;
 };
 
-/// `std::`, `this->` and the suffixes of numbers go and become spaces. Throws CodeError for what
-/// means something else in C++: casts, `^`, `++`, `=`, octal numbers.
+/// Replaces `std::`, `this->` and the suffixes of numbers by spaces. Throws CodeError for what has
+/// another meaning in C++ than in formulas: casts, `^`, `++`, `=`, octal numbers.
 [[nodiscard]] CodeFormula code_formula(Tokens tokens, const Dialect& dialect = {});
 
-/// Whether the formula's value is a whole number in C++, where `whole` are such variables. Throws
-/// CodeError for a quotient of two, which is rounded, and for what no `int` can hold.
+/// Whether the formula's value is a whole number in C++, as those of the variables `whole` are.
+/// Throws CodeError for a quotient of whole numbers, which is rounded, and for what no `int` holds.
 [[nodiscard]] bool is_whole(const CodeFormula& formula, const std::vector<CodeName>& whole);
 
-/// Whether a function of this name is read as the one of mathematics.
+/// Whether a function of this name is read as the mathematical function.
 [[nodiscard]] bool is_known_function(const std::string& name);
 
 }  // namespace assur::generator::audit::code

@@ -11,7 +11,7 @@ namespace assur::generator::audit::code {
 
 namespace {
 
-/// Words after which a statement is no longer a plain assignment, and what they are.
+/// Words that make a statement more than a plain assignment, and what they introduce.
 const std::map<std::string, std::string>& refused_words() {
   static const std::map<std::string, std::string> list = [] {
     std::map<std::string, std::string> words;
@@ -119,7 +119,7 @@ class FileReader {
     ++at_;
   }
 
-  /// A type of plain members, whose sorts count, or a list of constants.
+  /// Keeps the members of a type, whose sorts matter, or the constants of an enumeration.
   void skip_type() {
     const std::size_t from = at_;
     while (at_ < tokens_.size() && !next_is("{") && !next_is(";") && !next_is("(")) {
@@ -158,7 +158,7 @@ class FileReader {
     }
   }
 
-  /// A function, or a statement outside of all.
+  /// A function, or a statement outside all functions.
   void read_declaration() {
     const std::size_t from = at_;
     refuse_words(tokens_.subspan(from, 1));
@@ -188,7 +188,7 @@ class FileReader {
     }
   }
 
-  /// `void fill(Matrix& J)`: a type, a name that is not the matrix's, and what it takes.
+  /// `void fill(Matrix& J)`: a type, a name that is not the matrix's, and parameters.
   [[nodiscard]] bool is_prototype(Tokens statement, std::size_t parameters) {
     if (parameters < 2 || parameters >= statement.size()) {
       return false;
@@ -266,7 +266,7 @@ class FileReader {
     }
     if (first != inside.size()) {
       list.push_back(inside.subspan(first));
-      static_cast<void>(statements_of(list));  // it may say more than that
+      static_cast<void>(statements_of(list));  // its error may say more
       throw CodeError("this statement has no semicolon", inside[first].place);
     }
     file_.statements = statements_of(list);
@@ -285,7 +285,7 @@ class FileReader {
     }
   }
 
-  /// Without empty ones; all are plain, and nothing follows a `return`.
+  /// Leaves out empty ones. Throws CodeError unless all are plain and none follows a `return`.
   static std::vector<Tokens> statements_of(const std::vector<Tokens>& list) {
     std::vector<Tokens> statements;
     for (const Tokens& statement : list) {
@@ -307,7 +307,7 @@ class FileReader {
   std::size_t at_ = 0;
   int open_ = 0;  ///< namespaces
   std::vector<Tokens> outer_;
-  std::vector<Tokens> templated_;  ///< what stands before the next declaration
+  std::vector<Tokens> templated_;  ///< parameters of the templates before the next declaration
   FillingFunction file_;
 };
 

@@ -23,13 +23,13 @@ class LocalValues {
   void set(const CodeName& name, Tokens expression);
   /// Whatever the variable stood for, it can no longer be read, for that reason.
   void forget(const CodeName& name, const std::string& reason);
-  /// A parameter of the function: the symbol of that name, whatever stands outside.
+  /// A parameter of the function is the symbol of its name, whatever is declared outside.
   void take(const CodeName& name);
-  /// It may be changed no more: something refers to it.
+  /// The variables of an expression may not be set any more, since something refers to them.
   void hold(Tokens expression);
   /// Its values, and those of its parts, are whole numbers.
   void declare_whole(const CodeName& name) { whole_.push_back(name); }
-  /// Its values are any numbers, whatever has been said of an earlier one of that name.
+  /// Its values are real numbers, whatever was declared of an earlier variable of that name.
   void declare_real(const std::string& name) {
     std::erase_if(whole_, [&](const CodeName& each) { return each.name == name; });
   }

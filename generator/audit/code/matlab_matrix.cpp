@@ -11,18 +11,18 @@ namespace {
 
 constexpr Dialect matlab{true, true, false};
 
-/// The code with comments and joints of lines blanked and `.*` spelled ` *`, so that every letter
+/// The code with comments and line continuations blanked and `.*` as ` *`, so that every letter
 /// keeps its place and the tokens are those of C++.
 struct PlainMatlab {
   std::string text;
-  std::set<std::size_t> joined_lines;  ///< that go on in the next
+  std::set<std::size_t> joined_lines;  ///< that continue on the next line
 };
 
 PlainMatlab plain(const std::string& code) {
   PlainMatlab result{code, {}};
   std::string& text = result.text;
   closures::Place place{1, 1};
-  int blocks = 0;  // block comments stand inside others
+  int blocks = 0;  // block comments may be nested
   for (std::size_t from = 0; from < text.size(); ++place.line) {
     const std::size_t end = std::min(text.find('\n', from), text.size());
     const std::string line = closures::trimmed({text.substr(from, end - from), {}}).text;
@@ -148,7 +148,7 @@ class MatlabMatrix {
     }
     read(tokens.subspan(from));
     std::vector<CodeEntry> entries = filled_.entries();
-    // A script goes on with a matrix that may have been there before.
+    // A script may fill a matrix that existed before, whose size is not known.
     const AuditedMatrix& audited = filled_.matrix();
     if ((is_function_ || cleared_) && (rows_ != audited.rows || columns_ != audited.columns)) {
       throw CodeError(array_ + " is " + std::to_string(rows_) + " by " + std::to_string(columns_) +
@@ -163,7 +163,7 @@ class MatlabMatrix {
     throw CodeError(what + by_running, at.place);
   }
 
-  /// `function J = name(r, l)`: the function gives the matrix, and nothing else is in the file.
+  /// `function J = name(r, l)`: the function returns the matrix, and nothing stands before it.
   std::size_t header_end(Tokens tokens, std::size_t from) {
     std::size_t end = from + 1;
     while (end < tokens.size() && (tokens[end].place.line == tokens[end - 1].place.line ||
@@ -224,7 +224,7 @@ class MatlabMatrix {
     }
   }
 
-  /// The matrix is mentioned by whole entries alone, and no power has a power as its base.
+  /// Refuses a mention of the matrix that is not one of its entries, and a^b^c.
   void expect_plain(Tokens value) const {
     for (std::size_t at = 0; at < value.size(); ++at) {
       if (value[at].is(array_.c_str()) && leading_name(value.subspan(at)).tokens != 6) {
@@ -286,7 +286,7 @@ class MatlabMatrix {
     cleared_ = true;
   }
 
-  /// Indices begin with 1; what is outside is refused by the matrix.
+  /// Indices begin with 1; `FilledMatrix` refuses those outside the matrix.
   [[nodiscard]] static std::size_t index(const Token& token) { return whole_number(token) - 1; }
 
   const std::string& array_;
@@ -295,7 +295,7 @@ class MatlabMatrix {
   const std::set<std::size_t>& joined_;
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
-  closures::Place sized_{1, 1};  ///< where the size was last said
+  closures::Place sized_{1, 1};  ///< where the size was last set
   bool cleared_ = false;
   bool is_function_ = false;
   bool begun_ = false;

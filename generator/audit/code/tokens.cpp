@@ -65,7 +65,7 @@ class Lexer {
     }
   }
 
-  /// How many letters a backslash at the end of a line takes, which joins it with the next.
+  /// The length of the backslash and line end at `at`, which join two lines; zero if there is none.
   [[nodiscard]] std::size_t joint(std::size_t at) const {
     if (at >= code_.size() || code_[at] != '\\') {
       return 0;
@@ -80,7 +80,7 @@ class Lexer {
   bool skip_blank() {
     const std::size_t before = at_;
     if (const std::size_t joined = joint(at_); joined > 0) {
-      // A name or a mark may go on behind it, and be another one.
+      // A name or a mark may continue on the next line, and be another one.
       if (at_ > 0 && !is_space(code_[at_ - 1]) && at_ + joined < code_.size() &&
           !is_space(code_[at_ + joined])) {
         fail("a word that goes on in the next line cannot be read; write it in one line");

@@ -26,7 +26,7 @@ struct Token {
 
 using Tokens = std::span<const Token>;
 
-/// Comments are left out. Throws CodeError for what a C++ compiler reads in a way of its own:
+/// Comments are left out. Throws CodeError for what a C++ compiler reads in a special way:
 /// digraphs, trigraphs, universal names, and marks or letters that C++ does not have.
 [[nodiscard]] std::vector<Token> code_tokens(const std::string& code);
 
@@ -38,9 +38,9 @@ using Tokens = std::span<const Token>;
 [[nodiscard]] std::vector<Tokens> declared_parts(Tokens tokens);
 /// Whether the tokens are these, one after the other; `#` stands for any whole number.
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
-/// The number that a token spells; what is longer than any matrix is 999999.
+/// The number that a token spells; 999999 for more than six digits, which no index has.
 [[nodiscard]] std::size_t whole_number(const Token& token);
-/// The place in the code, where the column counts on over the ends of lines.
+/// The place in the code of a place whose column is counted across line ends.
 [[nodiscard]] closures::Place place_in_code(const std::string& code, closures::Place place);
 
 }  // namespace assur::generator::audit::code

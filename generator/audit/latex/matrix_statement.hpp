@@ -6,9 +6,9 @@
 
 namespace assur::generator::audit::latex {
 
-/// What a statement of matrices came to.
+/// The findings of a statement about matrices.
 struct MatrixAnswer {
-  std::size_t columns = 0;  ///< zero where its findings are no entries
+  std::size_t columns = 0;  ///< zero where the findings are not of single entries
   std::vector<Finding> findings;
 };
 

@@ -30,7 +30,7 @@ std::string case_text(const Case& values) {
                       [](const auto& pair) { return pair.first + " = " + pair.second; });
 }
 
-/// Why a paper of these equations says nothing that could be audited.
+/// Why there is nothing to audit in a paper with these equations.
 std::string why_nothing(const std::vector<generator::latex::Displayed>& equations,
                         const PaperMap& map) {
   if (equations.empty()) {
@@ -78,7 +78,7 @@ class PaperAuditor {
  private:
   closures::ClosureSystem& system() { return formulas_.system(); }
 
-  /// Definitions in whatever order they stand: each may use others.
+  /// Reads the definitions of the paper; each may use others, also later ones.
   void define_all() {
     bool more = true;
     while (more) {
@@ -100,7 +100,7 @@ class PaperAuditor {
     }
   }
 
-  /// Signs of closures count for all that is printed, before them and behind.
+  /// Reverses closures that are printed with all signs reversed, also for what is printed before.
   void turn_closures() {
     std::map<std::string, bool> turned;
     for (const Stated& stated : stated_) {

@@ -14,8 +14,8 @@ namespace {
 
 using closures::PlacedText;
 
-/// `1..13` as the numbers from 1 to 13, `f1..4` as f1, f2, f3, f4, and a word without dots as it
-/// is. Throws FormulaError for a range of nothing, or of more than anybody writes.
+/// `1..13` as the numbers from 1 to 13, `f1..4` as f1, f2, f3, f4, and a word without dots
+/// unchanged. Throws FormulaError for an empty range, or one beyond 999.
 std::vector<std::string> spread(const std::string& word, closures::Place place) {
   const std::size_t dots = word.find("..");
   if (dots == std::string::npos) {
@@ -55,7 +55,7 @@ std::optional<PlacedText> behind(const PlacedText& text, const std::string& word
   return rest;
 }
 
-/// What audit files have beside declarations: in a paper, the paper itself says what is printed.
+/// Statements of audit files that no map has, since the paper itself says what is printed.
 const std::vector<std::string> of_the_audit = {"printed", "scene", "group", "given", "value"};
 
 const std::vector<std::string> own_keywords = {"closures", "display",  "index", "sum",
@@ -294,7 +294,7 @@ void PaperMap::expect_known_names() const {
   };
   for (const Formula& formula : formulas_) {
     if (formula.text.text.find('?') != std::string::npos) {
-      continue;  // the paper says what is put there
+      continue;  // the paper's notation fills it in
     }
     try {
       expect_known_names(text::parse_expression(formula.text.text, closures::formula_functions()),
@@ -384,7 +384,7 @@ std::optional<PrintedMatrix> PaperMap::matrix_frame(const Tokens& notation) cons
       if (matrix.rows.empty()) {
         return PrintedMatrix{};
       }
-      // A `?` of the columns is a notation of the paper.
+      // A `?` among the columns is a quantity in the paper's notation.
       std::vector<std::string> columns;
       for (const PlacedText& word : closures::words(matrix.columns)) {
         if (word.text != "?") {

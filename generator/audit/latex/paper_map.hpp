@@ -1,4 +1,4 @@
-// Turns a map, which ties the notation of a paper to quantities, into what reads the paper.
+// Turns a map, which ties the notation of a paper to quantities, into rules to read the paper by.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@ using generator::latex::DisplayCommand;
 using generator::latex::Notations;
 using generator::latex::Tokens;
 
-/// What the paper's equations are read by; docs/reference/audit_format.md tells its file's form.
+/// The rules by which a paper is read; docs/reference/audit_format.md describes the map's format.
 class PaperMap {
  public:
   /// Throws InputError.
@@ -45,16 +45,16 @@ class PaperMap {
   }
   [[nodiscard]] const std::map<std::string, DisplayCommand>& commands() const { return commands_; }
   /// Finds what the map skips among the equations and sections of the paper; before that, no
-  /// section is skipped. Throws AuditSyntaxError where an equation or a section is not one of
-  /// these.
+  /// section is skipped. Throws AuditSyntaxError where the map skips an equation or a section that
+  /// the paper does not have.
   void find_skipped(const std::set<std::string>& labels, const std::set<std::string>& sections);
   [[nodiscard]] bool skips(const std::string& label, const std::string& section) const {
     return skipped_.contains(label) || skipped_sections_.contains(section);
   }
-  /// The frame of the matrix whose notation these tokens are as a whole, or nothing; both lists are
-  /// empty where its titles say them. Throws FormulaError where a `?` is no quantity.
+  /// The rows and columns of the matrix that all these tokens denote, or nothing; both lists are
+  /// empty where the matrix's titles give them. Throws FormulaError where a `?` is not a quantity.
   [[nodiscard]] std::optional<PrintedMatrix> matrix_frame(const Tokens& notation) const;
-  /// The quantity that a whole side is, without power and dots.
+  /// The quantity that is all of a side, without a power or dots; nothing for other sides.
   [[nodiscard]] std::optional<generator::latex::Meaning> quantity(const Tokens& side) const;
   /// The names of a list such as `f1 f2` or `a1..13`.
   [[nodiscard]] std::vector<std::string> names(const closures::PlacedText& list,
@@ -67,18 +67,18 @@ class PaperMap {
   void read_index(const closures::PlacedText& rest,
                   std::map<std::string, std::vector<std::string>>& list);
   void read_skip(const closures::PlacedText& rest);
-  /// The longest title that these parts begin with is skipped. Returns where the next one begins.
+  /// Skips the longest title that the parts at `from` spell. Returns where the next one begins.
   std::size_t skip_section(const std::vector<closures::PlacedText>& parts, std::size_t from,
                            const std::set<std::string>& sections);
   void read_notation(const closures::PlacedText& line);
-  /// Throws where a notation is given a second meaning, of which one would be passed over.
+  /// Throws where a notation is given a second meaning, since one of the two would be ignored.
   void expect_new(const closures::PlacedText& notation, const Tokens& tokens) const;
-  /// Throws for names that nothing declares, neither above a notation nor below it.
+  /// Throws for names that the map declares neither above the notation nor below it.
   void expect_known_names() const;
   void expect_known_names(const text::Expression& tree, const closures::PlacedText& formula) const;
   /// The quantity that a symbol among the tokens stands for.
   [[nodiscard]] std::string quantity_named(const std::string& symbol, const Tokens& tokens) const;
-  /// The place is one of the joined text of the statement that is being read.
+  /// `place` is in the joined text of the statement that is being read.
   [[noreturn]] void fail(closures::Place place, const std::string& what) const;
 
   /// A formula of the map, and the statement that it stands in.

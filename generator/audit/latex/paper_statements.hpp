@@ -1,5 +1,5 @@
-// Turns the displayed equations of a paper into its statements: which closure, or which quantity of
-// its own, each of them gives.
+// Turns the displayed equations of a paper into statements, with the closure that each prints or
+// the name that it defines, if any.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ struct Stated {
   closures::Place place;
   Tokens tokens;
   std::vector<Tokens> sides = {};
-  std::string defines = {};                          ///< a name that the paper gives
-  std::string closure = {};                          ///< the closure that it prints
+  std::string defines = {};                          ///< the name that it defines, if any
+  std::string closure = {};                          ///< the closure that it prints, if any
   std::optional<closures::FormulaError> error = {};  ///< why it cannot be read
 };
 
-/// The statements of a paper but for those that the map skips. Throws FormulaError for a file that
+/// The statements of a paper, except those that the map skips. Throws FormulaError for a file that
 /// cannot be followed.
 [[nodiscard]] std::vector<Stated> paper_statements(const Tokens& tokens, PaperMap& map);
 

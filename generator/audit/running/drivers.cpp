@@ -39,7 +39,7 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-/// A `before` line ends as a statement does.
+/// The statements one per line, each with the end that its language requires.
 std::string lines(const std::vector<std::string>& statements, const std::string& indent,
                   const std::string& end) {
   std::string text;

@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t most_output = 100000;
 constexpr rlim_t most_file = 64U << 20U;
 
-/// The two ends of a pipe, closed with it.
+/// The two ends of a pipe, which the destructor closes.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
 
@@ -50,7 +50,7 @@ void limit(decltype(RLIMIT_CORE) what, rlim_t most) {
   setrlimit(what, &both);
 }
 
-/// What the child does between fork and exec: calls that are safe there, and no others.
+/// What the child does between fork and exec. It makes only calls that are safe there.
 [[noreturn]] void become(char* const* command, char* const* environment, const char* directory,
                          const ProcessLimits& limits, const Pipe& output, const Pipe& failure) {
   setpgid(0, 0);
@@ -84,7 +84,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// What has come through the pipe until now; the first of it is kept.
+/// Reads what has come through the pipe so far, and keeps the beginning of all output.
 void drain(int pipe, std::string& output) {
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(pipe, buffer.data(), buffer.size())) > 0;) {
@@ -105,7 +105,7 @@ ProcessEnd run_process(const std::vector<std::string>& command,
       "HOME=" + home.string(),
       "TMPDIR=" + home.string(),
       "LC_ALL=C",
-      "MALLOC_PERTURB_=165",  // memory that was never set is not zero by chance
+      "MALLOC_PERTURB_=165",  // so that memory that was never set is not zero by chance
       "OMP_NUM_THREADS=1",
       "OPENBLAS_NUM_THREADS=1"};
   const std::vector<char*> arguments = pointers(words);
@@ -144,7 +144,7 @@ ProcessEnd run_process(const std::vector<std::string>& command,
     drain(output.ends[0], end.output);
   }
   drain(output.ends[0], end.output);
-  kill(-child, SIGKILL);  // what it may have left behind
+  kill(-child, SIGKILL);  // processes that it may have left behind
   int error = 0;
   if (read(failure.ends[0], &error, sizeof error) > 0) {
     end.kind = ProcessEnd::Kind::not_found;

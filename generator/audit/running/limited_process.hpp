@@ -1,4 +1,4 @@
-// Turns a command line into its end, within limits of time and memory.
+// Turns a command line into the outcome of running it within limits of time and memory.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,11 @@ struct ProcessEnd {
 
   Kind kind = Kind::ended;
   int code = 0;        ///< the exit status, or the signal that killed it
-  std::string output;  ///< of both its streams, the first of it
+  std::string output;  ///< the beginning of what both its streams gave
 };
 
-/// Runs a command in a directory, with no input, an environment of a few plain variables, files of
-/// at most 64 MB, and nothing left running behind it. Its name is looked for in PATH.
+/// Runs a command, which is looked for in PATH, in a directory, with no input, a few plain
+/// environment variables and files of at most 64 MB. Ends what the command leaves running.
 [[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& command,
                                      const std::filesystem::path& directory,
                                      const std::filesystem::path& home,

@@ -55,7 +55,7 @@ std::string first_error(const std::string& output, const std::string& directory)
   return first.substr(0, 300);
 }
 
-/// The command with the first of the tools that there is.
+/// Runs the command with the first of the tools that exists.
 ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& arguments,
                     const std::filesystem::path& directory, const std::filesystem::path& home,
                     const ProcessLimits& limits) {
@@ -135,7 +135,7 @@ std::string signal_text(int signal) {
          (name == nullptr ? "" : std::string(" (SIG") + name + ")");
 }
 
-/// Throws for every end but a quiet one. `done` points have their values.
+/// Throws unless the program ended without an error. `done` points have their values.
 void expect_quiet(const ProcessEnd& end, const std::string& complaint, const MatrixSize& size,
                   std::size_t done, std::size_t all, const RunLimits& limits) {
   if (!complaint.empty() && complaint[0] == '!') {

@@ -10,14 +10,14 @@ namespace assur::generator::audit::running {
 
 enum class Language : unsigned char { cpp, c, python, octave };
 
-/// A function in a file, and how it is asked for a matrix. Quantities are variables of their names.
+/// A function in a file, and how to call it for a matrix. Quantities are variables of their names.
 struct UserProgram {
   std::filesystem::path file;       ///< absolute
-  std::filesystem::path directory;  ///< in which it is compiled: flags are read from there
+  std::filesystem::path directory;  ///< in which it is compiled: paths in flags start there
   Language language = Language::cpp;
   std::vector<std::string> before;  ///< statements that run before, in its own language
   std::string result;               ///< an expression: the matrix
-  std::string entry;                ///< of `result`, `i` and `j`; empty: by what the result is
+  std::string entry;                ///< in `result`, `i` and `j`; empty: by the result's type
   std::vector<std::string> flags;   ///< of the compiler or the interpreter
   std::string tool;                 ///< which one; empty: the usual one of the language
 };
@@ -39,7 +39,7 @@ struct RunLimits {
   std::size_t most_megabytes = 8192;  ///< for compilers and interpreters
 };
 
-/// What kept a program from giving its values, in one line; `point` is the first without them.
+/// Why a program did not give its values, in one line; `point` is the first point without values.
 struct ProgramError : std::runtime_error {
   explicit ProgramError(const std::string& what, std::size_t at = none)
       : std::runtime_error(what), point(at) {}

@@ -17,7 +17,7 @@ WorkDirectory::WorkDirectory() {
 }
 
 WorkDirectory::~WorkDirectory() {
-  std::error_code ignored;  // what a program has locked up is no reason to end the audit
+  std::error_code ignored;  // files that cannot be removed do not end the audit
   std::filesystem::remove_all(path_, ignored);
 }
 

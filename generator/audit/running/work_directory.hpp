@@ -14,7 +14,7 @@ class WorkDirectory {
   ~WorkDirectory();
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and whoever reads by name needs no path
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and callers that read by name need no path
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   /// Empty where there is no such file.
   [[nodiscard]] std::string read(const std::string& name) const;

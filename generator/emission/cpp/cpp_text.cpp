@@ -25,8 +25,8 @@ struct ConstantProduct {
   std::vector<std::string> names;
 };
 
-/// The product of named constants that a coefficient is; none if it is no product of them, or if
-/// doubles would round it.
+/// A coefficient as a product of named constants; nothing if it is no such product, or if doubles
+/// would round it.
 std::optional<ConstantProduct> constant_product(const program::Coefficient& coefficient,
                                                 const program::SymbolOrder& order) {
   ConstantProduct product{1, {}};
@@ -67,7 +67,7 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
   return rounded ? std::nullopt : std::optional(product);
 }
 
-/// The constant that a coefficient is up to its sign, if no double holds it.
+/// The named constant that equals a coefficient up to its sign, if no double holds its value.
 std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
                                       const program::SymbolOrder& order) {
   for (const GiNaC::ex& origin : {coefficient.origin(), GiNaC::ex(-coefficient.origin())}) {
@@ -129,7 +129,7 @@ class CppText {
     return scaled(step.value);
   }
 
-  /// The numbers that no double holds and that have names, a statement each.
+  /// One statement for each named constant whose value no double holds.
   [[nodiscard]] std::vector<std::string> quotients() const {
     std::map<std::string, GiNaC::numeric> values;
     const program::SymbolOrder& order = program_.graph().order();
@@ -173,9 +173,9 @@ class CppText {
     return {coefficient.is_negative(), literal(coefficient.size().value())};
   }
 
-  /// A small whole number and what a double holds as they are, a third and the like as a quotient;
-  /// any other by the double nearest to it and the double nearest to what is left: so that the
-  /// number is as exact in double-double arithmetic as the operations are.
+  /// A number that a double holds is written in its digits, and one like a third as a quotient. Any
+  /// other is written as the double nearest to it and the double nearest to the rest, so that in
+  /// double-double arithmetic it is as exact as the operations.
   static std::string literal(const GiNaC::numeric& number) {
     if (is_double(number)) {
       return "Scalar(" + digits(number) + ")";
@@ -249,8 +249,9 @@ class CppText {
   const Spelling& spelling_;
 };
 
-/// The last place up to `width` where a line may be broken: before a space that follows a comma or
-/// goes before an operator, else before any space behind the indentation.
+/// The last place within the line width where a line may be broken: in code at a space after a
+/// comma or before an operator; in comments, or if there is no such place, at any space after
+/// `start`.
 std::size_t break_position(const std::string& line, std::size_t start, bool comment) {
   std::size_t any = std::string::npos;
   std::size_t good = std::string::npos;

@@ -16,12 +16,12 @@ using Spelling = std::function<std::string(const std::string& symbol)>;
 /// The shortest decimal number that reads back as the same double; zero has no sign.
 [[nodiscard]] std::string round_trip(double value);
 
-/// The rational number that a double is.
+/// The rational number that a double equals.
 [[nodiscard]] GiNaC::numeric exact(double value);
-/// Whether a double is a rational number, without rounding.
+/// Whether a double equals a rational number exactly.
 [[nodiscard]] bool is_double(const GiNaC::numeric& number);
 
-/// The program's statements, one a line.
+/// The program's statements, one per line.
 [[nodiscard]] std::vector<std::string> cpp_lines(const program::Program& program,
                                                  const Spelling& spelling);
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The scene of which emitted text says that it is the solver; empty where it says of none.
+/// The scene file that an emitted solver says it is for; empty for any other text.
 std::string scene_of(const std::string& text) {
   const std::string before = "// Reproduce: assur emit --scene ";
   const std::size_t place = text.find(before);
@@ -24,7 +24,7 @@ std::string scene_of(const std::string& text) {
   return text.substr(begin, text.find(" --", begin) - begin);
 }
 
-/// The first bytes of a regular file; nothing of anything else, since a device may have no end.
+/// The first bytes of a regular file; empty for anything else, since a device may have no end.
 std::string head_of(const fs::path& file, std::size_t most) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) {
@@ -49,7 +49,7 @@ void expect_same_scene(const EmittedFile& file, const fs::path& target) {
   }
 }
 
-/// Files that stand beside those that they will replace; removed unless they do.
+/// Files written beside those that they are to replace; removed if that does not happen.
 class PendingFiles {
  public:
   explicit PendingFiles(fs::path directory) : directory_(std::move(directory)) {}
@@ -65,7 +65,7 @@ class PendingFiles {
   void write(const EmittedFile& file) {
     const fs::path target = directory_ / file.path;
     fs::path beside = target;
-    // Two runs at once do not write the same one.
+    // Two runs at the same time must not write the same file.
     beside += ".part" + std::to_string(getpid());
     std::error_code error;
     fs::create_directories(target.parent_path(), error);

@@ -15,8 +15,8 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// Stands on blank lines until a template is filled in: a blank line behind a tag must not become
-/// a line of that tag alone.
+/// Marks blank lines until a template is filled in: otherwise a tag whose line end is removed, with
+/// a blank line after it, would again be a line that holds nothing but a tag.
 const std::string blank_line = "\x01";
 
 /// A template without the ends of lines that hold nothing but a tag. The library keeps these ends
@@ -67,7 +67,7 @@ std::string comment_text(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
   std::replace(text.begin(), text.end(), '\\', '/');
-  // Before C++17 and in C99 these three are a backslash, which would continue the comment.
+  // Before C++17 and in C99 these three characters are a backslash that continues the comment.
   for (std::size_t at = text.find("?\?/"); at != std::string::npos; at = text.find("?\?/", at)) {
     text.erase(at, 1);
   }

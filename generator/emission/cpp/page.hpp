@@ -8,7 +8,7 @@
 
 namespace assur::generator::emission::cpp {
 
-/// What a template shows, by name: texts, whether a section stands, and lists of views.
+/// What a template shows, by name: texts, whether a section is shown, and lists of views.
 class View {
  public:
   using List = std::vector<View>;
@@ -28,16 +28,16 @@ class View {
   std::map<std::string, Value> values_;
 };
 
-/// A view a line, as `line`.
+/// One view per line, with the line as `line`.
 [[nodiscard]] View::List line_list(const std::vector<std::string>& lines,
                                    const std::string& indentation = "");
 
 [[nodiscard]] std::string boolean(bool value);
 
-/// A text of a user's for a comment: on one line, without a backslash that would continue it.
+/// A user's text for a comment: on one line, without a backslash that would continue it.
 [[nodiscard]] std::string comment_text(std::string text);
 
-/// A template of templates/ filled in, with its lines broken at 100 columns. It may contain the
+/// A template of templates/ filled in, with its lines broken at 100 columns. It may include the
 /// others; lines that hold nothing but a tag of a section leave no blank line.
 [[nodiscard]] std::string page(const std::string& name, const View& view);
 

@@ -21,8 +21,8 @@ namespace {
 using numeric::Magnitude;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// The sizes of the variables of all groups whose lengths are at most so long, unless they are
-/// numbers.
+/// The largest sizes of the variables of all groups whose lengths are at most `longest`; `numbers`
+/// are the sizes of variables that are numbers.
 Sizes sizes_up_to(double longest, const equations::ClosureEquations& equations,
                   const Sizes& numbers) {
   Sizes sizes = numbers;
@@ -40,7 +40,7 @@ Sizes sizes_up_to(double longest, const equations::ClosureEquations& equations,
   return sizes;
 }
 
-/// A program carried out on magnitudes, term by term in whatever order it is written.
+/// A program carried out on magnitudes, for any order in which the terms of a sum are added.
 class Estimate {
  public:
   Estimate(const program::Program& program, const Sizes& sizes) : program_(program), sizes_(sizes) {
@@ -106,7 +106,7 @@ class Estimate {
   std::map<std::string, Magnitude> results_;
 };
 
-/// The discriminants of what a program computes, as the runtime computes them.
+/// The discriminants of the final polynomial, as the runtime computes them.
 support::Discriminants<Magnitude> discriminants(const elimination::Elimination& elimination,
                                                 const Estimate& polynomial, double off) {
   const auto coefficient = [&](const std::string& target) {
@@ -131,7 +131,7 @@ support::Discriminants<Magnitude> discriminants(const elimination::Elimination& 
   return support::discriminants_of(T);
 }
 
-/// What a polynomial is at most.
+/// An upper bound of the size of a polynomial.
 double most(const GiNaC::ex& polynomial, const Sizes& sizes) {
   const GiNaC::ex expanded = polynomial.expand();
   if (GiNaC::is_a<GiNaC::numeric>(expanded)) {
@@ -152,9 +152,8 @@ double most(const GiNaC::ex& polynomial, const Sizes& sizes) {
   return result;
 }
 
-/// A final polynomial T = c0 + c1 cos x + s1 sin x of a group with two unknowns. Its two roots are
-/// the feet of r = sqrt(discriminant) and of -r, and there r is the derivative of T, up to its
-/// sign.
+/// A final polynomial T = c0 + c1 cos x + s1 sin x of a group with two unknowns. Its two roots
+/// belong to r = sqrt(discriminant) and to -r, and the derivative of T is r there, up to its sign.
 class Circle {
  public:
   Circle(const equations::ClosureEquations& equations, const elimination::Elimination& elimination,
@@ -180,8 +179,8 @@ class Circle {
     }
   }
 
-  /// The discriminant from which on a group is regular. It is zero where det J is no multiple of
-  /// the root of the discriminant, so that nothing is said by it.
+  /// The discriminant from which on a group is regular. It is zero where det J is no constant
+  /// multiple of the root of the discriminant, so that the discriminant does not decide.
   [[nodiscard]] double regular_discriminant(Sizes sizes) const {
     GiNaC::ex determinant = 1;
     for (const pivoting::Pivot& pivot : structured_.pivots()) {
@@ -211,11 +210,11 @@ class Circle {
     return std::isfinite(square) ? square / (factor * factor) : 0;
   }
 
-  /// Where the two roots differ first, in what puts configurations in order.
+  /// The first of the keys that order configurations in which the two roots differ.
   struct Difference {
     int key;
-    /// The square of the difference is at least so many times the discriminant; zero if it may be
-    /// any less.
+    /// The square of the difference is at least this times the discriminant; zero if no such bound
+    /// is known.
     double least;
   };
   [[nodiscard]] Difference first_difference(const Sizes& sizes) const {
@@ -250,9 +249,9 @@ class Circle {
     return {0, 0};
   }
 
-  /// Whether the closures hold where T does once the other unknowns are computed, as the square of
-  /// what they miss by is a multiple of the square of T; and whether T would show what is no
-  /// number.
+  /// Whether the closures hold where T = 0 once the other unknowns are computed: the sum of their
+  /// squares is a constant multiple of T^2. T must also contain every dimension and input, so that
+  /// it is not a number if one of these is not.
   [[nodiscard]] bool completion_closes() const {
     GiNaC::ex square;
     for (const GiNaC::ex& residual : equations_.residuals) {
@@ -272,7 +271,7 @@ class Circle {
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const {
     return equations_.vocabulary.expand(expression);
   }
-  /// The ratio with the other unknowns as they are completed, over a polynomial.
+  /// The ratio of a value, with the other unknowns replaced as they are completed, to a polynomial.
   [[nodiscard]] GiNaC::ex ratio(const GiNaC::ex& value, const GiNaC::ex& polynomial) const {
     const GiNaC::ex fraction = value.subs(completed_).normal().numer_denom();
     return (elimination::on_circle(fraction.op(0), equations_) /
@@ -280,7 +279,7 @@ class Circle {
         .normal();
   }
   /// The square of a key's difference between the two roots, over the discriminant. A key of higher
-  /// degree in the unknown is taken for one that differs by no one knows how much.
+  /// degree in the unknown is taken to differ by an unknown amount.
   [[nodiscard]] GiNaC::ex square_of_difference(const GiNaC::ex& key) const {
     const GiNaC::ex fraction = key.subs(completed_).normal().numer_denom();
     const GiNaC::ex numerator = elimination::on_circle(fraction.op(0), equations_);
@@ -332,7 +331,7 @@ int show_closed_form(const equations::ClosureEquations& equations,
   const support::Discriminants<Magnitude> twice = up_to(2 * range.longest);
   const auto show = [&](const std::string& name, const Magnitude& one, const Magnitude& two) {
     const int degree = range.is_scaled ? std::ilogb(two.size / one.size) : 0;
-    // Products of errors are not estimated: of what has no size they are all that there is.
+    // Products of errors are not estimated. Where the size is zero, there are no other errors.
     const bool is_known = one.rounding() > 0 && degree <= support::highest_discriminant_degree;
     constexpr double nothing_is_certain = 1e300;
     view.set(name + "_degree", std::to_string(degree));
@@ -352,7 +351,7 @@ int show_closed_form(const equations::ClosureEquations& equations,
     const Circle circle(equations, elimination, structured);
     const Sizes sizes = sizes_up_to(range.longest, equations, range.numbers);
     const Circle::Difference difference = circle.first_difference(sizes);
-    // Ten times what rounding may make of a key.
+    // Ten times the largest difference that rounding makes in a key.
     constexpr double clear = 1e-5;
     const double from = circle.regular_discriminant(sizes);
     if (from > 0 && difference.least > 0 && circle.completion_closes()) {

@@ -1,4 +1,4 @@
-// Turns a closed form into what is certain of all groups of its model, whatever their numbers are.
+// Turns a closed form into bounds that hold for all groups of its model, whatever their numbers.
 #pragma once
 
 #include <map>
@@ -11,21 +11,21 @@
 
 namespace assur::generator::emission::model {
 
-/// What symbols are at most, by their names.
+/// Upper bounds of the sizes of symbols, by their names.
 using Sizes = std::map<std::string, double>;
 
-/// The groups in question.
+/// The groups for which the bounds hold.
 struct GroupRange {
   double longest = 1;              ///< no length exceeds this
-  bool is_scaled = true;           ///< groups are alike in all sizes: no length is a number
-  Sizes numbers = {};              ///< in place of variables
-  double rounding_of_numbers = 0;  ///< what a coefficient is off by for them
+  bool is_scaled = true;           ///< groups may be of any scale: no length is a number
+  Sizes numbers = {};              ///< the sizes of variables that are numbers
+  double rounding_of_numbers = 0;  ///< the error of a coefficient that these cause
 };
 
-/// What the runtime reads of a final polynomial that is solved by formula: when its discriminant
-/// has a certain sign, and when it vouches for configurations that are regular, in order by one
-/// key, and close by the formula itself. `polynomial` is the program that computes the final
-/// polynomial. Returns the place of that key; zero where nothing is vouched for.
+/// Shows what the runtime reads of a final polynomial that is solved by formula: when the sign of
+/// its discriminant is certain, and when the discriminant proves that configurations are regular,
+/// ordered by one key, and closed by the formula itself. `polynomial` is the program that computes
+/// the final polynomial. Returns the place of that key; zero where there is no such proof.
 int show_closed_form(const equations::ClosureEquations& equations,
                      const elimination::Elimination& elimination,
                      const pivoting::StructuredJacobian& structured,

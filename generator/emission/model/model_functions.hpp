@@ -17,8 +17,8 @@ struct Parameter {
   std::string name;
 };
 
-/// One function to emit: results are assigned to the `outputs`, which are cleared first where most
-/// of their entries are zero.
+/// One function to emit: results are assigned to the `outputs`. A matrix or vector is cleared first
+/// if any of its entries is zero.
 struct ModelFunction {
   std::string name;
   std::vector<std::string> doc;
@@ -30,8 +30,8 @@ struct ModelFunction {
 /// `J(1, 2)`: an entry of a matrix, as C++ writes it.
 [[nodiscard]] std::string entry(const std::string& matrix, std::size_t row, std::size_t column);
 
-/// What the functions of one model name, each name once; but for rates, which some functions
-/// compute and others are given.
+/// The quantities that the functions of one model name, each name once, except rates, which some
+/// functions compute and others are given.
 [[nodiscard]] std::vector<equations::NamedQuantity> known_quantities(
     const equations::ImplicitEquations& equations,
     const std::vector<const equations::Vocabulary*>& vocabularies);

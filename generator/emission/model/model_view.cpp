@@ -10,7 +10,7 @@ namespace assur::generator::emission::model {
 
 namespace {
 
-/// Outputs most of whose entries are zero are cleared before the others are assigned.
+/// Whether an output has entries that are zero: it is cleared before the others are assigned.
 bool mostly_zero(const ModelFunction& function, const Parameter& output) {
   const std::string entries = output.name + "(";
   return std::any_of(function.results.begin(), function.results.end(),

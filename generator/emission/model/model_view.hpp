@@ -17,7 +17,7 @@ namespace assur::generator::emission::model {
 /// function's first lines take them out of the vectors.
 class ModelSpelling {
  public:
-  /// The inputs are those that the vectors of their rates hold.
+  /// The inputs are in the order of the vectors of their rates.
   ModelSpelling(const std::deque<equations::Variable>& unknowns,
                 const std::deque<equations::Variable>& dimensions,
                 const std::deque<equations::Variable>& inputs) {
@@ -26,7 +26,7 @@ class ModelSpelling {
     add(inputs, "u");
   }
 
-  /// A symbol that is an entry of a parameter and is taken out of it, as rates are.
+  /// Declares a symbol that is an entry of a parameter and is taken out of it, as rates are.
   void take_out(const GiNaC::symbol& symbol, const std::string& entry) {
     rates_[symbol.get_name()] = entry;
   }
@@ -48,27 +48,27 @@ class ModelSpelling {
   std::map<std::string, std::string> rates_;
 };
 
-/// What is said of the unknowns, dimensions or inputs: `<kind>s` is the list of name, type and
+/// Shows the unknowns, dimensions or inputs: `<kind>s` is the list of name, type and
 /// meaning and, for unknowns, owner; `<kind>_names` the names, `<kind>_count` their number.
 void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
                     cpp::View& view, const std::vector<equations::Owner>& owners = {});
 /// The links with their joints and frames.
 [[nodiscard]] cpp::View::List link_list(const equations::ClosureEquations& equations);
-/// Whether results that are zero, of outputs that are not cleared, are assigned or left out: the
-/// numbers of a mechanism may make zero what the reader of a general model knows to be none.
+/// Whether zero results of outputs that are not cleared are assigned or left out. Readers of a
+/// general model know which of its results are zero; the numbers of a mechanism may make more zero.
 enum class ZeroResults : unsigned char { left_out, assigned };
 
 [[nodiscard]] cpp::View function_view(const ModelFunction& function,
                                       const program::Program& program,
                                       const ModelSpelling& spelling,
                                       ZeroResults zeros = ZeroResults::left_out);
-/// The vector equations, and what the angles must satisfy beside them, a line each.
+/// The vector equations, and what the angles must satisfy beside them, one line each.
 [[nodiscard]] std::vector<std::string> closure_lines(const equations::ClosureEquations& equations);
 /// How the closed form comes about, one line per step.
 [[nodiscard]] std::vector<std::string> elimination_steps(
     const elimination::Elimination& elimination);
 
-/// What the runtime reads of a rigid model: its pivots and its closed form.
+/// Shows what the runtime reads of a rigid model: its pivots and its closed form.
 void show_solution(const pivoting::StructuredJacobian& structured,
                    const equations::ClosureEquations& equations,
                    const elimination::Elimination& elimination, cpp::View& view);

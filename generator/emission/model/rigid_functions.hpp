@@ -1,4 +1,4 @@
-// Turns a rigid model's equations into the functions that solve them, and what these name.
+// Turns a rigid model's equations into the functions that solve them, and the names in these.
 #pragma once
 
 #include <vector>

@@ -84,7 +84,7 @@ class SolutionFunctions {
     }
   }
 
-  /// dq of one unknown for a right-hand side in the frames.
+  /// One unknown of the solution for a right-hand side in the frames of the loops.
   [[nodiscard]] GiNaC::ex gained(std::size_t unknown, const Rows& rhs) const {
     GiNaC::ex sum;
     for (std::size_t row = 0; row < rhs.size(); ++row) {
@@ -250,7 +250,7 @@ class SolutionFunctions {
     return result;
   }
 
-  /// Rates as far as the inputs' rates alone make them: by the sensitivities to the inputs.
+  /// The part of an unknown's rate that the inputs' rates cause, by the sensitivities to them.
   [[nodiscard]] GiNaC::ex followed(std::size_t unknown, GiNaC::symbol equations::Variable::*rate,
                                    const std::vector<Rows>& sensitivities) const {
     GiNaC::ex sum;

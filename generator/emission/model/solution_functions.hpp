@@ -8,7 +8,7 @@
 
 namespace assur::generator::emission::model {
 
-/// A function with the quantities that it alone names.
+/// A function with its own vocabulary: the common quantities, and those that it alone names.
 struct NamingFunction {
   ModelFunction function;
   equations::Vocabulary vocabulary;

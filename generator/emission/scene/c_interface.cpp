@@ -30,7 +30,7 @@ bool stands(const cpp::View& view, const std::string& section) {
   return std::get<bool>(view.values().at(section));
 }
 
-/// What a solver is given, as the C functions take it and hand it on.
+/// The arguments of a solver, as the C functions take them and pass them on.
 void show_given(const std::string& prefix, cpp::View& view) {
   std::string given;
   std::vector<std::string> defaults;

@@ -9,8 +9,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// This counts links that groups place: J takes 8 * 3 n * (3 n + 2) bytes, and its factors as much
-/// again.
+/// The most links that groups may place: for n links, J takes 8 * 3 n * (3 n + 2) bytes, and its
+/// factors as much again.
 constexpr std::size_t most_links = 16;
 
 class Constraints {
@@ -62,7 +62,7 @@ class Constraints {
     return solver_.is_ground(link) || stands_[link];
   }
 
-  /// What drivers hold is fixed, so that no pair needs a driver.
+  /// Links that drivers place are fixed, so no pair needs a driver.
   void add_pairs() {
     for (const mechanism::HeldPair& pair :
          mechanism::held_pairs(solver_.mechanism(), solver_.plan.redundant())) {
@@ -81,12 +81,12 @@ class Constraints {
   [[nodiscard]] mechanism::LinkIndex link_of(mechanism::FeatureIndex feature) const {
     return solver_.mechanism().features()[feature].link;
   }
-  /// The place of a feature's link among those that move.
+  /// The place of a feature's link among those that move; -1 for a fixed link.
   [[nodiscard]] std::string place(mechanism::FeatureIndex feature) const {
     const auto found = std::ranges::find(moving_, link_of(feature));
     return found == moving_.end() ? "-1" : std::to_string(found - moving_.begin());
   }
-  /// On a link that moves its own frame, else that in which the feature stands.
+  /// The frame of a feature: on its link, if that moves, and else in the fixed frame.
   [[nodiscard]] std::string frame(mechanism::FeatureIndex index) {
     const mechanism::Feature& feature = solver_.mechanism().features()[index];
     const LinkFeature<SceneNumber> at = solver_.numbers.feature(index, feature.is_line);

@@ -1,5 +1,5 @@
-// Turns all joints of a scene, of which some are redundant, into how its solver holds links by
-// them.
+// Turns the joints of a scene, of which some are redundant, into the statements by which its solver
+// makes all of them hold.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace assur::generator::emission::scene {
 
-/// Statements that move what is placed to where all constraints together hold it, and return
-/// whether they do. None for a scene without redundant constraints, nor where they may miss by a
-/// tolerance, where a driver moves links that groups place or reads where they are, where slides
-/// are reported, or where many links would take more stack than solvers have.
+/// Statements that move the placed links to where all constraints hold together, and return whether
+/// they do. There are none for a scene without redundant constraints, with a tolerance for them,
+/// with a driver that moves links that groups place or reads where these are, with reported slides,
+/// or with so many links that the statements would need too much stack.
 [[nodiscard]] std::vector<std::string> settling_statements(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

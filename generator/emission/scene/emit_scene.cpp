@@ -59,7 +59,7 @@ class SceneEmitter {
   }
 
  private:
-  /// Statements of a name, and whether there are any.
+  /// Shows statements under a name, and whether there are any.
   void show(const std::string& name, const std::vector<std::string>& lines) {
     view_.set("has_" + name, !lines.empty());
     view_.set(name, shown(lines));
@@ -179,13 +179,13 @@ class SceneEmitter {
                      std::to_string(special.max_configurations) + " configurations");
   }
 
-  /// The words follow on the links of a group.
+  /// Words that follow the links of a group.
   [[nodiscard]] std::string relative_to(mechanism::GroupIndex group) const {
     const mechanism::LinkIndex base = solver_.group(group).base;
     return base.exists() ? ", relative to " + solver_.link_name(base) : "";
   }
 
-  /// What a state holds, and what the search places.
+  /// Shows what a state holds, and what the search places.
   void show_results() {
     std::vector<std::string> links;
     std::vector<std::string> placed;
@@ -241,8 +241,8 @@ class SceneEmitter {
                               : "false");
   }
 
-  /// For each group those that hold it, directly or through others, as a number with a bit for
-  /// each.
+  /// For each group the groups that hold it, directly or through others, as a number with one bit
+  /// for each of these.
   [[nodiscard]] std::vector<std::string> holders() const {
     const auto& groups = solver_.plan.structure().groups;
     std::vector<std::uint64_t> sets;
@@ -259,9 +259,9 @@ class SceneEmitter {
     return numbers;
   }
 
-  /// The place of the first entry of the solver's key that may differ. Where two links are placed,
-  /// of one group and in frames along one line, their angle's cosine is at the places 0 to 2, its
-  /// sine at 3.
+  /// The place of the first entry of the solver's key that may differ. If the only group has two
+  /// links, in frames parallel to their normal frames, the cosine of their angle is at the places 0
+  /// to 2 and its sine at 3.
   [[nodiscard]] std::size_t order_key(mechanism::GroupIndex group,
                                       const SpecialisedGroup& special) const {
     const auto& links = solver_.numbers.group(group).links;
@@ -273,7 +273,7 @@ class SceneEmitter {
     return is_alone && in_line && special.first_key == 1 ? 3 : 0;
   }
 
-  /// How configurations are told apart.
+  /// Shows how configurations are told apart.
   void show_order() {
     const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
     std::vector<std::string> moving;
@@ -338,7 +338,7 @@ class SceneEmitter {
     view_.set("aliases", cpp::line_list(lines, ""));
   }
 
-  /// What tells one configuration from the others, where the links that tell it are reported.
+  /// Shows the angles that tell one configuration from the others, if their links are reported.
   void show_reference() {
     const mechanism::Request& request = solver_.plan.request();
     std::vector<std::string> names;

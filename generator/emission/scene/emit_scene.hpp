@@ -14,10 +14,10 @@ enum class Interface : unsigned char { cpp, c };
 
 /// The header `assur/scenes/<file>.hpp` of a scene: its groups with all dimensions as numbers, and
 /// only the derivatives, points and parameters that the scene wants. Derivatives are to the
-/// parameters that have a tolerance, to all if none has. Throws MechanismError for a scene that has
-/// no solver: it is over- or under-constrained, or a group is degenerate or not known. `options`:
-/// of the command, beside those for variable parameters, for the line that tells how to reproduce.
-/// The files behind the header are those of the interface.
+/// parameters that have a tolerance or are variable, or to all if there are none. Throws
+/// MechanismError for a scene that has no solver: it is over- or under-constrained, or a group is
+/// degenerate or not known. `options`: those of the command, except for variable parameters, for
+/// the line that tells how to reproduce the files. After the header come those of the interface.
 [[nodiscard]] std::vector<cpp::EmittedFile> emit_scene(const mechanism::Scene& scene,
                                                        const std::string& options = "",
                                                        Interface interface = Interface::cpp);

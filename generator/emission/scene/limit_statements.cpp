@@ -15,7 +15,7 @@ std::string direction_of_link(const SolverScene& solver, mechanism::FeatureIndex
   return solver.is_ground(link) ? "" : solver.placed(link) + (whole ? ".pose.direction" : "");
 }
 
-/// The angle from the first link of a pin to the second, but for whole turns.
+/// The angle from the first link of a pin to the second, up to whole turns.
 std::string turned_angle(const SolverScene& solver, const mechanism::Joint& joint) {
   const std::string first = direction_of_link(solver, joint.between[0]);
   const std::string second = direction_of_link(solver, joint.between[1]);

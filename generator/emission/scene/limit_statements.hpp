@@ -1,5 +1,5 @@
-// Turns the limits of a scene's joints, and those that are redundant, into the statements of its
-// solver that test them.
+// Turns the limits of a scene's joints, and its redundant joints, into the statements of its solver
+// that test them.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// Returns whether every joint keeps its limits and holds, where everything is placed; nothing
-/// where no joint has any and none is redundant.
+/// Statements that return whether every joint keeps its limits and every redundant joint holds,
+/// once all links are placed; empty if no joint has limits or is redundant.
 [[nodiscard]] std::vector<std::string> limit_statements(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

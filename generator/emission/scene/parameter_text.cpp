@@ -22,11 +22,11 @@ struct SignedText {
 
 class FormulaText {
  public:
-  /// A sum; its terms stand in the order of their texts, those that are added first.
+  /// A sum: first the terms that are added, then those that are subtracted, in the order of texts.
   static SignedText sum(const GiNaC::ex& formula) { return joined(terms_of(formula)); }
 
-  /// A sum as a factor: its sign is that of the term whose text comes first. GiNaC chooses it by
-  /// chance.
+  /// A sum as a factor: its sign is that of the term whose text comes first. GiNaC's own choice
+  /// differs from run to run.
   static SignedText factor(const GiNaC::ex& formula) {
     std::vector<SignedText> terms = terms_of(formula);
     const auto first = std::min_element(
@@ -68,7 +68,7 @@ class FormulaText {
     return terms;
   }
 
-  /// Negative where all terms are; a number comes last where it can.
+  /// The sum is negative if all terms are. A number comes last among terms of its sign.
   static SignedText joined(std::vector<SignedText> terms) {
     const auto is_number = [](const SignedText& term) {
       return std::isdigit(static_cast<unsigned char>(term.text.front())) != 0 &&
@@ -141,7 +141,7 @@ class FormulaText {
     }
 
    private:
-    /// A factor that is no power; the sign of a sum is taken out where it counts.
+    /// A factor that is not a power. The sign of a sum goes to the number, if it `has_sign`.
     std::string atom(const GiNaC::ex& factor, bool has_sign) {
       if (GiNaC::is_a<GiNaC::symbol>(factor)) {
         return GiNaC::ex_to<GiNaC::symbol>(factor).get_name();
@@ -159,7 +159,7 @@ class FormulaText {
       return "(" + inner.text + ")";
     }
 
-    /// The base of a power. GiNaC chooses the sign of one with a whole exponent by chance.
+    /// The base of a power. If the exponent is whole, GiNaC's choice of its sign is replaced.
     std::string power_base(const GiNaC::ex& base, const GiNaC::ex& exponent) {
       if (!exponent.info(GiNaC::info_flags::integer)) {
         return whole(base);
@@ -179,7 +179,7 @@ class FormulaText {
 }  // namespace
 
 bool is_constant(const GiNaC::ex& formula) {
-  // Rounding alone may cancel what depends on a symbol.
+  // The evaluation may lose a symbol whose terms cancel by rounding alone.
   const bool has_symbol =
       std::any_of(formula.preorder_begin(), formula.preorder_end(),
                   [](const GiNaC::ex& part) { return GiNaC::is_a<GiNaC::symbol>(part); });

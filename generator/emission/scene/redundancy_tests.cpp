@@ -8,7 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Where a feature stands, as a pose; a point's direction is its link's.
+/// The pose of a feature; a point has the direction of its link.
 std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, SceneLines& lines) {
   const mechanism::Feature& feature = solver.mechanism().features()[index];
   const LinkFeature<SceneNumber> place = solver.numbers.feature(index, feature.is_line);
@@ -18,8 +18,8 @@ std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, Sc
   return link.empty() ? own : "support::pose_in(" + link + ".pose, " + own + ")";
 }
 
-/// The amounts by which redundant joints miss; the lines get the poses of their features, and the
-/// size.
+/// Expressions for how far redundant joints are from holding. `lines` gets the poses of their
+/// features, and the largest coordinate as `size`.
 std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
   std::vector<std::string> gaps;
   std::vector<std::string> poses;

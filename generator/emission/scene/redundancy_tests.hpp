@@ -1,4 +1,4 @@
-// Turns the redundant joints of a scene into what its solver tests where everything is placed.
+// Turns the redundant joints of a scene into the tests of its solver once all links are placed.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 namespace assur::generator::emission::scene {
 
 /// An expression for each redundant joint: whether its features coincide, to rounding or to the
-/// scene's tolerance. The lines get the numbers that they read.
+/// scene's tolerance. `lines` gets the numbers that they read.
 [[nodiscard]] std::vector<std::string> redundancy_tests(const SolverScene& solver,
                                                         SceneLines& lines);
 
-/// Statements that return by how much the worst of them misses, in parts of the largest coordinate;
-/// none without such joints, nor where the scene states a tolerance.
+/// Statements that return how far the worst redundant joint is from holding, relative to the
+/// largest coordinate; none without redundant joints, and none if the scene states a tolerance.
 [[nodiscard]] std::vector<std::string> redundant_gap(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

@@ -5,12 +5,12 @@
 
 namespace assur::generator::emission::scene {
 
-/// The poses of all links, blocks of pins in slots among them, in the scene's first configuration
-/// at its own numbers. Throws MechanismError if there is none.
+/// The poses of all links in the scene's first configuration at its own numbers; those of blocks,
+/// which have no features, are default poses. Throws MechanismError if there is no configuration.
 [[nodiscard]] mechanism::Table<mechanism::LinkIndex, Pose<double>> poses_of_links(
     const mechanism::Plan& plan, const mechanism::Values& values);
 
-/// A pose in another one.
+/// A pose relative to a frame.
 [[nodiscard]] Pose<double> seen_from(const Pose<double>& frame, const Pose<double>& pose);
 
 }  // namespace assur::generator::emission::scene

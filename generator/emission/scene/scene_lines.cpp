@@ -16,8 +16,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether a line reads a step: `root_1`, not `root_12`, a member or a parameter in a comment that
-/// is called like it.
+/// Whether a line reads a step such as `root_1`. `root_12` does not count, nor does a member or a
+/// parameter in a comment of the same name.
 bool reads(const std::string& line, const std::string& step) {
   const std::string code = line.substr(0, line.find("//"));
   const auto belongs = [](char c) {
@@ -33,8 +33,8 @@ bool reads(const std::string& line, const std::string& step) {
   return false;
 }
 
-/// A statement whose numbers are the solver's scalar: in float none is computed in double. Whole
-/// numbers without a point are places and counts.
+/// A statement with its numbers as Scalar, so that a solver in float computes nothing in double.
+/// Whole numbers without a point are places and counts, and stay.
 std::string in_scalar(const std::string& line) {
   static const std::regex number(R"(([A-Za-z_][\w.]*)|(\d+\.?\d*(?:e[+-]?\d+)?))");
   const std::size_t end = std::min(line.find("//"), line.size());
@@ -72,7 +72,7 @@ std::vector<std::string> SceneLines::lines(bool has_drivers) const {
   const std::vector<SceneNumbers::NamedStep>& named = numbers_.steps(order_);
   std::vector<bool> is_declared(named.size(), false);
   std::vector<std::string> readers;
-  // A step may read what lines before its first reader declare, and steps that are older.
+  // A step may read declarations in lines before its first reader, and earlier steps.
   const std::function<void(const std::string&)> add_with_steps = [&](const std::string& line) {
     for (std::size_t step = 0; step < named.size(); ++step) {
       if (!is_declared[step] && reads(line, named[step].name)) {

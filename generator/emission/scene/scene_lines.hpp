@@ -15,7 +15,7 @@ namespace assur::generator::emission::scene {
 /// The parameters of a scene to which derivatives are modelled.
 class ModelledParameters {
  public:
-  /// The parameters are told by their columns among the derivatives of the scene's values.
+  /// The parameters are given by their columns among the derivatives of the scene's values.
   ModelledParameters(std::vector<Eigen::Index> columns, std::vector<std::string> names)
       : columns_(std::move(columns)), names_(std::move(names)) {}
 
@@ -33,15 +33,15 @@ class ModelledParameters {
 /// The statements of one function, with constants declared as they are needed.
 class SceneLines {
  public:
-  /// `order`: of the time derivatives that are wanted.
+  /// `order`: the highest order of the time derivatives that are wanted.
   SceneLines(const ModelledParameters& parameters, const SceneNumbers& numbers, int order)
       : parameters_(parameters), numbers_(numbers), order_(order) {}
 
   void add(const std::string& line) { lines_.push_back(line); }
   /// Whether a statement begins like this.
   [[nodiscard]] bool declares(const std::string& beginning) const;
-  /// The lines have the variable parameters as `p`, and the drivers where formulas read them,
-  /// unless the function has the drivers already.
+  /// All lines, after declarations of what they read: the variable parameters as `p`, and the
+  /// drivers, unless the function has these already.
   [[nodiscard]] std::vector<std::string> lines(bool has_drivers = false) const;
 
   /// A number, or its formula in variable parameters.
@@ -49,13 +49,13 @@ class SceneLines {
   /// `{cos, sin}`.
   [[nodiscard]] std::string direction(const Direction<SceneNumber>& direction);
 
-  /// The point at (x, y) of a frame, of the ground's if that is empty, as an expression; `name` is
-  /// for the case that it needs a declaration.
+  /// An expression for the point at (x, y) of a frame, or of the ground's if `frame` is empty;
+  /// `name` is for a declaration, if it needs one.
   [[nodiscard]] std::string point(const std::string& name, const std::string& frame,
                                   const SceneNumber& x, const SceneNumber& y);
-  /// A frame of a link, likewise; empty for the link's own.
+  /// An expression for a frame on a link, in the same way; empty for the link's own frame.
   [[nodiscard]] std::string frame(const std::string& name, const Pose<SceneNumber>& pose);
-  /// The derivatives of a number or of a direction's angle, likewise; empty where there are none.
+  /// The derivatives of a number or of a direction's angle, as a declared row; empty if all are 0.
   template <typename Quantity>
   [[nodiscard]] std::string gradient(const std::string& name, const Quantity& quantity) {
     return declared_gradient(name, gradient_of(quantity));
@@ -66,7 +66,7 @@ class SceneLines {
   [[nodiscard]] std::string rates(const Quantity& quantity) const {
     return moves(quantity) && order_ > 0 ? row_of(numbers_.rates(quantity, order_)) : "";
   }
-  /// A name of the function's own, like `name`.
+  /// A name like `name` that no other declaration of the function has.
   [[nodiscard]] std::string declared(const std::string& name);
 
  private:
@@ -86,7 +86,7 @@ class SceneLines {
     return numbers_.moves(direction.cos) || numbers_.moves(direction.sin);
   }
   [[nodiscard]] static std::string row_of(const std::vector<std::string>& rates);
-  /// Whether a coordinate moves; adds its rates to a row of `target`.
+  /// Assigns the rates of a coordinate that moves to a row of `target`.
   template <typename Quantity>
   void add_rates(const std::string& target, int row, const Quantity& quantity) {
     if (const std::string text = rates(quantity); !text.empty()) {
@@ -101,7 +101,7 @@ class SceneLines {
   std::vector<std::string> taken_;
 };
 
-/// Frames one in the other, from the outermost; empty texts are skipped.
+/// Frames, each in the one before it, from the outermost; empty texts are skipped.
 [[nodiscard]] std::string nested_frames(const std::vector<std::string>& frames);
 
 }  // namespace assur::generator::emission::scene

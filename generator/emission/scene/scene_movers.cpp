@@ -17,7 +17,7 @@ bool SceneMovers::names_rates(const Root& root) const {
   });
 }
 
-/// Roots that names_rates does not tell have the derivatives of their radicands.
+/// Roots without names for their rates are differentiated through their radicands.
 template <typename Visit>
 void SceneMovers::visit(const GiNaC::ex& formula, const Visit& visit) const {
   GiNaC::exmap standing;  // named roots to symbols that nothing moves

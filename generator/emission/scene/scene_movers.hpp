@@ -10,36 +10,37 @@
 
 namespace assur::generator::emission::scene {
 
-/// A driver whose position is an argument, a joint that a law reads where groups place it, a
+/// A driver whose position is an argument, a joint that a law reads and groups place, a
 /// coordinate of a link in the frame of the link relative to which its group is solved, or a
 /// parameter with rates.
 struct Mover {
   GiNaC::symbol position, velocity, acceleration;
-  mechanism::ParameterIndex parameter;  ///< none of the others
-  std::vector<GiNaC::ex> gradient;      ///< to the modelled parameters; empty of a parameter
+  mechanism::ParameterIndex parameter;  ///< exists only for a parameter with rates
+  std::vector<GiNaC::ex> gradient;      ///< to the modelled parameters; empty for a parameter
 };
 
 class SceneMovers {
  public:
-  /// The symbols must outlive what moves.
+  /// The symbols must outlive the movers.
   explicit SceneMovers(const SceneSymbols& symbols) : symbols_(symbols) {}
 
   void add(const Mover& mover) { movers_.push_back(mover); }
   [[nodiscard]] const std::vector<Mover>& list() const { return movers_; }
 
-  /// Whether they move what a formula stands for.
+  /// Whether the movers change the value of a formula.
   [[nodiscard]] bool move(const GiNaC::ex& formula) const;
-  /// Whether a root moves with more than parameters, so that its rates are no numbers: they have
-  /// names of their own, or formulas of nested roots would grow with the square of their number.
+  /// Whether a root moves with more than parameters, so that its rates are no numbers. They then
+  /// have names, as formulas of nested roots would otherwise grow with the square of their number.
   [[nodiscard]] bool names_rates(const Root& root) const;
   /// The derivatives in time.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
   [[nodiscard]] GiNaC::ex second_rate(const GiNaC::ex& formula) const;
-  /// The derivative to a modelled parameter by way of them, by its column.
+  /// The derivative to a modelled parameter, given by its column, through the movers.
   [[nodiscard]] GiNaC::ex slope(const GiNaC::ex& formula, std::size_t column) const;
 
  private:
-  /// Every mover, and root with names for its rates, as position, velocity, acceleration.
+  /// visit(derivative of the formula, velocity, acceleration) for each mover, and for each root
+  /// with names for its rates.
   template <typename Visit>
   void visit(const GiNaC::ex& formula, const Visit& visit) const;
 

@@ -29,7 +29,7 @@ SceneNumber binary(mechanism::Dual number, const SceneNumber& a, const SceneNumb
                             : SceneNumber(std::move(number));
 }
 
-/// The names of what a number depends on.
+/// The names of the symbols that a number depends on.
 std::string symbols_in(const SceneNumber& number) {
   std::set<std::string> names;
   const GiNaC::ex formula = number.symbols()->written_out(number.formula());
@@ -41,7 +41,7 @@ std::string symbols_in(const SceneNumber& number) {
   return text::listed({names.begin(), names.end()});
 }
 
-/// What was squared, if the formula is a square; its sign is not known.
+/// The base, of either sign, of a formula that is a square; nothing for any other formula.
 std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
   const GiNaC::ex factored =
       formula.info(GiNaC::info_flags::polynomial) ? GiNaC::factor(formula) : formula;

@@ -11,11 +11,11 @@ namespace assur::generator::emission::scene {
 /// A square root in formulas, which has a symbol of its own so that they stay short.
 struct Root {
   GiNaC::symbol symbol;
-  GiNaC::ex radicand;                    ///< in symbols that are older
-  GiNaC::symbol velocity, acceleration;  ///< in time, where it has names of its own for these
+  GiNaC::ex radicand;                    ///< in symbols that were made earlier
+  GiNaC::symbol velocity, acceleration;  ///< names of its rates in time, where these are used
 };
 
-/// The symbols of a scene's formulas, and what they are at the scene's own numbers.
+/// The symbols of a scene's formulas, and their values at the scene's own numbers.
 class SceneSymbols {
  public:
   void add(const GiNaC::symbol& symbol, const GiNaC::ex& value) { values_[symbol] = value; }
@@ -24,9 +24,9 @@ class SceneSymbols {
   /// The roots are in the order in which they depend on one another.
   [[nodiscard]] const std::deque<Root>& roots() const { return roots_; }
   [[nodiscard]] GiNaC::ex value_of(const GiNaC::ex& formula) const;
-  /// The formula without roots.
+  /// The formula with each symbol of a root replaced by the root.
   [[nodiscard]] GiNaC::ex written_out(const GiNaC::ex& formula) const;
-  /// The derivative to a symbol that is no root's, through the roots.
+  /// The derivative by a symbol that is not that of a root, through the roots.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::symbol& symbol) const;
 
  private:
@@ -35,12 +35,12 @@ class SceneSymbols {
 };
 
 /// A number of a scene with its derivatives and, where it depends on symbols, its formula in them.
-/// Values are those of mechanism::Dual, operation by operation, so that whatever is decided by them
-/// is decided alike.
+/// Values are those of mechanism::Dual, operation by operation, so that decisions by value are the
+/// same as in `mechanism`.
 ///
-/// A square root of a square is what was squared, with the sign that makes it positive at the
-/// scene's own numbers: a link's length then is the parameter that says so, and turns the link's
-/// normal frame round where that becomes negative.
+/// The square root of a square is the base, with the sign that makes it positive at the scene's own
+/// numbers. So a link's length is the parameter that gives it, and the link's normal frame turns
+/// round where that parameter becomes negative.
 class SceneNumber {
  public:
   SceneNumber() = default;
@@ -50,9 +50,9 @@ class SceneNumber {
   SceneNumber(mechanism::Dual number, GiNaC::ex formula, SceneSymbols& symbols);
 
   [[nodiscard]] double value() const { return number_.value(); }
-  /// At the scene's own numbers.
+  /// The value and its derivatives at the scene's own numbers.
   [[nodiscard]] const mechanism::Dual& number() const { return number_; }
-  /// The number itself, as a rational, where it depends on no symbol.
+  /// The formula; the number itself, as a rational, if it depends on no symbol.
   [[nodiscard]] GiNaC::ex formula() const;
   [[nodiscard]] bool has_formula() const { return symbols_ != nullptr; }
   /// Null without a formula.
@@ -70,7 +70,7 @@ class SceneNumber {
   SceneSymbols* symbols_ = nullptr;
 };
 
-/// Whether the number stands for other values too.
+/// Whether the number may have other values, too.
 [[nodiscard]] inline bool may_change(const SceneNumber& number) { return number.has_formula(); }
 
 SceneNumber operator-(const SceneNumber& a);

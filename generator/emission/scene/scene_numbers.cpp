@@ -11,8 +11,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether rates are wanted, and those of parameters move places, or drivers whose laws are
-/// computed.
+/// Whether rates are wanted, and the rates of parameters move features, or drivers whose laws read
+/// joints.
 bool have_rates_of_parameters(const mechanism::Plan& plan) {
   const mechanism::Want& want = plan.request().want;
   const mechanism::Mechanism& mechanism = plan.mechanism();
@@ -28,7 +28,7 @@ bool have_rates_of_parameters(const mechanism::Plan& plan) {
   return (want.velocity || want.acceleration) && (places_move || laws_move);
 }
 
-/// What moves, by the names of its members.
+/// A mover whose symbols are the members of `name`.
 Mover named_mover(const std::string& name, const std::string& position, const std::string& velocity,
                   const std::string& acceleration) {
   return {GiNaC::symbol(name + position),
@@ -142,7 +142,7 @@ void SceneNumbers::evaluate(mechanism::ParameterIndex parameter) {
   }
 }
 
-/// Zero, with its own derivative one.
+/// Zero, with the derivative one to the parameter itself.
 mechanism::Dual SceneNumbers::deviation(mechanism::ParameterIndex parameter) const {
   const std::vector<mechanism::ParameterIndex>& columns = values_.columns();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(std::ssize(columns));
@@ -160,7 +160,7 @@ SceneNumber SceneNumbers::number(mechanism::NumberIndex number) const {
       });
 }
 
-/// A parameter may be a formula in others that move: its own rates stand in place of theirs.
+/// A parameter may be a formula in others that move: its own rates replace those that follow.
 void SceneNumbers::set_rates(const Mover& mover) {
   const mechanism::Parameter& parameter = plan_.mechanism().parameters()[mover.parameter];
   const GiNaC::ex formula =
@@ -199,7 +199,7 @@ LinkFeature<SceneNumber> SceneNumbers::feature(const mechanism::ElementaryJoint&
       });
 }
 
-/// What laws read first.
+/// Drivers and joints come before the laws that read them.
 void SceneNumbers::add_positions(
     const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
     const mechanism::Table<mechanism::JointIndex, std::string>& joints) {
@@ -246,8 +246,8 @@ SceneNumber SceneNumbers::law(mechanism::DriverIndex driver) const {
   return number(plan_.mechanism().drivers()[driver].position);
 }
 
-/// Which roles the links of the groups play, and how long these are, is decided where the scene's
-/// first configuration has the frames.
+/// The roles and the lengths of the groups' links are decided with the frames of the scene's first
+/// configuration.
 void SceneNumbers::add_relative_frames(
     const mechanism::Table<mechanism::LinkIndex, std::string>& relative) {
   const mechanism::Structure& structure = plan_.structure();

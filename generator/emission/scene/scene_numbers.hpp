@@ -1,4 +1,4 @@
-// Turns a scene's parameters and formulas into numbers that know their formulas in some parameters.
+// Turns a scene's parameters and formulas into numbers with formulas in the parameters that vary.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -17,12 +17,12 @@ namespace assur::generator::emission::scene {
 /// have formulas.
 class SceneNumbers {
  public:
-  /// `variable`: the parameters that vary, each with what C++ calls it; `modelled`: the columns of
-  /// the parameters to which derivatives are modelled. Throws MechanismError for a length that
-  /// these parameters change and that is zero at the scene's own numbers, and where groups are
-  /// solved relative to moving links and none of the scene's configurations at its own numbers
-  /// shows how. `drivers` and `joints`: the members that stand for them; `relative`: those of the
-  /// frames of such groups' links, by the links.
+  /// `variable`: the parameters that vary, each with its name in C++; `modelled`: the columns of
+  /// the parameters to which derivatives are modelled; `drivers` and `joints`: the members that
+  /// stand for them; `relative`: for each link whose group is solved relative to a moving link, the
+  /// member for its frame. Throws MechanismError for a length that variable parameters change and
+  /// that is zero at the scene's own numbers, and if groups are solved relative to moving links but
+  /// the scene has no configuration at its own numbers.
   SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
                const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
                const std::vector<Eigen::Index>& modelled,
@@ -51,11 +51,11 @@ class SceneNumbers {
   [[nodiscard]] mechanism::SlideMeasure<SceneNumber> slide_measure(mechanism::GroupIndex group,
                                                                    int model_joint) const;
 
-  /// Whether the number depends on where drivers are.
+  /// Whether the number depends on something that moves, such as a driver.
   [[nodiscard]] bool moves(const SceneNumber& number) const;
   /// The formulas of its rates in time, as many as `order`.
   [[nodiscard]] std::vector<std::string> rates(const SceneNumber& number, int order) const;
-  /// Likewise of the angle of a direction that moves: c s' - s c', c s'' - s c''.
+  /// The same for the angle of a direction that moves: c s' - s c', c s'' - s c''.
   [[nodiscard]] std::vector<std::string> rates(const Direction<SceneNumber>& direction,
                                                int order) const;
 
@@ -64,7 +64,7 @@ class SceneNumbers {
   [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
     return varies(direction.cos) || varies(direction.sin);
   }
-  /// A square root in formulas that vary, or one of its rates: a number of the function's own.
+  /// A square root in formulas that vary, or one of its rates, which a function computes by name.
   struct NamedStep {
     std::string name, formula;
   };
@@ -74,7 +74,7 @@ class SceneNumbers {
   [[nodiscard]] std::string text(const SceneNumber& number) const;
   /// The formulas of its derivatives to the modelled parameters; empty where one is zero.
   [[nodiscard]] std::vector<std::string> gradient(const SceneNumber& number) const;
-  /// Likewise of the angle of a direction that varies: c ds - s dc.
+  /// The same for the angle of a direction that varies: c ds - s dc.
   [[nodiscard]] std::vector<std::string> gradient(const Direction<SceneNumber>& direction) const;
 
  private:
@@ -87,12 +87,12 @@ class SceneNumbers {
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   void add_relative_frames(const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
   SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
-  /// The formula in what varies: deviations are zero, and so roots of nothing else are numbers.
+  /// The formula in what varies at run time: deviations are zero, so that their roots are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
-  /// The formula as C++ reads it, where everything is as it is at run time.
+  /// The C++ text of a formula that `at_run_time` returned.
   [[nodiscard]] std::string spelled(const GiNaC::ex& formula) const;
-  /// A direction (x, y) / r of any length r, and r^2: without the roots that both parts are divided
-  /// by, its angle has shorter derivatives.
+  /// A direction as (x, y) / r, with r^2. Without the roots that both parts are divided by, the
+  /// derivatives of its angle are shorter.
   struct LongDirection {
     GiNaC::ex x, y, square;
   };
@@ -103,21 +103,21 @@ class SceneNumbers {
 
   const mechanism::Plan& plan_;
   const mechanism::Values& values_;
-  /// A parameter that varies; of another that is modelled its deviation from its value; else zero.
+  /// A parameter that varies; the deviation of another that is modelled or has rates; else zero.
   mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
   mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
-  /// These belong to the first of the roots, as many as have been asked for.
+  /// The steps of the first `roots_in_steps_` roots.
   mutable std::vector<NamedStep> steps_;
   mutable std::size_t roots_in_steps_ = 0;
   std::vector<GiNaC::symbol> variables_;
-  GiNaC::exmap deviations_;       ///< to zero
-  GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to what these are
+  GiNaC::exmap deviations_;       ///< their symbols to zero
+  GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to their formulas
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   SceneMovers movers_;
   mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
-  /// The links of groups that are solved relative to others, in the frames of these.
+  /// The frames of links whose groups are solved relative to a link, in the frame of that link.
   mechanism::Table<mechanism::LinkIndex, Pose<SceneNumber>> relative_;
   GiNaC::exmap spellings_;  ///< of the cosines and sines of these frames' angles
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;

@@ -28,7 +28,7 @@ Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::Elem
   return {feature.x, feature.y, feature.along};
 }
 
-/// The rates of a driver, a row; nothing where none are wanted.
+/// The rates of a driver as a row; empty if none are wanted.
 std::string rates_of(const SolverScene& solver, const std::string& state) {
   switch (solver.derivative_order) {
     case 0:
@@ -47,7 +47,7 @@ std::string turned_direction(SceneLines& lines, const std::string& direction,
   return angle == "{1.0, 0.0}" ? direction : "turned(" + direction + ", " + angle + ")";
 }
 
-/// The values of a state's members, those of a part that is wanted: `{pose, velocity}`.
+/// The values of those members of a part of a state that are wanted: `{pose, velocity}`.
 std::string state_of(const mechanism::Want& want, const std::string& position,
                      const std::string& rates, bool columns,
                      const std::vector<std::string>& more = {}) {
@@ -68,8 +68,8 @@ std::string state_of(const mechanism::Want& want, const std::string& position,
   return "{" + text::joined(values, ", ", [](const std::string& value) { return value; }) + "}";
 }
 
-/// The dimensions that drivers move, or that variable parameters alone change: inputs of the group
-/// from `first` on.
+/// Holds the dimensions that drivers move, or else those that only variable parameters change: they
+/// are the inputs of the group from `first` on.
 void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, bool that_move,
                             int& first, SceneLines& held) {
   const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
@@ -102,11 +102,11 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
 
 /// A driver as statements read it.
 struct DriverText {
-  std::string position, rates;  ///< no rates where none are wanted
+  std::string position, rates;  ///< the rates are empty if none are wanted
   SceneNumber law;              ///< how the position follows the parameters
 };
 
-/// An argument of the solver, or what its law makes of the drivers that it reads.
+/// An argument of the solver, or the formula of a law in the joints that it reads.
 DriverText driver_text(const SolverScene& solver, mechanism::DriverIndex index, SceneLines& lines) {
   if (solver.is_argument(index)) {
     const std::string state = "drivers." + solver.members.drivers[index];
@@ -126,15 +126,15 @@ DriverText driver_text(const SolverScene& solver, mechanism::DriverIndex index, 
           rates.empty() ? "" : "Rates(" + text::joined(rates, ", ", as_it_is) + ")", position};
 }
 
-/// Whether one of the lines names something; all do where there are none.
+/// Whether one of the lines contains a name; true if there are no lines.
 bool may_be_read_by(const std::vector<std::string>& lines, const std::string& name) {
   return lines.empty() || std::ranges::any_of(lines, [&](const std::string& line) {
            return line.find(name) != std::string::npos;
          });
 }
 
-/// The coordinates of joints that laws read where groups place them, which the function knows from
-/// then on; of those alone that its other lines mention, if these are known.
+/// Declares the coordinates of the joints that a driver's law reads and that groups place. With
+/// `others`, it declares only those that these lines read.
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, SceneLines& lines,
                      const std::vector<std::string>& others = {}) {
   const mechanism::Mechanism& mechanism = solver.mechanism();
@@ -169,7 +169,7 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
   }
 }
 
-/// Places the links that others carry once so many groups are placed.
+/// Places the links that others carry and that need `groups_before` groups to be placed.
 void add_carried_links(const SolverScene& solver, std::size_t groups_before, SceneLines& lines,
                        std::vector<std::string>& slides) {
   for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
@@ -213,9 +213,9 @@ void add_carried_links(const SolverScene& solver, std::size_t groups_before, Sce
   }
 }
 
-/// The statements of a function for a group. Where laws that read joints change the shape of its
-/// links, the coordinates of these come first, as far as the statements read them; a law that moves
-/// a link behind the group may read the group itself.
+/// The statements of a function for a group. If laws that read joints change the shape of its
+/// links, the coordinates of these joints come first, as far as the statements read them. A law
+/// that is computed after the group is left out: it may read the group itself.
 template <typename Add>
 SceneLines lines_of_group(const SolverScene& solver, mechanism::GroupIndex group, const Add& add) {
   SceneLines alone = lines_of(solver);
@@ -265,7 +265,7 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
   add_varying_dimensions(solver, group, false, first, held);
 }
 
-/// Places a group's links and slides, and what drivers move behind it.
+/// Places a group's links and slides, and then the links that it allows to be carried.
 void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLines& lines,
                  std::vector<std::string>& slides) {
   const mechanism::GroupGeometry<SceneNumber>& geometry = solver.numbers.group(group);

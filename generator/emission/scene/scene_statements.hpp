@@ -22,7 +22,7 @@ struct PlacingStatements {
 /// Places the links and slides of a group in one of its configurations.
 [[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,
                                                    mechanism::GroupIndex group);
-/// Fills a state from what is placed, and from the slides that these members name.
+/// Fills a state from the placed links, and from the slides with these members.
 [[nodiscard]] std::vector<std::string> listing_statements(const SolverScene& solver,
                                                           const std::vector<std::string>& slides);
 

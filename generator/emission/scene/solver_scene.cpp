@@ -33,8 +33,8 @@ std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) 
   return variable;
 }
 
-/// The parameters that have a tolerance or are variable; all parameters where there are no such,
-/// and no parameter where no output's sensitivity is wanted.
+/// The parameters that have a tolerance or are variable, or all parameters if there are none of
+/// these; no parameters if no output's sensitivity is wanted.
 ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechanism::Values& values,
                                        const std::vector<VariableParameter>& variable) {
   const auto& parameters = plan.mechanism().parameters();
@@ -109,7 +109,7 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
   const mechanism::Linkage& linkage = structure.linkage;
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {"members"});
-  // In what is placed so far, slides and other things stand among the links.
+  // In the emitted struct Placed, slides and other things are members beside the links.
   std::vector<std::string> taken = {"drivers", "members", "order", "parameters", "regularity"};
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);

@@ -19,7 +19,7 @@ struct SceneMembers {
   mechanism::Table<mechanism::JointIndex, std::string> joints;
   mechanism::Table<mechanism::DriverIndex, std::string> drivers;
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
-  /// The frames of links in those relative to which their groups are solved; empty for others.
+  /// The frames of links whose groups are solved relative to a moving link; empty for others.
   mechanism::Table<mechanism::LinkIndex, std::string> relative;
 };
 
@@ -41,7 +41,7 @@ struct SolverScene {
   ModelledParameters parameters;
   SceneMembers members;
   SceneNumbers numbers;
-  /// What is needed of the links' frames, blocks of pins in slots among them.
+  /// What is needed of the frames of links, including blocks of pins in slots.
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs;
   int derivative_order;   ///< of the time derivatives that are wanted: 0, 1 or 2
   std::string file;       ///< without directories
@@ -63,7 +63,7 @@ struct SolverScene {
     return linkage().links[link];
   }
   [[nodiscard]] bool is_ground(mechanism::LinkIndex link) const { return link == linkage().ground; }
-  /// Whether the scene lists the link; the block of a pin in a slot it does not.
+  /// Whether the scene lists the link; it does not list the block of a pin in a slot.
   [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
     return link.place() < mechanism().links().size();
   }
@@ -93,7 +93,7 @@ struct SolverScene {
     const mechanism::Want& want = plan.request().want;
     return want.position || want.velocity || want.acceleration;
   }
-  /// `placed.crank`, or nothing for the ground, which is the frame of all.
+  /// `placed.crank`, or an empty text for the ground, whose frame is the fixed one.
   [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {
     return is_ground(link) ? "" : "placed." + members.links[link];
   }

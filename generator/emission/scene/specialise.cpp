@@ -16,7 +16,7 @@ bool is_symbol(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::symbol>(expression) || GiNaC::is_a<GiNaC::symbol>(-expression);
 }
 
-/// Whether a number comes of dividing by named constants and is no double: it reads by its name.
+/// Whether a number results from dividing by named constants and is no double; it keeps its name.
 bool is_quotient(const GiNaC::ex& definition, const GiNaC::numeric& number) {
   return !GiNaC::is_a<GiNaC::numeric>(definition.denom()) && !cpp::is_double(number);
 }
@@ -36,8 +36,8 @@ class Specialiser {
       }
       const std::optional<GiNaC::numeric> number = order_.number(quantity.definition);
       if (number && quantity.form == Form::reciprocal) {
-        // What zero would divide is not determined: any number will do, as what comes of it must be
-        // seen to close.
+        // A quotient by zero is not determined. Any number will do, as configurations computed from
+        // it are checked for closure.
         values_[quantity.symbol] =
             quantity.definition.is_zero() ? GiNaC::ex(0) : 1 / quantity.definition;
       } else if (number && quantity.form == Form::itself &&
@@ -60,7 +60,7 @@ class Specialiser {
   }
 
  private:
-  /// The expression with numbers in it, and without what is both multiplied and divided by.
+  /// The expression with `values_` put in, and without factors of a term that cancel one another.
   [[nodiscard]] GiNaC::ex folded(const GiNaC::ex& expression) const {
     const GiNaC::ex numbers = expression.subs(values_, GiNaC::subs_options::no_pattern);
     program::Polynomial sum;
@@ -121,7 +121,7 @@ class Specialiser {
     values_[reciprocal.symbol] = reciprocal.symbol / coefficient.origin();
   }
 
-  /// A number times symbols that is used once, and times a number there, needs no name.
+  /// A number times symbols needs no name if it is used once and is multiplied by a number there.
   void merge_multiples() {
     for (const equations::NamedQuantity& quantity : special_.quantities) {
       const program::Polynomial definition = program::polynomial(quantity.definition, order_);

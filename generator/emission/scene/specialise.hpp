@@ -7,20 +7,20 @@
 
 namespace assur::generator::emission::scene {
 
-/// What a `Program` is made of.
+/// The quantities and results from which a `Program` is made.
 struct NamedResults {
   std::vector<equations::NamedQuantity> quantities;
   std::vector<program::Result> results;
 };
 
 /// Puts `values` in place of symbols, in the definitions of the quantities and in the results, and
-/// folds exactly; numbers are those that the constants of `order` make. A quantity that becomes a
-/// number, or a symbol up to its sign, is put in place of its name, and so is a multiple that is
-/// used once, where it is scaled again; a number that is divided by constants becomes one of them.
-/// Numbers are taken out of reciprocals, and factors by which a term is both multiplied and divided
-/// are cancelled. This is the last step before common subexpressions: in elimination, the two
-/// rounded parts of a direction would not satisfy cos^2 + sin^2 = 1. Throws InputError where a
-/// reciprocal is of zero.
+/// folds exactly; expressions in the constants of `order` are numbers, too. A quantity that becomes
+/// a number, or a symbol up to its sign, replaces its name, and so does a multiple that is used
+/// once and is scaled again there; a number that was divided by constants becomes a constant
+/// itself. Numbers are taken out of reciprocals, and factors by which a term is both multiplied and
+/// divided are cancelled. The reciprocal of zero becomes zero. This is the last step before common
+/// subexpressions are shared: during elimination, the two rounded parts of a direction would not
+/// satisfy cos^2 + sin^2 = 1.
 [[nodiscard]] NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,
                                        const std::vector<program::Result>& results,
                                        program::SymbolOrder& order, GiNaC::exmap values);

@@ -120,7 +120,7 @@ class GroupSpecialiser {
     }
   }
 
-  /// Names a number, unless it is one that is folded wherever it occurs.
+  /// Names a number, unless it is 0, 1 or -1: these are folded wherever they occur.
   void put_constant(const GiNaC::symbol& symbol, double value, const std::string& text,
                     const std::string& meaning) {
     if (value != 0 && std::abs(value) != 1) {
@@ -186,7 +186,7 @@ class GroupSpecialiser {
     }
   }
 
-  /// Leaves those derivatives of frames of which everything is needed.
+  /// Keeps the derivatives of those frames only of which everything is needed.
   void leave_out_frames() {
     const auto keep = [this](derivatives::ExpressionMatrix& matrix, std::size_t rows_of_link) {
       derivatives::ExpressionMatrix kept;
@@ -246,10 +246,10 @@ class GroupSpecialiser {
            std::to_string(count.divisions);
   }
 
-  /// What the runtime calls; what only the wanted derivatives need. Where the final polynomial is
-  /// solved by formula, the Jacobian is read off the common path alone, and the runtime takes it
-  /// from the residual. Its inverse is needed to follow a branch; that of two rows costs no less
-  /// where it is emitted.
+  /// Whether the runtime calls a function, or the wanted derivatives need it. Where the final
+  /// polynomial is solved by formula, the Jacobian is needed only in rare cases, and the runtime
+  /// takes it from the residual. The inverse is needed to follow a branch; for two unknowns, an
+  /// emitted one costs no less than that of the runtime.
   [[nodiscard]] bool is_wanted(const std::string& function) const {
     const auto any_of = [&](const std::vector<std::string>& names) {
       return std::find(names.begin(), names.end(), function) != names.end();

@@ -24,18 +24,18 @@ enum class FrameNeed : unsigned char {
 struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
-  double size;  ///< the longest of the group's own lengths, without the arms of what holds it
+  double size;  ///< the longest of the group's own lengths, without the arms of links that hold it
   int order;    ///< of the time derivatives that are wanted: 0, 1 or 2
-  /// Whether drivers move each dimension of the model: then it is one of the inputs, behind the
-  /// model's own, and none of the dimensions below.
+  /// For each dimension of the model, whether drivers move it: then it is an input, after the
+  /// model's own, and is not among the dimensions below.
   std::vector<bool> dimension_moves;
-  /// A dimension that variable parameters change is no number: it is an input behind all others.
+  /// A dimension that variable parameters change has no number: it is an input after all others.
   std::vector<std::optional<DimensionValue<double>>> dimensions;
-  Eigen::MatrixXd dimension_gradient;  ///< one column per parameter; none: no sensitivity is wanted
-  /// Those that the ground holds where no variable parameter moves them.
+  Eigen::MatrixXd dimension_gradient;  ///< one column per parameter whose sensitivity is wanted
+  /// The inputs that are numbers: the ground holds them, and nothing changes them.
   std::vector<std::optional<DimensionValue<double>>> inputs;
-  Eigen::MatrixXd input_gradient;  ///< of these; zero for the others
-  std::vector<bool> input_moves;   ///< with time; false for all that the ground holds
+  Eigen::MatrixXd input_gradient;  ///< of these inputs; zero for the others
+  std::vector<bool> input_moves;   ///< for each input, whether it moves with time
   std::vector<FrameNeed> frames;   ///< of the links, in the group's order
   bool holds_groups;               ///< whether other groups are held by its links
 };
@@ -46,16 +46,16 @@ struct SpecialisedGroup {
   std::size_t max_configurations;
   /// The numbers of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
   std::size_t branch_numbers;
-  int first_key;  ///< of those that put a group's configurations in order, the first that may
+  int first_key;  ///< of the keys that order a group's configurations, the first that may
                   ///< differ
 };
 
-/// The group's links with frames, in the order of the solver's: those of which everything is needed
+/// The group's links with frames, in the order of the solver: those of which everything is needed
 /// come first.
 [[nodiscard]] std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames);
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions
-/// and the held inputs as numbers. Throws InputError if the numbers leave no closed form.
+/// and the held inputs as numbers.
 [[nodiscard]] SpecialisedGroup specialised_group(const SpecialisedNumbers& numbers,
                                                  const std::string& struct_name,
                                                  const std::string& title);

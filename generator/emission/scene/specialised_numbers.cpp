@@ -16,7 +16,7 @@ struct Longest {
   double own = 0;   ///< of its dimensions, and between the joints that stand in its frame
   double arms = 0;  ///< of the moving links that hold it
 
-  /// The power of two below both.
+  /// The largest power of two that is not above the longer one; 1 if there is no length.
   [[nodiscard]] double unit() const {
     const double longest = std::max(own, arms);
     return longest > 0 ? std::ldexp(1.0, std::ilogb(longest)) : 1;
@@ -60,7 +60,7 @@ class NumberList {
     add_row(value.is_angle ? parameters_.gradient(angle_of(value.angle).number())
                            : parameters_.gradient(value.length.number()) / unit_);
   }
-  /// What varies is no number, and has no derivatives of its own.
+  /// Adds a value that varies: it is no number, and has no derivatives of its own.
   void add_input() {
     values_.emplace_back(std::nullopt);
     add_row(Eigen::VectorXd::Zero(parameters_.count()));
@@ -87,8 +87,8 @@ std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
   return text::listed(solver.plan.structure().names_of(solver.group(group).links));
 }
 
-/// The models have derivatives to their dimensions alone, and none says how a point moves across
-/// an axis that is held.
+/// Throws if parameters move a point across an axis that is held: the models have derivatives to
+/// their dimensions alone, and no dimension moves a point in that way.
 void expect_followed(const SolverScene& solver,
                      const mechanism::GroupGeometry<SceneNumber>& geometry) {
   const mechanism::Structure& structure = solver.plan.structure();
@@ -214,7 +214,7 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
     }
   }
   return {&derived_model(solver.group(group)), unit,
-          // A group without lengths of its own, as one of slides, is as long as what holds it.
+          // A group without lengths of its own, such as one of slides, has the length of its unit.
           longest.own > 0 ? longest.own / unit : 1, solver.derivative_order, dimension_moves,
           of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
           of_inputs.gradient(), input_moves, frame_needs(solver, group),
@@ -226,12 +226,7 @@ SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::Grou
   const std::string title = "Group " + number + ", links " +
                             cpp::comment_text(names_of(solver, group)) + ", " +
                             derived_model(solver.group(group)).title();
-  const SpecialisedNumbers numbers = specialised_numbers(solver, group);
-  try {
-    return specialised_group(numbers, solver.group_struct(group), title);
-  } catch (const text::InputError& error) {
-    throw mechanism::MechanismError("links: " + names_of(solver, group), error.what());
-  }
+  return specialised_group(specialised_numbers(solver, group), solver.group_struct(group), title);
 }
 
 }  // namespace assur::generator::emission::scene

@@ -12,7 +12,7 @@ namespace assur::generator::emission::scene {
 struct ExternalJoint {
   const mechanism::ElementaryJoint* joint;
   mechanism::LinkIndex base;
-  bool is_in_frame;  ///< whether that is the link in whose frame the group is solved, or the ground
+  bool is_in_frame;  ///< whether `base` is the ground, or the group is solved relative to it
 
   [[nodiscard]] LinkFeature<SceneNumber> feature(const SolverScene& solver) const {
     return solver.numbers.feature(*joint, base);
@@ -39,7 +39,7 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<FrameNeed> frame_needs(const SolverScene& solver,
                                                  mechanism::GroupIndex group);
 
-/// Whether drivers move each dimension of a group's model.
+/// For each dimension of a group's model, whether drivers move it.
 [[nodiscard]] std::vector<bool> moving_dimensions(const SolverScene& solver,
                                                   mechanism::GroupIndex group);
 
@@ -47,7 +47,7 @@ struct ExternalJoint {
 [[nodiscard]] SpecialisedNumbers specialised_numbers(const SolverScene& solver,
                                                      mechanism::GroupIndex group);
 
-/// The group specialised to its numbers. Throws MechanismError if these leave no closed form.
+/// The group specialised to its numbers. Throws MechanismError as `normal_group` does.
 [[nodiscard]] SpecialisedGroup specialised_group_of(const SolverScene& solver,
                                                     mechanism::GroupIndex group);
 

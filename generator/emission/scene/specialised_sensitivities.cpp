@@ -8,7 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The derivatives to what is an input of the solver's group.
+/// The derivatives to the inputs of the solver's group.
 std::vector<program::Result> input_columns(const SpecialisedNumbers& numbers,
                                            const std::string& target,
                                            const derivatives::ExpressionMatrix& of_dimensions,
@@ -29,7 +29,7 @@ std::vector<program::Result> input_columns(const SpecialisedNumbers& numbers,
   return results;
 }
 
-/// of_dimensions d_a + of_inputs u_a, for those that are numbers.
+/// of_dimensions dd/da + of_inputs du/da, for the dimensions d and inputs u that are numbers.
 std::vector<program::Result> parameter_columns(const SpecialisedNumbers& numbers,
                                                const std::string& target,
                                                const derivatives::ExpressionMatrix& of_dimensions,

@@ -10,8 +10,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// What parameters change at the dimensions and at the ground, and what the inputs change, in the
-/// closures and in the poses of the links.
+/// The derivatives of the closures and of the poses of the links: to parameters, through the
+/// dimensions and the ground, and to the inputs.
 [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions(
     const SpecialisedNumbers& numbers, const derivatives::Derivatives& derivatives);
 

@@ -8,7 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The names of what is there.
+/// The names of the members that a state has, as a list.
 std::string listed(const std::vector<std::pair<std::string, bool>>& names) {
   std::vector<std::string> there;
   for (const auto& [name, is_there] : names) {

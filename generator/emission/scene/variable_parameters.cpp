@@ -9,7 +9,7 @@ namespace {
 
 using mechanism::ParameterIndex;
 
-/// What some numbers of a mechanism depend on. A parameter that is held follows no others.
+/// The parameters on which some numbers of a mechanism depend. A held parameter depends on none.
 class Dependence {
  public:
   Dependence(const mechanism::Mechanism& mechanism, const std::vector<ParameterIndex>& held)

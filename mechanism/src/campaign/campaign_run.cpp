@@ -55,7 +55,7 @@ class Pipeline {
       for (int thread = 0; thread < useful; ++thread) {
         threads_.emplace_back([this] { work(); });
       }
-    } catch (const std::system_error&) {  // there may be no more threads, but some
+    } catch (const std::system_error&) {  // fewer threads than asked for are enough
       if (threads_.empty()) {
         throw;
       }
@@ -144,7 +144,7 @@ class Pipeline {
   std::condition_variable room_, done_;
   std::vector<Slot> slots_;
   std::uint64_t next_ = 0;         ///< block that no thread has taken
-  std::uint64_t handed_over_ = 0;  ///< how many were
+  std::uint64_t handed_over_ = 0;  ///< how many blocks were
   std::vector<std::jthread> threads_;
 };
 

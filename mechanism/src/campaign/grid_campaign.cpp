@@ -63,7 +63,7 @@ class GridWorker {
   }
 
  private:
-  /// Solves the cell. Returns what it has instead of configurations, if it has none.
+  /// Solves the cell. Returns its outcome if it has no configurations.
   std::optional<Outcome> solve() {
     try {
       values_.set(place_);

@@ -1,4 +1,4 @@
-// Turns what the solver says of one set of values into what a table says of it.
+// Turns the solution for one set of values into its entries in a table.
 #pragma once
 
 #include <assur/mechanism/campaign.hpp>

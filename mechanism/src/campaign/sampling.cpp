@@ -1,4 +1,4 @@
-// Turns tolerances into random values of the parameters, and these into where outputs are.
+// Turns tolerances into random values of the parameters, and these into positions of outputs.
 #include <algorithm>
 #include <assur/directions.hpp>
 #include <iterator>
@@ -32,7 +32,7 @@ std::vector<Deviation> changing_parameters(const Values& values) {
   return changing;
 }
 
-/// Second derivatives are refused with more parameters.
+/// With more parameters, no second derivatives are computed.
 constexpr std::size_t most_with_spread = 200;
 
 /// The request of the nominal solution: sensitivities, and the variances of what is sampled.

@@ -56,7 +56,7 @@ Mechanism Mechanism::with_pin(JointIndex slide, FeatureIndex line) const {
   joint.type = JointType::pin_in_slot;
   const FeatureIndex first = joint.between[0];
   std::ranges::replace(joint.between, line, part.add_feature(std::move(pin)));
-  if (line == first) {  // A pin's displacement is measured from the line: it has to run back.
+  if (line == first) {  // A pin is measured from the slot, so the slot has to point back.
     Feature back = features_[joint.between[1]];
     back.name = joints_[slide].name + " as a slot";
     for (NumberIndex* along : {&back.along_x, &back.along_y}) {

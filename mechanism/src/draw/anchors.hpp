@@ -23,7 +23,7 @@ enum class Offset : unsigned char {
   first_end,   ///< the lowest place of what slides along the line, and a margin before it
   second_end,  ///< the highest, and a margin behind it
   ahead,       ///< a short way, which shows a direction
-  mouth        ///< of a tube: short of its rod's eye at the shortest
+  mouth        ///< of a tube: just short of the rod's eye where the cylinder is shortest
 };
 
 /// A point of the drawing, as a place on a feature of a link.
@@ -45,7 +45,7 @@ using LinkPoses = Table<LinkIndex, std::optional<Pose<double>>>;
 [[nodiscard]] LinkPoses link_poses(const Mechanism& mechanism, const Mechanism& planned,
                                    const Configuration& configuration);
 
-/// The displacements of a configuration, likewise.
+/// Includes the displacements of a configuration of the planned part in the joints' reaches.
 void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
                            const Configuration& configuration, Reaches& reaches);
 

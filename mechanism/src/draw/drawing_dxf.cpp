@@ -38,14 +38,14 @@ constexpr std::array dxf_units = {DxfUnit{"in", 1},  DxfUnit{"ft", 2}, DxfUnit{"
 constexpr std::array dxf_colours = {5, 30, 94, 211, 40, 151};
 constexpr int dxf_ink = 7;
 
-/// A layer to be: what it holds, beside its name, tells it from others.
+/// A layer, identified by what it holds and by the name that it should have.
 struct Layer {
   enum class Holds : unsigned char { ground, link, pins, outputs, path, events } holds;
   std::string name;
 };
 
-/// Names as R12 has them: capital letters, digits, `_` and `-`, 31 at most; two that would become
-/// the same are told apart by a number.
+/// Names as R12 allows them: capital letters, digits, `_` and `-`, 31 at most; two that would
+/// become the same are distinguished by a number.
 class LayerNames {
  public:
   const std::string& of(const Layer& layer) {
@@ -77,7 +77,7 @@ class LayerNames {
   std::set<std::string> taken_;
 };
 
-/// The text in ASCII, since R12 has no other letters: another one is written as `\\U+00B5`.
+/// The text in ASCII, since R12 has no other letters: these are written like `\\U+00B5`.
 std::string in_ascii(const std::string& text) {
   std::string result;
   std::uint32_t letter = 0;

@@ -24,7 +24,7 @@ constexpr std::size_t most_page_bytes = 999'999;
 constexpr std::size_t bytes_beside_numbers = 120'000;
 /// The most bytes of numbers; more do not make a page better.
 constexpr std::size_t most_number_bytes = 750'000;
-/// In base 64.
+/// The bytes of one number in base 64.
 constexpr double bytes_of_number = sizeof(float) * 4 / 3.0;
 
 /// Numbers as 32 bits, the low byte first, in base 64.
@@ -49,8 +49,8 @@ std::string base_64(const std::vector<double>& numbers) {
   return text;
 }
 
-/// Takes a point of the film off all coordinates and returns it: 32 bits then hold the mechanism
-/// to a part of its own size, however far it is from the scene's origin.
+/// Subtracts a point of the film from all coordinates and returns it, so that the precision of 32
+/// bits is relative to the mechanism's size, however far it is from the scene's origin.
 std::array<double, 2> brought_near(Film& film) {
   std::array<double, 2> origin = {0, 0};
   for (const FilmedBranch& branch : film.branches) {
@@ -74,7 +74,7 @@ std::array<double, 2> brought_near(Film& film) {
   return origin;
 }
 
-/// JSON inside an element of HTML: no text of it may end the element.
+/// JSON inside an element of HTML: none of its texts may end the element.
 std::string inside_html(const Json& json) {
   std::string text;
   for (const char letter : json.dump(-1, ' ', false, Json::error_handler_t::replace)) {
@@ -115,7 +115,7 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
 }
 
 /// The scene that the page solves for other values, and the parameters with values of their own;
-/// null if there is none but the swept one.
+/// null if there is no such parameter but the swept one.
 Json solved_anew(const Mechanism& mechanism, const Request& request, const SceneText& scene) {
   const Values values = Plan(mechanism, request).values();
   Json parameters = Json::array();

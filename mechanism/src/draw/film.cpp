@@ -15,7 +15,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// An animation of fewer steps is not smooth, one of more has none that can be seen.
+/// An animation of fewer steps is not smooth; more steps make no visible difference.
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
 constexpr int output_numbers = 6;

@@ -39,10 +39,10 @@ struct Film {
 /// The branches of the sweep, at steps that include those of the scene, unless that takes more than
 /// `most_numbers`; without a sweep, the configurations. There are `most_drawn` of them at most, and
 /// always the chosen one: by its number, or for 0 the one nearest to the reference, or else the
-/// first. Spreads come of the request's covariance or, without one, of the tolerances, each the
-/// deviation of its parameter, so that their roots are the `rss`; they are there where
-/// sensitivities are wanted. Throws MechanismError as `sweep` does, and where there is no
-/// configuration at any step.
+/// first. Spreads follow from the request's covariance or, without one, from the tolerances, each
+/// taken as the standard deviation of its parameter, so that the roots of the variances are the
+/// `rss`; they exist where sensitivities are wanted. Throws MechanismError as `sweep` does, and
+/// where there is no configuration at any step.
 [[nodiscard]] Film film_of(const Mechanism& mechanism, const Request& request,
                            std::size_t most_numbers, int chosen = 0);
 

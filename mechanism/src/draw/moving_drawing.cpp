@@ -30,7 +30,7 @@ const FilmedBranch& branch_of(const Film& film, int number) {
                                std::to_string(film.branches.size() + film.left_out));
 }
 
-/// The steps of the branch's first stretch, from its first one to the one behind its last.
+/// The steps of the branch's first stretch, from its first step to the one after its last.
 std::pair<std::size_t, std::size_t> stretch_of(const FilmedBranch& branch, std::size_t width,
                                                std::size_t count) {
   const auto is_there = [&](std::size_t step) { return !std::isnan(branch.points[width * step]); };
@@ -56,7 +56,7 @@ Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, in
   if (!request.sweep || request.sweep->count < 2) {
     throw MechanismError("sweep", "a moving picture needs a sweep of at least two steps");
   }
-  Request still = request;  // nothing of it tells how points vary
+  Request still = request;  // a moving picture does not show spreads
   still.want.sensitivity = false;
   Film film = film_of(mechanism, still, most_numbers, branch);
   const FilmedBranch& filmed = branch_of(film, branch > 0 ? branch : film.chosen);

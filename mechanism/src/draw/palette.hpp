@@ -25,7 +25,7 @@ inline constexpr Colour ink = {"#1b1f24", "#e6e8ea"};
 inline constexpr Colour muted = {"#6b7280", "#9aa4b0"};
 inline constexpr Colour paper = {"#ffffff", "#15181c"};
 
-/// The colours come round, and then with other dashes.
+/// The colours repeat, each time with other dashes.
 [[nodiscard]] constexpr std::size_t colour_of(int configuration) {
   return configuration < 1 ? 0 : static_cast<std::size_t>(configuration - 1) % colours.size();
 }

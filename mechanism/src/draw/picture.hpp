@@ -5,7 +5,7 @@
 
 namespace assur::mechanism::draw {
 
-/// How much of the picture the drawing takes, and how it lies there.
+/// The height of the picture, and the scale and place of the drawing in it.
 struct Picture {
   static constexpr double width = 320;
   double height;
@@ -20,7 +20,7 @@ struct Picture {
 /// The picture that holds all of the drawing, with room for `legend` below.
 [[nodiscard]] Picture picture_of(const Drawing& drawing, double legend);
 
-/// The longest of 1, 2, 5 times a power of ten that is no longer than this.
+/// The longest of 1, 2, 5 times a power of ten that is no longer than `longest`.
 [[nodiscard]] double round_length(double longest);
 
 }  // namespace assur::mechanism::draw

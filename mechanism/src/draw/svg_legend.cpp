@@ -31,7 +31,7 @@ class Rows {
  public:
   explicit Rows(double top) : top_(top) {}
 
-  /// Room for an entry; returns the left end of its middle.
+  /// Takes room for an entry; returns the left end of its middle line.
   Vector2d take(double width) {
     if (at_ > legend_side && at_ + width > Picture::width - legend_side) {
       at_ = legend_side;

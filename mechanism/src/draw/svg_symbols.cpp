@@ -42,7 +42,7 @@ Vector2d direction(const Vector2d& from, const Vector2d& to) {
 
 Vector2d across(const Vector2d& along) { return {-along.y(), along.x()}; }
 
-/// Short strokes on one side of a line, that which is farther down.
+/// Short strokes on the lower side of a line.
 SvgElement hatching(const Vector2d& from, const Vector2d& to, double aside) {
   const Vector2d along = direction(from, to);
   Vector2d side = across(along);

@@ -13,7 +13,7 @@ struct Symbols {
   std::vector<Anchor> points;
 };
 
-/// What chooses between symbols: how the links look, and how far joints go.
+/// What the choice of symbols depends on: how the links look, and how far joints go.
 struct Appearance {
   const Mechanism& mechanism;
   const FeatureFrames& frames;

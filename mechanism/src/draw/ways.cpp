@@ -80,7 +80,7 @@ class WayFollower {
     }
   }
 
-  /// The place of a branch among the configurations that are drawn, or their number.
+  /// The place of a branch among the configurations that are drawn; their count if it is not there.
   [[nodiscard]] std::size_t place_of(int branch) const {
     return static_cast<std::size_t>(
         std::find(configurations_.begin(), configurations_.end(), branch) -

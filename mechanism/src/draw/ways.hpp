@@ -8,7 +8,7 @@
 
 namespace assur::mechanism::draw {
 
-/// The ways of some configurations along the sweep.
+/// The paths of some configurations along the sweep.
 struct Ways {
   std::vector<Trace> traces;
   std::vector<Mark> marks;
@@ -17,9 +17,9 @@ struct Ways {
 };
 
 /// Follows the branches that go through configurations of the mechanism at its own values, by their
-/// numbers. Where these values are not in the sweep, no branch is known to be a configuration's:
-/// traces of all branches are those of configuration 0. Without a sweep, and where there are more
-/// branches than can be followed, there are no traces.
+/// numbers. Where these values are not in the sweep, it is not known which branch goes through
+/// which configuration, and the traces of all branches have configuration 0. Without a sweep, and
+/// where there are more branches than can be followed, there are no traces.
 [[nodiscard]] Ways ways_of(const Mechanism& mechanism, const Request& request,
                            const std::vector<int>& configurations);
 

@@ -9,7 +9,7 @@ namespace assur::mechanism::file {
 
 namespace {
 
-/// No scene has more lists and objects in one another than six.
+/// No scene nests more than six lists and objects.
 constexpr int deepest = 20;
 /// The most keys of one object, since an object looks up its keys one by one.
 constexpr std::size_t most_keys = 20000;

@@ -9,7 +9,7 @@
 namespace assur::mechanism::follow {
 
 /// The largest square of a gap between two branches that still counts as a crossing: rounding of
-/// the lengths can open a crossing by as much.
+/// the lengths can open a crossing this far.
 inline constexpr double crossing_limit = 1e-13;
 
 /// Configurations of one set, on branches that meet.

@@ -8,8 +8,8 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The same pair at another distance from a flat fold, the fourth root of which its separation
-/// follows.
+/// The same pair at another distance from a flat fold. Its separation is proportional to the fourth
+/// root of the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double fold, double parameter) {
   const double from = fold - pair.set->parameter;
@@ -17,7 +17,7 @@ std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const Configur
 }
 
 /// Where the fold is, if the pair approaches it as the fourth root of the distance: then
-/// `distance_to_fold` tells twice the distance, which is half as much less further on.
+/// `distance_to_fold` is twice the distance, and decreases twice as fast as the parameter advances.
 std::optional<double> estimate_from(SnapshotSolver& solver, const ConfigurationPair& pair) {
   const double told = pair.distance_to_fold();
   if (!std::isfinite(told)) {
@@ -43,8 +43,8 @@ std::optional<EventLocation> locate_flat_fold(SnapshotSolver& solver,
   if (!estimate) {
     return std::nullopt;
   }
-  // Pairs up to a separation, which truncates at its eighth power; a configuration is known to
-  // rounding by the third power of its own.
+  // Pairs up to a separation s, with a truncation error of order s^8. The error of a pair by
+  // rounding grows as the inverse third power of its own separation.
   constexpr int pairs = 4;
   constexpr double widest = 1e-2;
   constexpr int most_steps = 8;

@@ -1,4 +1,4 @@
-// Turns two configurations that meet further on, and stay close for long before, into the fold.
+// Turns two configurations that meet further on, in a fold of higher order, into this fold.
 #pragma once
 
 #include "fold_location.hpp"
@@ -6,8 +6,8 @@
 namespace assur::mechanism::follow {
 
 /// The fold of a pair at which the parameter does not change to third order along the branch, as
-/// symmetry makes it: p = p* - a s^4 - b s^6 ..., s the separation, which vanishes as the fourth
-/// root of the distance. Nothing where the pair does not approach like that.
+/// can be due to symmetry: p = p* - a s^4 - b s^6 ..., where s is the separation, which vanishes as
+/// the fourth root of the distance. Nothing where the pair does not approach like that.
 [[nodiscard]] std::optional<EventLocation> locate_flat_fold(SnapshotSolver& solver,
                                                             const ConfigurationPair& near);
 

@@ -10,7 +10,8 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The same pair at another distance from its fold, the root of which its separation follows.
+/// The same pair at another distance from its fold. Its separation is proportional to the root of
+/// the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double parameter) {
   const double distance = pair.distance_to_fold();

@@ -1,4 +1,4 @@
-// Turns two configurations that meet further on into the fold where they do.
+// Turns two configurations that meet further on into the fold where they meet.
 #pragma once
 
 #include <optional>

@@ -50,7 +50,7 @@ std::optional<BranchPoint> LoneBranches::continued(BranchPoint from, double para
   constexpr int most_tries = 400;
   constexpr double shorter = 0.6;
   constexpr double longer = 16;  // A long step may pass a place at which a short one would end.
-  constexpr double least_part = 1.0 / 64;  // of the last
+  constexpr double least_part = 1.0 / 64;  // of the last step
   double step = parameter - from.set->parameter;
   double last = std::abs(step);
   Eigen::VectorXd curvature = Eigen::VectorXd::Zero(from.here().at.size());

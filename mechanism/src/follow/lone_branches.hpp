@@ -30,7 +30,7 @@ class LoneBranches {
 
   /// The configuration that continues one at another value, before or after it. Each step goes to
   /// the only configuration near to where the last one led, and must be the only one that leads
-  /// there. Returns nothing if there is no way of such steps.
+  /// there. Returns nothing if no such steps lead to that value.
   [[nodiscard]] std::optional<BranchPoint> continued(BranchPoint from, double parameter);
 
   [[nodiscard]] SnapshotSolver& solver() const { return solver_; }

@@ -18,19 +18,20 @@ namespace {
 
 /// The largest number of sets between two steps. One turn of a crank takes about a hundred, and the
 /// hardest sweeps of the tests take two thousand. A sweep that needs more than the limit is
-/// refused, because it would not end in a time that anybody waits for.
+/// refused, because it would take too long.
 constexpr int most_between_steps = 10000;
 /// Whole turns of angles that laws read are counted at this many values of a sweep at least.
 constexpr double least_counts = 512;
-/// Whether branches meet or miss one another is told in steps as short as this part of the way that
-/// moves the mechanism by its size. In shorter ones, rounding hides near a meeting how links turn.
+/// The shortest steps in which it is determined whether branches meet or miss one another, as a
+/// part of the way that moves the mechanism by its size. In shorter ones near a meeting, rounding
+/// hides how links turn.
 constexpr double least_counting_step = 1e-7;
 /// Where branches meet at the first step, turns are counted from a set beside it, at this part of
 /// the way that moves the mechanism by its size.
 constexpr double beside_first = 1e-5;
-/// So many steps lead at most to one value.
+/// The most steps that lead to one value.
 constexpr int most_counting_steps = 4096;
-/// So many sets are kept at most, from which turns are counted.
+/// The most sets that are kept so that turns are counted from them.
 constexpr std::size_t most_counted = 2048;
 
 /// Whether all configurations have their derivatives. Where branches meet, and only there,
@@ -71,7 +72,7 @@ bool do_laws_read_angles(const Mechanism& mechanism) {
   return do_read;
 }
 
-/// What all constraints close from several configurations of the rest may be one.
+/// Configurations closer than this may be one that all constraints close from several of the rest.
 constexpr double closest_settled = 1e-9;
 
 /// How fast a number changes, in units per parameter. Where it stands still for a moment, what
@@ -227,9 +228,9 @@ const SnapshotPointer& SnapshotSolver::nearest_counted(double parameter) const {
 }
 
 /// Keeps a set from which turns are counted: one with angles that laws read, or an empty one, since
-/// branches that begin behind a gap begin to count. In a degenerate set, branches go on unseen, and
-/// where they meet, nobody knows which of them a configuration continues, or whether the law has a
-/// value there.
+/// branches that begin after a gap begin to count. In a degenerate set, branches go on unseen, and
+/// where they meet, it is not known which of them a configuration continues, or whether the law has
+/// a value there.
 void SnapshotSolver::note_counted(const SnapshotPointer& set) {
   const bool is_gap = set->count() == 0 && !set->is_degenerate() && reads_angles_;
   const bool is_known = is_gap || (has_counted_angles(*set) && is_regular(*set));

@@ -30,10 +30,11 @@ struct Snapshot {
   /// followed.
   bool separable = true;
   double closest = 0;  ///< the least distance of two points; infinite for fewer than two
-  /// Whether something moves freely here alone, and with it branches that stand elsewhere.
+  /// Whether something moves freely at this value alone, so that branches have no configuration
+  /// here.
   bool has_own_family = false;
 
-  /// Whether there are infinitely many configurations of what can be followed elsewhere.
+  /// Whether infinitely many configurations replace some that can be followed elsewhere.
   [[nodiscard]] bool is_degenerate() const {
     return solution.status == SolutionStatus::degenerate || has_own_family;
   }
@@ -65,8 +66,8 @@ class SnapshotSolver {
   /// From now on, angles that laws read are counted by whole turns from those of a set. Sets that
   /// `at_step` and `at` solve are counted from the last step, or from nearer sets between.
   void count_from(const SnapshotPointer& set);
-  /// While it lives, sets can be followed, too, whose slopes are known only from all constraints
-  /// together, and not group by group. That takes longer, and crossings are located less precisely.
+  /// While it lives, sets can be followed even if their slopes are known only from all constraints
+  /// together, not group by group. That takes longer, and crossings are located less precisely.
   class CloseLook {
    public:
     explicit CloseLook(SnapshotSolver& solver) : solver_(solver) { solver_.closely_ = true; }
@@ -105,9 +106,9 @@ class SnapshotSolver {
   [[nodiscard]] const SnapshotPointer& nearest_counted(double parameter) const;
   void note_counted(const SnapshotPointer& set);
   void count_turns_at(double parameter, double from);
-  /// Whether a set has fewer configurations than one beside it, for families that the other lacks,
-  /// or since configurations of a mechanism without its redundant constraints meet in one that all
-  /// constraints determine.
+  /// Whether a set has fewer configurations than one beside it, because it has families that the
+  /// other lacks, or because several configurations of the mechanism without its redundant
+  /// constraints meet in one that all constraints determine.
   [[nodiscard]] bool has_less_than_beside(const Snapshot& set);
   /// A snapshot to be solved at a value, to which `values_` are set.
   [[nodiscard]] std::unique_ptr<Snapshot> begun(double parameter);
@@ -128,7 +129,7 @@ class SnapshotSolver {
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives with respect to the swept parameter
   std::vector<FeatureIndex> moved_features_;  ///< by the swept parameter, on their links
-  bool reads_angles_ = false;                 ///< whether laws do, whose turns are counted
+  bool reads_angles_ = false;                 ///< whether laws read angles, whose turns are counted
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism
@@ -137,9 +138,9 @@ class SnapshotSolver {
   /// that it was told to count from, and is told anew before it solves again.
   std::vector<SnapshotPointer> counted_;
   bool is_count_in_doubt_ = false;   ///< in the last set
-  bool is_count_ambiguous_ = false;  ///< likewise
-  std::size_t families_ = 0;         ///< in the last set, of those that one beside it has, too
-  int between_steps_ = 0;            ///< how many were asked for since the last step
+  bool is_count_ambiguous_ = false;  ///< in the last set, too
+  std::size_t families_ = 0;         ///< in the last set, or in one beside it that has fewer
+  int between_steps_ = 0;            ///< how many sets were asked for since the last step
   bool closely_ = false;
 };
 

@@ -81,8 +81,8 @@ class Sweeper {
     report(step, *set, rows);
   }
 
-  /// Handles a step whose set cannot be followed, since branches meet there or worse: sets on both
-  /// sides of it are connected instead.
+  /// Handles a step whose set cannot be followed, since branches meet there or it is degenerate:
+  /// sets on both sides of it are connected instead.
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
@@ -126,7 +126,7 @@ class Sweeper {
       to = {after, tracker_.branches()};
     }
     std::vector<int> gone_after = to.branches.items();
-    // In a passage of more than a step nobody knows on which side of an event a row is.
+    // In a passage of more than a step it is not known on which side of an event a row is.
     const bool is_wide =
         from.set && to.set && std::abs(to.set->parameter - from.set->parameter) > step_width();
     unresolved_ =

@@ -1,5 +1,5 @@
-// Turns a degenerate model at given numbers into its closures as its slides tie them, and those
-// into what the model's kernel answers.
+// Turns a degenerate model at given numbers into its closures as its slides tie them, and these
+// into the answers of the model's kernel.
 #pragma once
 
 #include <algorithm>
@@ -62,8 +62,8 @@ class DegenerateFunctions {
 
  private:
   /// Directions come from the scene's expressions, a few roundings each; those of links that are
-  /// placed before may have lost more digits. At the most, angles still contradict each other by
-  /// less than any scene would mean.
+  /// placed before may have lost more digits. Even the largest tolerance is smaller than any
+  /// contradiction that a scene would intend.
   [[nodiscard]] static double tolerance_of_angles(const support::Displacement& displaced) {
     constexpr double least = 1e-12;
     constexpr double most = 1e-9;
@@ -103,7 +103,8 @@ class DegenerateFunctions {
     return result;
   }
 
-  /// Three directions tell what is linear in direction and displacements.
+  /// Sets the closures from their values at three directions, since they are linear in the
+  /// direction and the displacements.
   static void fill_closures(const Dimensions& d, const Inputs& u, TiedClosures& result) {
     const bool turns_all = slides_turn(d, u);
     const auto at = [&](double cos, double sin) {
@@ -160,7 +161,7 @@ class DegenerateFunctions {
     }
   }
 
-  /// No displacements, and the angle's direction.
+  /// The configuration with no displacements and this direction of the angle.
   [[nodiscard]] static Configuration standing_at(double cos, double sin) {
     FlatVariables flat{};
     std::size_t place = 0;

@@ -181,7 +181,7 @@ class ModelFunctions {
   }
 };
 
-/// The kernel of a model; a degenerate one has no configuration that could be asked for its motion.
+/// The kernel of a model; a degenerate one has no configuration whose motion could be computed.
 template <typename Model>
 [[nodiscard]] const ModelKernel* kernel_of() {
   if constexpr (Model::rigid) {

@@ -7,8 +7,8 @@
 
 namespace assur::mechanism::models {
 
-/// The series c0 + c1 t + ... + c4 t^4, with higher orders cut off. An unknown coefficient is NaN,
-/// and makes NaN all that depend on it, which are of its order and above.
+/// The series c0 + c1 t + ... + c4 t^4, with higher orders cut off. An unknown coefficient is NaN;
+/// so are all that depend on it, which are of its order or higher.
 struct Series {
   static constexpr std::size_t order = 4;
   std::array<double, order + 1> c{};
@@ -36,7 +36,7 @@ struct Series {
 [[nodiscard]] double turning_rate(const Direction<Series>& direction);
 [[nodiscard]] double second_turning_rate(const Direction<Series>& direction);
 
-/// The frame `inner`, which is given in `frame`, in the frame in which `frame` moves.
+/// Transforms `inner`, which is given in `frame`, into the frame in which `frame` moves.
 [[nodiscard]] Pose<Series> composed(const Pose<Series>& frame, const Pose<Series>& inner);
 /// A frame at rest.
 [[nodiscard]] Pose<Series> at_rest(const Pose<double>& pose);

@@ -15,9 +15,9 @@ using Vector2 = Eigen::Vector2d;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// A longer displacement has run to infinity, as in the groups that are rigid.
+/// A longer displacement counts as infinite, as it does in rigid groups.
 constexpr double farthest_displacement = 0x1p24;
-/// Slides that reach a direction by less than this may have to go as far to close a gap along it.
+/// Slides that reach a direction by less than this may have to go that far to close a gap along it.
 constexpr double weak = 0x1p-20;
 
 /// The parts of the closures along some directions that slides do not reach: turning e + fixed.
@@ -34,7 +34,7 @@ struct UnreachedParts {
   return {c * e.x() - s * e.y(), s * e.x() + c * e.y()};
 }
 
-/// Turns a direction by steps of Gauss and Newton to where the parts are least, near it.
+/// Turns a direction by Gauss-Newton steps to where the parts are least, near it.
 [[nodiscard]] Vector2 settled(const UnreachedParts& parts, Vector2 e) {
   constexpr int most_steps = 60;
   constexpr int most_halvings = 6;
@@ -102,7 +102,8 @@ class TiedSearch {
 
   [[nodiscard]] TiedVerdict run() const {
     TiedVerdict result;
-    // What is reached weakly counts as not reached at first, as it closes what is hardly open only.
+    // Directions that slides reach weakly count as unreached at first: only tiny gaps can be closed
+    // along them.
     const UnreachedParts unreached = parts_beyond(rank_above(weak));
     result.miss = std::numeric_limits<double>::infinity();
     for (const UnreachedParts& parts : {unreached, unreached_}) {
@@ -132,14 +133,14 @@ class TiedSearch {
                                                      : std::vector<Vector2>{Vector2(1, 0)};
   }
 
-  /// The least displacements that close what slides reach.
+  /// The norm of the least displacements that close the directions that slides reach.
   [[nodiscard]] double displacements(const Vector2& e) const {
     const SmallVector open = closures_.turning * e + closures_.fixed;
     const SmallVector reached = factors_.matrixU().leftCols(rank_).transpose() * open;
     return reached.cwiseQuotient(factors_.singularValues().head(rank_)).norm();
   }
 
-  /// What rounding may leave of closures in which the slides are as long.
+  /// What rounding may leave of the closures with slides of this length.
   [[nodiscard]] double rounding(double displacement) const {
     return 32 * epsilon * (1 + closures_.farthest + displacement) + 4 * closures_.displaced +
            4 * closures_.turned * (1 + displacement);

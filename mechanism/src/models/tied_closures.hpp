@@ -14,9 +14,9 @@ struct TiedClosures {
   SmallMatrix turning;  ///< a column for the cosine, and one for the sine
   SmallVector fixed;
   bool turns = false;    ///< whether there is an angle
-  double farthest = 0;   ///< coordinate among the inputs
-  double displaced = 0;  ///< by rounding, what holds the group
-  double turned = 0;     ///< likewise; or the amount by which the tied angles miss each other
+  double farthest = 0;   ///< the largest coordinate among the inputs
+  double displaced = 0;  ///< how far rounding may have moved what holds the group
+  double turned = 0;     ///< how far it may have turned that, plus the misfit of the tied angles
 };
 
 /// What the closures allow.
@@ -27,10 +27,10 @@ struct TiedVerdict {
 };
 
 /// In any direction e the closures are linear in the displacements. They hold for some
-/// displacements where what they are without these has no part along the directions that no slide
-/// reaches. So those are found first, by a decomposition with a bound on rounding, and then the
-/// angles at which the parts along them vanish. The displacements that are left move freely, and so
-/// does the angle if no part depends on it.
+/// displacements where their value without displacements has no part along the directions that no
+/// slide reaches. These directions are found first, by a decomposition with a bound on rounding,
+/// and then the angles at which the parts along them vanish. The remaining displacements are free,
+/// and so is the angle if no part depends on it.
 [[nodiscard]] TiedVerdict verdict_on(const TiedClosures& closures);
 
 }  // namespace assur::mechanism::models

@@ -31,8 +31,8 @@ draw::Json solved(const draw::Json& asked) {
 
 extern "C" {
 
-/// Makes room for a question of a number of bytes: JSON in UTF-8 with the `text` of a scene file
-/// and `settings` as `parse_scene` takes them.
+/// Makes room for a question of `bytes` bytes: JSON in UTF-8 with the `text` of a scene file and
+/// `settings` as `parse_scene` takes them.
 [[clang::export_name("question")]] char* question_of(std::size_t bytes) {
   question.resize(bytes);
   return question.data();

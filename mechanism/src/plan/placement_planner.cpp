@@ -14,7 +14,7 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// Places the ground and what it carries, then group by group, each with what its links carry.
+/// Places the ground and what it carries, then the groups in order, each with what its links carry.
 class PlacementPlanner {
  public:
   explicit PlacementPlanner(const Mechanism& mechanism) : mechanism_(mechanism) {
@@ -45,8 +45,8 @@ class PlacementPlanner {
     return structure_.linkage.joints[index];
   }
 
-  /// Gives links that drivers tie together, and which so move as one, the same carrier: the ground
-  /// if it is one of them.
+  /// Gives the same carrier to links that drivers tie together, which therefore move as one: the
+  /// ground if it is one of them.
   void tie_driven_links() {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
@@ -174,8 +174,8 @@ class PlacementPlanner {
     return link.joint.exists() ? bodies_.read[link.joint] : std::vector<LinkIndex>();
   }
 
-  /// Sorts carried links. A carried link can be placed when the link that carries it is placed, and
-  /// those that its law reads.
+  /// Sorts carried links. A carried link can be placed when the link that carries it and the links
+  /// that its law reads are placed.
   void order_carried_links() {
     Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
     for (const GroupIndex group : structure_.groups.keys()) {

@@ -15,8 +15,8 @@ namespace {
 /// constraints that are left out hold.
 constexpr std::size_t most_ways = 32;
 
-/// The largest number of sets of left-out constraints to which a further one is sought: a mechanism
-/// may have thousands of such sets.
+/// The largest number of sets of left-out constraints for which a further one is sought: a
+/// mechanism may have thousands of such sets.
 constexpr int most_rounds = 100;
 
 /// A mechanism with one or two constraints less. It has either a structure or fewer constraints too
@@ -158,8 +158,8 @@ class Balancer {
     return points;
   }
 
-  /// Lists a step after which the mechanism has `less` constraints less. If its surplus is not
-  /// smaller by as many, the step has set links free elsewhere and is not listed.
+  /// Lists a step after which the mechanism has `less` constraints less. If its surplus does not
+  /// decrease by `less`, the step has set links free elsewhere and is not listed.
   void consider(Step step, int less) {
     step.mechanism = relaxed(mechanism_, step.redundant);
     try {
@@ -193,8 +193,8 @@ class BalanceSearch {
   BalanceSearch(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
       : described_(mechanism.features().size()), places_(mechanism), most_(most), kept_(kept) {}
 
-  /// Returns the ways to leave out what a mechanism still has too much of. Constraints may be left
-  /// out of it already.
+  /// Returns the ways to leave out the excess constraints that a mechanism still has. Others may
+  /// have been left out of it already.
   [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
                                                         const OverConstrained& fault) {
     std::vector<BalancedMechanism> result;

@@ -1,4 +1,4 @@
-// Turns a mechanism with too many constraints into one without them, and what they were.
+// Turns a mechanism with too many constraints into one without the excess ones, which it lists.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -30,19 +30,19 @@ enum class LeftOut : unsigned char {
   constraints  ///< one constraint
 };
 
-/// The mechanism without what is described to be left out of it, in the order of names; what is
-/// told twice is left out once. Throws MechanismError where that leaves no known groups.
+/// The mechanism without the given constraints, which are left out in the order of names; one that
+/// is given twice is left out once. Throws MechanismError where that leaves no known groups.
 [[nodiscard]] BalancedMechanism without_all(const Mechanism& mechanism,
                                             std::vector<RedundantJoint> redundant);
 
-/// A search through more would take longer than what is found is worth.
+/// The largest surplus for which constraints to leave out are sought; more would take too long.
 inline constexpr int most_surplus = 8;
 
-/// The mechanism with as many constraints less as it has too many; nothing where these are more
-/// than `most_surplus`. The ways to leave the last one out come in order: those that keep the
-/// joints of the names in `kept` first, then those with the smallest groups, and then by the names
-/// of joints, those with slots on bars first; a group may move freely where it is small. Nothing
-/// where no way leaves a mechanism whose groups are known.
+/// The ways to leave the excess constraints out of a mechanism, which differ in the last one. Those
+/// that keep the joints named in `kept` come first, then those with the smallest groups (which may
+/// move freely), and then they are in the order of the names of joints, with slots on bars first.
+/// Empty where there are more than `most_surplus` excess constraints, or where no way leaves a
+/// mechanism whose groups are known.
 [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
                                                       const OverConstrained& fault, LeftOut most,
                                                       const std::vector<std::string>& kept);

@@ -21,7 +21,7 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Adds a cell, with a comma ahead, of 17 significant digits; an empty one for what is no number.
+/// Adds a cell of 17 significant digits, with a comma ahead; an empty one if it is not finite.
 void add_number(double number, std::string& row) {
   if (!std::isfinite(number)) {
     row += ',';

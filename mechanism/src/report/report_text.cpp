@@ -103,7 +103,7 @@ struct Sizes {
   Size velocities;
   Size accelerations;
   std::vector<Size> derivatives;  ///< by each parameter
-  Size tolerances;                ///< of what tolerances make of them
+  Size tolerances;                ///< of the deviations by tolerances
 };
 
 std::string table_head(const std::vector<std::string>& titles) {

@@ -19,10 +19,10 @@ struct AcrossOnTheMove {
   models::Series way;
 };
 
-/// A link of points alone enters closures and poses linearly with its coordinates, and turned by
-/// its one direction. So a part of a coordinate across the axis is one along the axis of a link
-/// that is turned by a right angle: the derivatives with respect to it are those with respect to
-/// the dimension along the axis there.
+/// Closures and poses are linear in the coordinates of a link that has points alone, rotated by the
+/// link's direction. A coordinate across the axis is therefore one along the axis of the link
+/// turned by a right angle: the derivatives with respect to it are those with respect to the
+/// dimension along the axis there.
 [[nodiscard]] AcrossColumns across_columns(const GroupModel& model, const models::FlatVariables& d,
                                            const models::FlatVariables& u,
                                            const models::FlatVariables& q,

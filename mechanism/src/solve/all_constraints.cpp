@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The vector turned by a quarter turn: the velocity of the point `arm` in a frame that turns by
-/// one.
+/// The vector turned by a quarter turn: the velocity of the point `arm` in a frame that turns at
+/// unit speed.
 Vector2d across(const Vector2d& arm) { return {-arm.y(), arm.x()}; }
 
 Vector2d place_of(const Pose<double>& pose) { return {pose.x, pose.y}; }

@@ -51,9 +51,9 @@ Motions in_time(const Values& values) {
   return motions;
 }
 
-/// The motions of the drivers along a parameter. Where motions meet, their first rates follow from
-/// second rates, so a law that bends counts with those. Of a law that reads links the first rate
-/// alone is known.
+/// The motions of the drivers along a parameter. Where motions meet, their first rates depend on
+/// the second rates of the laws, so these are included. Of a law that reads links, only the first
+/// rate is known.
 Motions along_parameter(const Values& values, ParameterIndex parameter, Eigen::Index column) {
   const AlongParameter along(values, parameter);
   Motions motions{along.laws(), false};
@@ -123,7 +123,7 @@ void find_branches(const Values& values, const PlacedLinks& placed, Configuratio
     return;
   }
   std::vector<Configuration>& found = *known;
-  // A motion that the constraints left out would stop is not a motion of the mechanism.
+  // A motion that the left-out constraints would stop is not a motion of the mechanism.
   if (!values.plan().redundant.empty()) {
     std::erase_if(found,
                   [&](const Configuration& motion) { return !is_motion_of_all(values, motion); });

@@ -8,9 +8,9 @@ namespace assur::mechanism::solve {
 /// Finds the rates of a configuration whose loop closures do not determine them to first order, by
 /// following its groups order by order (`branches_through`). If there is one motion, the
 /// configuration gets its rates. If there are several, as at a crossing, they become its branches.
-/// If there is none, as at a fold, the configuration stays as it is. A driver moves as its velocity
-/// and acceleration say, and its higher rates are zero: at a crossing along the motion of one
-/// driver they do not matter.
+/// If there is none, as at a fold, the configuration stays as it is. A driver moves by its velocity
+/// and acceleration, and its higher rates are zero. If only one driver moves, these do not matter
+/// at a crossing.
 void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration);
 
 /// Finds the derivatives of such a configuration with respect to a parameter that moves drivers

@@ -100,7 +100,7 @@ class BranchWalk {
                                           ? Pose<models::Series>{moved, 0, {1, 0}}
                                           : Pose<models::Series>{0, 0, turning({1, 0}, moved)};
     // Turning the link is not enough where its own feature moves on it, nor where the link that
-    // carries it has been put elsewhere because a group is solved relative to that.
+    // carries it has been put elsewhere because a group is solved relative to it.
     links_[link.to] =
         has_relative_groups_ || (motions_.in_time && is_moving(values_.carried_frame(place)))
             ? composed(composed(composed(base, standing(link, joint)), step),
@@ -169,7 +169,7 @@ class BranchWalk {
     const Values::GroupNumbers& numbers = values_.numbers_of(group);
     put_base(group);
     const std::optional<MovingShape> shape = shape_of(group, numbers);
-    // Nothing is known where features that hardly define the frame of their link move.
+    // The motion is not known where the features that move hardly define the frame of their link.
     is_known_ = is_known_ && shape && shape->is_known() &&
                 precision_of_shape(numbers.firmness).second_rates_known;
     if (!is_known_) {
@@ -180,8 +180,8 @@ class BranchWalk {
     const std::vector<AcrossOnTheMove> across = across_axes(numbers, *shape);
     const PlacedGroup& here = placed_.groups[group];
     const MotionTerms terms = motion_terms(model, numbers, shape->speed, shape->d, u, here.q);
-    // A singular group was settled to rounding, so the group behind it is placed as accurately.
-    // Behind other groups the displacement is smaller, or they would have had no branches.
+    // A displacement this large comes from a singular group, whose configuration has been settled
+    // to rounding since. Behind other groups it is smaller, or these would have had no branches.
     const double displaced = here.displaced < two_digits_lost ? here.displaced : 0;
     for (const GroupBranch& branch :
          branches_through({model, shape->d, u, here.q, across, terms, displaced})) {
@@ -229,8 +229,8 @@ class BranchWalk {
     return across;
   }
 
-  /// The shape of a group on this branch: what earlier groups and drivers carry moves as they do
-  /// here. Along a parameter that moves drivers alone, shapes keep still.
+  /// The shape of a group on this branch: features that earlier groups and drivers carry move with
+  /// these. Along a parameter that moves drivers alone, shapes do not change.
   [[nodiscard]] std::optional<MovingShape> shape_of(GroupIndex group,
                                                     const Values::GroupNumbers& numbers) const {
     if (motions_.in_time && numbers.d_rate.size() > 0) {

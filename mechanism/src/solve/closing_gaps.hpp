@@ -25,8 +25,8 @@ class ClosingGaps {
   /// Records that the group has no configuration there, and by how much it fails to close.
   void fail(GroupIndex group);
   /// Whether a group that has no configuration where it is held may have one where its neighbours
-  /// truly are: they may be off by the root of a rounding, where two of their configurations are
-  /// listed as one.
+  /// truly are: their places may be wrong by the square root of rounding where two of their
+  /// configurations are listed as one.
   [[nodiscard]] bool is_in_doubt(GroupIndex group) const;
   /// One sentence on the group that cannot be assembled and fails by the least gap; empty if
   /// nothing was measured.

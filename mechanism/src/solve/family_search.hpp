@@ -34,7 +34,7 @@ class FamilySearch {
   /// Adds those groups from `depth` on that move, wherever the unplaced links are.
   void find_behind(std::size_t depth, Unplaced unplaced);
   /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
-  /// hold are left out, and so are groups that move, or of which nobody knows whether they close.
+  /// hold are left out, and so are groups that move, or that are not known to close or not.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Unplaced unplaced);
   /// Whether this family is listed already with its holding links where they are now: the choices
   /// of groups that do not hold it make no other family. Families that differ by rounding are the

@@ -139,7 +139,7 @@ class BranchExpansion {
     return closures(order, {group_.d, group_.u, group_.across});
   }
 
-  /// Sets the unknowns' coefficient of an order, the shortest one where J lacks a rank.
+  /// Sets the unknowns' coefficient of an order, the shortest one where J has no inverse.
   void solve(Eigen::Index order) {
     parts_.col(order).setZero();
     const Eigen::VectorXd rhs = factors_.matrixU().leftCols(rank_).transpose() * closures(order);
@@ -154,8 +154,8 @@ class BranchExpansion {
     return std::abs(blocked_.dot(f)) <= negligible_part * size_of(order, f);
   }
   /// The size of the terms in a coefficient of the closures: those of each dimension and each input
-  /// when it moves alone, and those of the unknowns. What moves counts as the terms of its
-  /// motion do, which may leave rounding alone.
+  /// when it moves alone, and those of the unknowns. What moves counts with the terms of its motion
+  /// (`MotionTerms`), since their sum may be nothing but rounding.
   [[nodiscard]] double size_of(Eigen::Index order, const Eigen::VectorXd& f) const {
     double size = std::max(f.norm(), size_of_order(order));
     const Moving still = at_rest();
@@ -221,7 +221,7 @@ class BranchExpansion {
       const double along = blocked_.dot(f);
       return std::abs(along) > negligible_part * f.norm() ? along : 0.0;
     };
-    // What moves the group moves it at least by rounding: that is no measure of how far it goes.
+    // If `start` is only the rounding of what moves the group, it does not tell how far this goes.
     const double moved = size_of(order, closures(order));
     double reach = start > negligible_part * moved ? start : moved > 0 ? moved : 1;
     double reached = 0;
@@ -243,8 +243,8 @@ class BranchExpansion {
       reached = reach;
       reach = std::isfinite(size) && size > 0 ? size : reach;
     }
-    // At the larger root the square is as large as the rest. Where parts as large as that root make
-    // less of it, it was rounding.
+    // At the larger root the square term is as large as the others. If it is far smaller for
+    // components of that size, it is rounding.
     const bool decides =
         std::abs(a) * reached > 1e-3 * std::abs(b) && std::isfinite(a + b + constant);
     return decides ? roots_of(a, b, constant, rounding) : std::vector<double>{};

@@ -178,8 +178,7 @@ void GroupSolver::find_across(const models::FlatVariables& q) {
   }
 }
 
-/// Calls `add(axis, columns, value)` for each held axis across which a value is not zero, one of
-/// `value_of(axis)`.
+/// Calls `add(axis, columns, value)` for each held axis with a `value_of(axis)` that is not zero.
 template <typename ValueOf, typename Add>
 void GroupSolver::across(const ValueOf& value_of, const Add& add) const {
   for (std::size_t place = 0; place < across_.size(); ++place) {

@@ -56,8 +56,8 @@ class GroupSolver {
   /// How far rounding may have moved the links that hold the group, when it was placed last, in
   /// parts of the group's size.
   [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }
-  /// Whether nothing bounds how far rounding may have moved what holds the group, as where two
-  /// configurations of a group before it are one.
+  /// Whether there is no bound on how far rounding may have moved the links that hold the group, as
+  /// where two configurations of a group before it coincide.
   [[nodiscard]] bool is_held_loosely() const {
     return !std::isfinite(query_.displaced.moved) || !std::isfinite(query_.displaced.turned);
   }

@@ -12,9 +12,9 @@ namespace assur::mechanism::solve {
                                                    bool slides_only);
 /// The reason why a group that closes has infinitely many positions.
 [[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
-/// The reason why nobody knows whether a group closes.
+/// The reason why it is not known whether a group closes.
 [[nodiscard]] std::string reason_of_doubt(const Values& values, GroupIndex group);
-/// The reason why a group cannot be assembled whose angles prismatic joints over-determine.
+/// The reason why a group cannot be assembled if prismatic joints over-determine its angles.
 [[nodiscard]] std::string reason_of_conflict(const Values& values, GroupIndex group);
 
 }  // namespace assur::mechanism::solve

@@ -7,7 +7,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// The longest of some lengths, which stand among directions.
+/// Finds the longest of the lengths in a flat list of lengths and directions.
 class Longest {
  public:
   explicit Longest(const double* numbers) : next_(numbers) {}
@@ -37,8 +37,8 @@ double reach_of(const GroupModel& model, const Values::GroupNumbers& numbers,
   return std::max(dimension.length(), unknown.length());
 }
 
-/// A number that moves as `moving`, and at the least at these rates. A second rate that moves it by
-/// `size` within the time in which it grows to a rate counts as this rate.
+/// The series `moving` with rates that are at least these. A second rate also counts as the first
+/// rate to which it leads while it moves the number by about `size`.
 models::Series with_terms(const models::Series& moving, double size, double rate = 0,
                           double second_rate = 0) {
   models::Series terms = moving;
@@ -49,7 +49,7 @@ models::Series with_terms(const models::Series& moving, double size, double rate
 
 bool moves(const models::Series& number) { return number.c[1] != 0 || number.c[2] != 0; }
 
-/// Whatever moves on a link counts as moving along its lengths.
+/// A feature that moves on a link in any direction counts as moving along the link's lengths.
 void add_dimensions(const Values::GroupNumbers& numbers, const ShapeSpeed& speed, double reach,
                     models::FlatSeries& dimensions) {
   const double along = std::max(speed.along, reach * speed.turn);

@@ -1,5 +1,5 @@
-// Turns the motion of a group's dimensions and inputs into the size of the terms that it consists
-// of, against which what is left of them is measured.
+// Turns the motion of a group's dimensions and inputs into the size of the terms whose sum it is,
+// against which this sum is measured.
 #pragma once
 
 #include "group_branches.hpp"

@@ -71,7 +71,7 @@ class MovedParts {
                                  return other.exists() && drivers_[other];
                                });
   }
-  /// Whether a driver moves what holds a group against the link relative to which it is solved.
+  /// Whether a moved driver moves links that hold a group, relative to the base of this group.
   [[nodiscard]] bool is_moved_on_base(GroupIndex group) const {
     return std::ranges::any_of(plan_.structure.carried_by_base(group), [this](std::size_t place) {
       const CarriedLink& link = plan_.structure.carried[place];

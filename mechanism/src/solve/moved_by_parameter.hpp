@@ -1,4 +1,4 @@
-// Turns a parameter into what of a mechanism it moves.
+// Turns a parameter into the parts of a mechanism that it moves.
 #pragma once
 
 #include <assur/mechanism/values.hpp>

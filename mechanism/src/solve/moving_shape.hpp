@@ -11,8 +11,8 @@
 
 namespace assur::mechanism::solve {
 
-/// How fast what defines a group's links moves on them. The rate of a dimension may be less: where
-/// a driver stretches a link that is straight, its length stands still while its end moves across.
+/// How fast features that define a group's links move on them. The rate of a dimension may be less:
+/// where a driver stretches a straight link, its length stands still while its end moves across.
 struct ShapeSpeed {
   double along = 0, along_twice = 0;  ///< rates and second rates of lengths and shifts, in size
   double turn = 0, turn_twice = 0;    ///< of normal frames on their links, and of angles
@@ -23,14 +23,14 @@ struct MovingShape {
   models::FlatSeries d;
   std::vector<Pose<models::Series>> own;  ///< the links' own frames, each in its normal frame
   std::vector<models::Series> shifts;     ///< of the group's slides
-  std::vector<models::Series> across;     ///< of the points that held axes pass, in their order
+  std::vector<models::Series> across;     ///< of the points across held axes, in the axes' order
   ShapeSpeed speed;
 
   /// Whether its rates and second rates are known.
   [[nodiscard]] bool is_known() const;
 };
 
-/// What a group's shape consists of: a feature in the frame of the link that has it, and a feature
+/// What determines a group's shape: a feature in the frame of the link that has it, and a feature
 /// of a carried link in the frame of the link that carries it.
 struct MovingFeatures {
   std::function<LinkFeature<models::Series>(FeatureIndex, bool)> own;

@@ -16,9 +16,9 @@ double distance(const Direction<double>& one, const Direction<double>& other) {
 
 void Continuation::add(const NearbyConfigurations& nearby, const Configuration& there,
                        LinkIndex link, const Direction<double>& here) {
-  constexpr double farthest = 0.5;  // a slope does not lead farther
-  constexpr double faster = 8;      // at the end of the way, or between, than at its beginning
-  constexpr double least = 5e-4;    // where a link rests for a moment
+  constexpr double farthest = 0.5;  // a slope does not lead to a larger turn
+  constexpr double faster = 8;      // the factor by which a link may turn faster later on the way
+  constexpr double least = 5e-4;    // for a link that rests for a moment
   const Direction<double>& from = there.links[link].pose.direction;
   const double turn = there.links[link].follows.first(2, nearby.column) * nearby.way;
   const bool is_led = there.path_known && std::abs(turn) < farthest;

@@ -19,9 +19,9 @@ struct NearbyConfigurations {
 
 /// How well the motion of a configuration, along its slope, leads to directions of links here.
 struct Continuation {
-  double error = 0;  ///< the distances of the directions from where the slope leads, added
-  double away = 0;   ///< the distances of the directions from where they are there, added
-  double reach = 0;  ///< how far the links can be expected to turn at most, as their slopes tell
+  double error = 0;  ///< the sum of the directions' distances from where the slope leads
+  double away = 0;   ///< the sum of the directions' distances from where they are there
+  double reach = 0;  ///< how far, by their slopes, the links can be expected to turn at most
 
   /// Adds a link.
   void add(const NearbyConfigurations& nearby, const Configuration& there, LinkIndex link,

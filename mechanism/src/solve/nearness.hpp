@@ -37,7 +37,7 @@ class Nearness {
   bool is_sought_ = false;
   const SoughtPoint* point_ = nullptr;               ///< null where the reference is sought
   std::vector<std::vector<ReferenceAngle>> angles_;  ///< by the groups before them
-  std::vector<std::vector<LinkIndex>> links_;        ///< likewise
+  std::vector<std::vector<LinkIndex>> links_;        ///< by the groups before them
 };
 
 }  // namespace assur::mechanism::solve

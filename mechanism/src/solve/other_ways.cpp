@@ -18,7 +18,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// What is said of a family of which the constraints leave no motion that is found.
+/// The reason for a family of which no motion is found that all constraints allow.
 std::string reason_without(const std::string& reason, const PlanData& plan) {
   std::vector<std::string> names;
   for (const RedundantJoint& joint : plan.redundant) {
@@ -28,9 +28,9 @@ std::string reason_without(const std::string& reason, const PlanData& plan) {
          "; it is not known in which positions these constraints hold";
 }
 
-/// Whether all constraints leave the families of some values; if so, their mobilities are those
-/// that they leave then. Nothing is known where they cannot be closed together. The first family
-/// that is not left answers, since it takes long to find nothing.
+/// Whether every family that moves still moves under all constraints; sets the mobilities that are
+/// left. False where the constraints cannot be closed together (`can_close`). Stops at the first
+/// family without a motion, since it takes long to find none.
 bool are_left(std::vector<Family>& families, const Values& values) {
   if (families.empty()) {
     return true;
@@ -48,8 +48,8 @@ bool are_left(std::vector<Family>& families, const Values& values) {
   });
 }
 
-/// Sets the mobilities of families to what all constraints leave of them, and says where they leave
-/// nothing that is found.
+/// Sets the mobilities of families to what all constraints leave of them, with a reason where no
+/// motion is found.
 void tell_what_is_left(std::vector<Family>& families, const Values& values) {
   AllConstraints constraints(values);
   for (Family& family : families) {
@@ -62,7 +62,7 @@ void tell_what_is_left(std::vector<Family>& families, const Values& values) {
   }
 }
 
-/// Turns what another plan of a mechanism found into what the mechanism's own plan would have.
+/// Turns the solution by another plan of a mechanism into the form of the mechanism's own plan.
 class Adoption {
  public:
   Adoption(const Values& values, const PlanData& other)

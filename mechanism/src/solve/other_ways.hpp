@@ -1,5 +1,5 @@
 // Turns the values at which a mechanism without its redundant constraints has families into the
-// solution of the same mechanism without others of them.
+// solution of the same mechanism with other constraints left out.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -23,13 +23,13 @@ class OtherWays {
   /// The values must outlive it.
   explicit OtherWays(const Values& values) : values_(values) {}
 
-  /// Replaces `result`, the answer by the mechanism's own choice of constraints to leave out, by
-  /// that of the first choice whose families all remain under all constraints. If there is no such
-  /// choice, families that do not remain have mobility zero and a reason. Returns whether `result`
-  /// is of another choice, for which the question was then asked last. Throws OverConstrained where
-  /// the constraints hold in no configuration of that choice.
+  /// Replaces `result`, the answer for the mechanism's own choice of constraints to leave out, with
+  /// that for the first choice whose families all remain under all constraints. If there is no such
+  /// choice, families that do not remain get mobility zero and a reason. Returns whether `result`
+  /// is for another choice, for which the question was then asked last. Throws OverConstrained
+  /// where the constraints hold in no configuration of that choice.
   bool settle(const Question& ask, Solution& result);
-  /// Whether answers stay as they are, since other choices do not continue the counts of turns.
+  /// If set, answers stay as they are, since other choices do not continue the counts of turns.
   void stay_away(bool stays) { stays_away_ = stays; }
 
  private:

@@ -158,10 +158,10 @@ bool Placement::has_signs_of(const NearbyConfigurations& nearby, const Configura
 }
 
 /// The whole turns to add to an angle, from the configuration nearby that the joint's links, and
-/// all links of groups placed before, continue best; nothing if the joint's links continue none,
-/// since what is no continuation of a branch, as its mirror image, has its own count. Where a
-/// change of sign tells that branches have met, the continuation leads straight on; a step across
-/// such a place is too wide to tell whether branches meet there or miss one another.
+/// all links of groups placed before, continue best; nothing if the joint's links continue none: a
+/// configuration that continues no branch, such as the mirror image of one, has a count of its own.
+/// Where a change of sign shows that branches have met, the continuation leads straight on; a step
+/// across such a place is too wide to tell whether branches meet there or miss one another.
 std::optional<double> Placement::turns_of(JointIndex joint, double angle, Counting& counting) {
   constexpr double clearly = 4;
   constexpr double indistinct = 1e-6;  // where branches meet, rounding moves links by less

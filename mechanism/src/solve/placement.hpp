@@ -83,13 +83,13 @@ class Placement {
   /// How the angles that a law reads were counted from configurations nearby.
   struct Counting {
     CountDoubts doubts;
-    /// Those that may go on here, by their sets and their places there.
+    /// The configurations nearby that may go on here, by their sets and their places in these.
     std::vector<std::pair<std::size_t, std::size_t>> continued = {};
   };
   void note_doubts(const CountDoubts& doubts);
   [[nodiscard]] JointMotion counted_coordinate(JointIndex joint, Counting& counting);
-  /// A count of whole turns: that of a configuration nearby, with what tells whether it goes on
-  /// here.
+  /// The whole turns of a configuration nearby, with how well it goes on here and whether signs
+  /// agree.
   struct Count {
     double error;
     double turns;
@@ -114,9 +114,9 @@ class Placement {
   Table<GroupIndex, std::size_t> chosen_;
   PlacedLinks placed_;
   std::vector<NearbyConfigurations> nearby_;
-  std::vector<Counting> countings_;              ///< of the laws that read, for what is placed
+  std::vector<Counting> countings_;              ///< of laws that read links, for what is placed
   CountDoubts listed_;                           ///< of what is listed, or lacks a law's value
-  std::vector<std::vector<bool>> is_continued_;  ///< of those nearby, by what is listed
+  std::vector<std::vector<bool>> is_continued_;  ///< of those nearby, by one listed here
   std::vector<Count> counts_;                    ///< kept for its memory
   std::size_t placed_groups_ = 0;
   std::string flaw_;

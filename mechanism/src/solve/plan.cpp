@@ -49,7 +49,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   }
 }
 
-/// The largest number of parameters: at all, with derivatives, and with second derivatives.
+/// The largest number of parameters: in any plan, with derivatives, and with second derivatives.
 constexpr std::size_t most_parameters = 20000;
 constexpr std::size_t most_with_sensitivities = 2000;
 constexpr std::size_t most_with_covariance = 200;

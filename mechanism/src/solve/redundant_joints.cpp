@@ -20,7 +20,7 @@ namespace {
 /// mechanism.
 struct Pair {
   Frame one, other;
-  bool is_line, are_lines;  ///< the first one, and both
+  bool is_line, are_lines;  ///< whether the first one is a line, and whether both are
   double size;
 };
 

@@ -35,11 +35,11 @@ namespace assur::mechanism::solve {
 /// mechanism `assembles` there without them, they lock it.
 [[nodiscard]] OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles);
 
-/// The error where no constraints were found without which the mechanism's groups are known, so
-/// that nobody knows whether those that are too many hold.
+/// The error where no choice of constraints to leave out makes the mechanism's groups known ones,
+/// so that it is not known whether the excess constraints hold.
 [[nodiscard]] OverConstrained refusal_without_groups(const OverConstrained& excess);
 
-/// The error where the mechanism has no configuration even without them, for a reason.
+/// The error where the mechanism has no configuration even without the redundant joints.
 [[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan,
                                                        const std::string& reason);
 

@@ -44,8 +44,8 @@ Request request_of_part(const Mechanism& mechanism, const Request& request, cons
 constexpr std::array left_out_at_most = {plan::LeftOut::joints, plan::LeftOut::doubles,
                                          plan::LeftOut::constraints};
 
-/// A mechanism of which constraints are left out; `mechanism` is that of the part, wherever its
-/// drivers stand.
+/// The plan of a mechanism with constraints left out. `mechanism` is that of the part, with its
+/// drivers possibly moved on.
 PlanData planned_part(const plan::Described& described, const plan::BalancedMechanism& part,
                       const OverConstrained& excess, const Mechanism& mechanism) {
   std::vector<FeatureIndex> features;
@@ -60,16 +60,16 @@ PlanData planned_part(const plan::Described& described, const plan::BalancedMech
   return data;
 }
 
-/// Whether a plan without redundant joints can be assembled, whether these hold in a configuration
-/// then, and if not, what is said of it.
+/// Whether a plan without redundant joints can be assembled, whether these then hold in some
+/// configuration, and if not, the error to report.
 struct Trial {
   bool holds;
   bool assembles = true;
-  bool moves = false;  ///< without those joints, and what they leave of that was not asked
+  bool moves = false;  ///< without those joints; whether they leave a motion was not examined
   std::optional<OverConstrained> refusal = {};
 };
 
-/// A family counts where other ways are known, by which it is one of the whole mechanism.
+/// Tries a plan. Families count only if it has `described`: they then remain under all constraints.
 Trial tried(const std::shared_ptr<const PlanData>& plan) {
   try {
     const Values values(plan, {});
@@ -131,7 +131,7 @@ class Planner {
           }
           is_tried = true;
         } catch (const MechanismError& error) {
-          flaw = error;  // as where a slot would lead from a pin to another one in its place
+          flaw = error;  // as where a slot would lead from a pin to another one at the same place
         }
       }
     }
@@ -153,8 +153,8 @@ class Planner {
   }
 
  private:
-  /// Plans with the constraints left out that each over-constrained part needs when it is alone.
-  /// Null where there is only one such part, or where these constraints do not hold.
+  /// Plans without the constraints that are left out of each over-constrained part when it is
+  /// planned alone. Null where there is only one such part, or where these do not hold.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_by_parts() {
     const Mechanism& mechanism = described_->mechanism;
     const auto parts = plan::overloaded_parts(mechanism, excess_);
@@ -190,7 +190,7 @@ class Planner {
   /// A plan without the redundant constraints, if these hold at the mechanism's own numbers and
   /// where the drivers have gone on: constraints that hold in one position alone lock it. Otherwise
   /// null, and `refusal_` is that of the way that fails by least, or of the first with a reason.
-  /// `moves`: the remaining constraints may leave the mechanism free, if all other ways do.
+  /// `moves`: the remaining constraints may leave the mechanism free, since all other ways failed.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                                 bool moves) {
     constexpr double on = 0.01;

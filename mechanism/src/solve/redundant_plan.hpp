@@ -1,4 +1,4 @@
-// Turns a mechanism with constraints that are too many, but hold, into a plan without them.
+// Turns a mechanism with excess constraints, if these hold, into a plan without them.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -16,9 +16,9 @@ namespace assur::mechanism::solve {
     const Mechanism& mechanism, const Request& request, Structure structure,
     const std::vector<FeatureIndex>& more = {});
 
-/// Returns the plan of a mechanism without as many constraints as it has too many, if these hold
-/// where the others do. Whole joints are left out first, since that gives the smallest groups; such
-/// groups may move freely where the mechanism does not, as a coupler does on parallel cranks.
+/// Returns the plan of a mechanism without its excess constraints, if these hold where the others
+/// do. Whole joints are left out first, since that gives the smallest groups; such groups may move
+/// freely where the mechanism does not, as a coupler does on parallel cranks.
 /// Throws OverConstrained if no choice of constraints that can be left out is found to hold.
 [[nodiscard]] std::shared_ptr<const PlanData> planned_with_redundancy(
     const Mechanism& mechanism, const Request& request, const OverConstrained& excess);

@@ -15,11 +15,10 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Its solutions leave out directions below the threshold, which those of a QR decomposition do
-/// not.
+/// Its solutions, unlike those of a QR decomposition, leave out directions below the threshold.
 using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
 
-/// More links are not settled, since the work grows with their third power.
+/// Mechanisms of more links are not settled, since the work grows as the cube of the number.
 constexpr std::size_t most_links = 100;
 /// A singular value below this part of the largest may be rounding.
 constexpr double least_firmness = 1e-9;
@@ -91,7 +90,7 @@ void SettledRedundancy::close(AllConstraints::Poses& links) const {
 }
 
 double SettledRedundancy::settle(PlacedLinks& placed) {
-  if (!placed.path_known) {  // Their signs are no one configuration's.
+  if (!placed.path_known) {  // Their signs may not belong to one configuration.
     std::ranges::fill(placed.determinants, std::numeric_limits<double>::quiet_NaN());
   }
   const double without = gap_of_redundant(values_, placed.links, Status::ok);

@@ -29,7 +29,7 @@ class SettledRedundancy {
   /// that all constraints determine; what they contradict becomes unknown. Returns the residual in
   /// the unit of length, and zero where that may be rounding.
   [[nodiscard]] double settle(PlacedLinks& placed);
-  /// Does the same for a configuration that is followed by itself. If closing would move it to
+  /// Does the same for a configuration that is followed on its own. If closing would move it to
   /// another place, or fails, the configuration stays where it is, and the result also counts the
   /// distance to that place.
   [[nodiscard]] double settle_nearby(PlacedLinks& placed);
@@ -37,8 +37,7 @@ class SettledRedundancy {
   /// all constraints; in a regular one the second rates must, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
-  /// Marks those configurations of a sweep as inconsistent beside which another one closes much
-  /// better.
+  /// Marks configurations of a sweep as inconsistent where another one nearby closes much better.
   void mark_inconsistent(std::vector<Configuration>& configurations);
   /// Compares two settled configurations. One is ruled out where the other is nearby and closes
   /// much better, or where the place halfway between them closes as well, so that rounding does not

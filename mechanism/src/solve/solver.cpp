@@ -189,8 +189,8 @@ class ConfigurationWalk {
     }
   }
 
-  /// The configurations of a group as they are found; where the nearest one is sought, those first
-  /// that are nearer; where the mechanism's are numbered group by group, in the group's own order.
+  /// The order of visiting a group's configurations: nearer ones first if the nearest is sought; in
+  /// the group's own order if they are numbered group by group; otherwise as they were found.
   [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count) {
     Visits order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -209,8 +209,8 @@ class ConfigurationWalk {
     return order;
   }
 
-  /// A configuration in which everything is placed; where constraints are redundant and the others
-  /// hardly tell it, as all of them do.
+  /// Lists the configuration that is placed. Where constraints are redundant and the others hardly
+  /// determine it, all of them together do.
   void list() {
     placement_.note_listed();
     const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
@@ -227,7 +227,7 @@ class ConfigurationWalk {
     placed_ = without;
   }
 
-  /// `gap`: by how much redundant constraints are open; and whether they go on to hold.
+  /// `gap`: by how much redundant constraints are open; `goes_on`: whether they continue to hold.
   void list_placed(double gap, bool goes_on) {
     const bool is_consistent = gap == 0 && goes_on;
     if (!is_consistent && search_.within_limits) {
@@ -339,18 +339,18 @@ class ConfigurationWalk {
   GroupOrder group_order_;
   WatchedLimits limits_;
   std::optional<SettledRedundancy> redundancy_;
-  /// Where more configurations than can be listed may be, they are numbered as they are met, so
-  /// that the first of them are found without the others.
+  /// Where there may be more configurations than can be listed, they are numbered as they are met,
+  /// so that the first of them are found without the others.
   bool is_ordered_by_groups_;
   Search search_;
-  std::size_t number_ = 0;        ///< of the configuration that is sought; none is if it is zero
+  std::size_t number_ = 0;        ///< of the configuration that is sought; zero if none is
   std::size_t passed_ = 0;        ///< configurations so far
   bool cuts_ = false;             ///< whether what is beyond limits is left as soon as it is placed
-  bool has_cut_ = false;          ///< whether something was
+  bool has_cut_ = false;          ///< whether something was left like that
   Solution* solution_ = nullptr;  ///< that is being written
-  bool is_inconsistent_ = false;  ///< constraints that are too many did not hold somewhere
-  double least_gap_ = 0;          ///< by which they did not
-  bool has_settled_ = false;      ///< a configuration by all constraints
+  bool is_inconsistent_ = false;  ///< redundant constraints did not hold somewhere
+  double least_gap_ = 0;          ///< by which they failed to hold
+  bool has_settled_ = false;      ///< the placed configuration by all constraints
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   double square_ = 0;             ///< of the distance from what is sought, of what is placed
   double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one

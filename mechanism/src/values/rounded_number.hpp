@@ -1,4 +1,4 @@
-// Turns an expression's operations into its value and a bound of what rounding may have done to it.
+// Turns an expression's operations into its value and a bound on its rounding error.
 #pragma once
 
 #include <algorithm>
@@ -47,7 +47,7 @@ struct RoundedNumber {
   const double value = std::tan(a.value);
   return rounded_to(value, (1 + value * value) * a.error);
 }
-/// The slope of a root. Near zero the argument may be wrong by as much as its own value.
+/// A bound on the slope of a root. Near zero, the error of the argument may exceed its value.
 [[nodiscard]] inline double root_slope(double inside, double error) {
   return 1 / std::sqrt(std::max({inside, error, std::numeric_limits<double>::min()}));
 }

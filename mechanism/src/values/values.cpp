@@ -82,7 +82,7 @@ void Values::evaluate() {
   expect_limits();
 }
 
-/// Throws MechanismError where limits are exchanged.
+/// Throws MechanismError where a lowest limit is above the highest one.
 void Values::expect_limits() const {
   for (const Joint& joint : plan_->mechanism.joints()) {
     if (joint.lowest.exists() &&

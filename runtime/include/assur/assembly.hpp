@@ -94,14 +94,14 @@ template <typename Model, typename Scalar>
 /// may have moved and turned any input, for example because another group was placed before, and
 /// the longest length from which the inputs were computed, if it is longer than the group.
 ///
-/// A final polynomial of first or second degree is solved by formula where its discriminant is
-/// larger than all rounding, of the inputs too; of one of higher degree the real roots are isolated
-/// with such a bound. Where that does not settle the list, the group is searched as one in special
+/// A final polynomial of first or second degree is solved by formula where its discriminant exceeds
+/// all rounding, that of the inputs included. The real roots of one of higher degree are isolated
+/// with such a bound. Where this does not settle the list, the group is searched as one in special
 /// position (see detail/special_search.hpp). Configurations that meet to within rounding are listed
-/// once and marked near_singular. Coordinates count as known to a rounding of their own, and so do
-/// the verdicts on the derivatives: far from the origin, or where rounding has displaced the
-/// inputs, fewer configurations are ok. Status: ok, also where the links cannot reach, with no
-/// configuration; degenerate; not_finite; unsound_arithmetic.
+/// once and marked near_singular. The list and the verdicts on the derivatives count every
+/// coordinate as known only to its own rounding: far from the origin, or where rounding has
+/// displaced the inputs, fewer configurations are ok. Status: ok, also where the links cannot
+/// reach, with no configuration; degenerate; not_finite; unsound_arithmetic.
 ///
 /// In float, `assemblies<Model, float>`, everything counts in roundings of float, and there is no
 /// search in special position. `unresolved` chooses what happens where that search is needed: the
@@ -149,7 +149,7 @@ template <typename Model, typename Scalar>
 
 }  // namespace detail
 
-/// The amount by which the loop closures fail at least, in the unit of the lengths, where the links
+/// The least amount by which the loop closures fail, in the unit of the lengths, where the links
 /// cannot reach: the least of the minima of |F(d, u, q)|, over all closures together, that a search
 /// from several places finds. It is set if the status is ok; other statuses are not_finite and
 /// unsound_arithmetic.

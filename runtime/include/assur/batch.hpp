@@ -22,8 +22,8 @@ struct BatchAssemblies {
   AssemblyStatus* status = nullptr;
   int* count = nullptr;
   int* mobility = nullptr;
-  /// That of configuration k of group i is at [k * stride + i]. Entries beyond a group's count have
-  /// no meaning.
+  /// The regularity of configuration k of group i is at [k * stride + i]. Entries beyond a group's
+  /// count have no meaning.
   Status* regularity = nullptr;
   /// Number p of configuration k of group i is at [(k * Columns<Configuration>::count + p) * stride
   /// + i].
@@ -45,7 +45,7 @@ struct Batch {
   Columns<const typename Model::template Inputs<double>> inputs;
   BatchAssemblies<Model> result;
 
-  /// One group, by itself.
+  /// Solves one group by itself.
   [[gnu::noinline]] void solve_alone(std::size_t group) const {
     const Assemblies<Model> found =
         assemblies<Model>(group_of(dimensions, group), group_of(inputs, group));
@@ -59,8 +59,8 @@ struct Batch {
   }
 };
 
-/// Solves the groups from `first` on that fill a pack. Returns where they need to be solved by
-/// themselves, a bit for each.
+/// Solves as many groups from `first` on as fill a pack. Returns a bit for each, set where the
+/// group needs to be solved by itself.
 template <typename Model, std::size_t Lanes>
 [[nodiscard, gnu::flatten]] unsigned solve_closed_pack(const Batch<Model>& batch,
                                                        std::size_t first) {
@@ -149,7 +149,7 @@ std::size_t assemblies(std::size_t count,
   static_assert(Model::rigid, "a degenerate model has no closed form");
   const detail::Batch<Model> batch{count, dimensions, inputs, result};
   if constexpr (!numeric::rounds_as_written<double>) {
-    // Each group is given that status.
+    // Each group is solved by itself, with the status unsound_arithmetic.
   } else if constexpr (detail::has_closed_form<Model>) {
     if (count >= Lanes) {
       return detail::solve_closed<Model, Lanes>(batch);

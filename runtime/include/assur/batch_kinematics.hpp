@@ -20,8 +20,8 @@ struct BatchConfigurations {
   Columns<const typename Model::template Configuration<double>> configurations;
 };
 
-/// The rates du/dt and d2u/dt2 of their inputs: that of input p of configuration i is at
-/// [p * stride + i].
+/// The rates du/dt and d2u/dt2 of their inputs: the rate of input p of configuration i is
+/// at [p * stride + i].
 struct BatchRates {
   const double* first = nullptr;
   const double* second = nullptr;
@@ -37,7 +37,7 @@ struct BatchSensitivities {
   std::size_t stride = 0;
 };
 
-/// Receives rates: dq/dt and d2q/dt2, that of unknown p of configuration i at
+/// Receives rates: dq/dt and d2q/dt2. The rate of unknown p of configuration i is at
 /// [p * stride + i], set where the status is ok or near_singular.
 struct BatchMotion {
   double* velocity = nullptr;
@@ -62,7 +62,7 @@ template <typename Pack, int Rows, int Columns>
   for_each_place<Rows * Columns>(
       [&](std::size_t place) { matrix.data()[place].store(to + place * stride + first); });
 }
-/// The same of one configuration.
+/// The same for one configuration.
 template <int Rows>
 [[nodiscard]] Vector<double, Rows> vector_of(const double* from, std::size_t stride,
                                              std::size_t index) {
@@ -80,7 +80,7 @@ void put_matrix(const Matrix<double, Rows, Columns>& matrix, double* to, std::si
   }
 }
 
-/// Looks at variables, or at the entries of a vector.
+/// Adds variables, or the entries of a vector, to the numbers that are checked for being finite.
 template <typename Pack, template <typename> class Variables>
 [[gnu::always_inline]] inline void look_at(const Variables<Pack>& variables,
                                            FiniteNumbers<Pack>& numbers) {
@@ -93,8 +93,8 @@ template <typename Pack, int Rows>
                                            FiniteNumbers<Pack>& numbers) {
   for_each_place<Rows>([&](std::size_t row) { numbers.look_at(vector.data()[row], row); });
 }
-/// Where all of it is finite and a configuration is certainly regular. Asked before the derivatives
-/// are computed, it leaves registers to them.
+/// The lanes in which all numbers are finite and the configuration is certainly regular. It is
+/// called before the derivatives are computed, so that they have the registers to themselves.
 template <typename Model, typename Pack, typename... Rates>
 [[nodiscard, gnu::always_inline]] inline auto are_certain(
     const typename Model::template Dimensions<Pack>& d,
@@ -108,7 +108,7 @@ template <typename Model, typename Pack, typename... Rates>
   return numbers.all() & are_surely_regular<Model>(d, u, q, Pack(0));
 }
 
-/// What is given of the configurations that fill a pack, and the rates of their inputs.
+/// The configurations that fill a pack, and the rates of their inputs.
 template <typename Model, typename Pack>
 struct GivenRates {
   GivenRates(const BatchRates& rates, std::size_t first)
@@ -152,9 +152,10 @@ void put_sensitivities(const Sensitivities<Model, double>& sensitive,
   put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
 }
 
-/// Calls `several` with the first of each pack, without calls of its own, which would leave packs
-/// in memory; it returns where configurations are to be looked at by themselves, for which `alone`
-/// is called. The last pack overlaps the one before.
+/// Calls `several` with the index of the first configuration of each pack. It makes no calls of its
+/// own, which would leave packs in memory, and returns a bit for each configuration that is
+/// doubtful; `alone` is called with the index of each of these. The last pack overlaps the one
+/// before.
 template <std::size_t Lanes, typename Several, typename Alone>
 void for_each_pack(std::size_t count, const Several& several, const Alone& alone) {
   if (count < Lanes) {

@@ -7,9 +7,9 @@
 
 namespace assur {
 
-/// Variables of many groups as a structure of arrays: of group i, number p in the order of
-/// `members`, of a direction its cosine and then its sine, is data[p * stride + i]. `Variables` is
-/// a model's Dimensions, Inputs or Configuration, const where it is only read. A stride that is a
+/// Variables of many groups as a structure of arrays: data[p * stride + i] is number p of group i,
+/// in the order of `members`; a direction is two numbers, its cosine and its sine. `Variables` is a
+/// model's Dimensions, Inputs or Configuration, const where it is only read. A stride that is a
 /// multiple of 512 puts all numbers of a group into the same few lines of a processor's cache.
 template <typename Variables>
 struct Columns {

@@ -1,7 +1,7 @@
 // Turns angles into directions, and directions by one another.
 //
-// The functions are total: there is no division, and what is not finite on the way in is not finite
-// on the way out.
+// The functions are total: none of them divides, and an input that is not finite makes a result
+// that is not finite.
 #pragma once
 
 #include <assur/model.hpp>

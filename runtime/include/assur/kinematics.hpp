@@ -20,12 +20,13 @@ namespace assur {
 /// The regularity of an assembled configuration, without an inverse or singular values.
 ///
 /// Rounding moves an assembled configuration by about eps/firmness. Firmness is the core's
-/// determinant over the size that it could have, times the square of the smallest other pivot over
-/// the size of that: an unknown that a small pivot leaves loose is long and has a large rounding.
-/// That, and rounding in the determinant, change the derivatives by about eps/(firmness * kept),
-/// where kept is the determinant over the size of its terms. `derivative_error_constant` is the
-/// measured factor of "about". `displaced` is how far the inputs are off beforehand, in parts of
-/// the group's longest length: in a chain, by the rounding of the groups that come first.
+/// determinant over its largest possible size, times the square of the smallest other pivot over
+/// the square of its largest possible size: an unknown that a small pivot leaves loose is long and
+/// has a large rounding. That, and rounding in the determinant, change the derivatives by about
+/// eps/(firmness * kept), where kept is the determinant over the size of its terms.
+/// `derivative_error_constant` is the measured factor of "about". `displaced` is how far the inputs
+/// are already off, in parts of the group's longest length: in a chain, by the rounding of the
+/// groups that come first.
 ///
 /// `ok` promises six digits of the derivatives in double, three in float. In float, configurations
 /// that are not regular by the pivots are examined again (see detail/second_look.hpp).
@@ -46,7 +47,7 @@ template <typename Model, typename Scalar>
 }
 
 /// The inverse of the loop Jacobian J = dF/dq, for any right-hand side. Its status is that of all
-/// that it solves.
+/// solutions computed with it.
 template <typename Model, typename Scalar>
 class InverseJacobian {
  public:
@@ -67,7 +68,7 @@ class InverseJacobian {
 
   [[nodiscard]] Status status() const { return regularity_.status; }
   [[nodiscard]] Scalar margin() const { return regularity_.margin; }
-  /// Whether J has an inverse as far as rounding lets tell.
+  /// Whether J has an inverse, as far as this is known in spite of rounding.
   [[nodiscard]] bool solvable() const { return is_solvable(status()); }
 
   /// X with J X = rhs; NaN where J is not solvable().
@@ -103,7 +104,7 @@ template <typename Model, typename Scalar>
   return status;
 }
 
-/// The status of a configuration whose inputs move: not_finite if a rate is no number.
+/// The status of a configuration whose inputs move: not_finite if a rate is NaN or infinite.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status status_of(const typename Model::template Dimensions<Scalar>& d,
                                const typename Model::template Inputs<Scalar>& u,
@@ -139,7 +140,7 @@ template <typename Model, typename Scalar>
   return status;
 }
 
-/// Both of the above at once, for less than their sum.
+/// Computes sensitivities and motion at once, for less than the sum of their costs.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status sensitivities_and_motion(
     const typename Model::template Dimensions<Scalar>& d,

@@ -30,7 +30,7 @@ struct DimensionValue {
   Scalar length{};
   Direction<Scalar> angle{};
 
-  /// Into a variable of a model: a length or an angle, as the model has it.
+  /// Puts the value into a variable of a model, which is a length or an angle.
   void put_into(Scalar& member) const { member = length; }
   void put_into(Direction<Scalar>& member) const { member = angle; }
 };
@@ -51,9 +51,9 @@ struct NormalForm {
 };
 
 /// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
-/// measured: the first line's angle and offset or the first point's place, and where there are no
-/// two of these, the second line's offset or the second point's direction. The status is singular,
-/// and nothing is set, unless there are two or three joints.
+/// measured: the first line's angle and offset or the first point's place and, on a link without
+/// lines or without points, the second point's direction or the second line's offset. The status is
+/// singular, and nothing is set, unless there are two or three joints.
 template <typename Scalar>
 [[nodiscard]] Status measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features,
                                       std::size_t joints, NormalForm<Scalar>& result) {
@@ -98,11 +98,12 @@ template <typename Scalar>
   return Status::ok;
 }
 
-/// Brings a link of two or three joints, `count` of them, into its normal form; all features are
-/// given in one frame, and the form is in theirs. Set where the status is ok. singular: the first
-/// two of lines alone are parallel, so that the group is degenerate or a relabelling is needed; or
-/// there are not two or three features. not_finite, also where the square of the distance between
-/// the first two of points alone leaves the range of the scalar; unsound_arithmetic.
+/// Brings a link of two or three joints, `count` of them, into its normal form; all features, and
+/// the normal frame, are given in one frame. Set where the status is ok. singular: the link has
+/// lines only, of which the first two are parallel, so that the group is degenerate or a
+/// relabelling is needed; or there are not two or three features. not_finite: a feature is not
+/// finite, or the link has points only, and the square of the distance of the first two leaves the
+/// range of the scalar. unsound_arithmetic.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {

@@ -84,8 +84,8 @@ class SecondOrder {
     if (!is_finite(x) || !is_finite(y) || !assur::is_finite(d_xy) || !assur::is_finite(u_xy)) {
       return Status::not_finite;
     }
-    // A quadratic form Q has the bilinear form (Q(x + y) - Q(x - y))/4. It loses what the longer of
-    // x and y has more digits than the shorter, so both are brought to one length.
+    // A quadratic form Q has the bilinear form (Q(x + y) - Q(x - y))/4. The difference loses digits
+    // where one of x and y is longer than the other, so both are scaled to one length.
     const Scalar length_x = length(x);
     const Scalar length_y = length(y);
     Equations rhs = -(f_d_ * d_xy) - f_u_ * u_xy;
@@ -129,7 +129,7 @@ class SecondOrder {
         max EIGEN_NOT_A_MACRO(x.d.cwiseAbs().maxCoeff(), x.u.cwiseAbs().maxCoeff()));
   }
 
-  /// Along a x + b y.
+  /// The curvature along a x + b y.
   [[nodiscard]] Curvature curvature(const First& x, const Scalar& a, const First& y,
                                     const Scalar& b) const {
     const Vector<Scalar, Model::unknown_count> q_rate = a * x.q + b * y.q;

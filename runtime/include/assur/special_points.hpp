@@ -63,7 +63,7 @@ class SpecialPointSystem {
   }
 
   [[nodiscard]] Status status() const { return status_; }
-  /// Whether L has an inverse as far as rounding lets tell.
+  /// Whether L has an inverse, as far as this is known in spite of rounding.
   [[nodiscard]] bool solvable() const { return is_solvable(status_); }
 
   /// Whether the points are known, even where the rates are not.

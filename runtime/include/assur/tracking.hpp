@@ -15,10 +15,10 @@ namespace assur {
 /// How far a branch was followed.
 template <typename Model, typename Scalar = double>
 struct Track {
-  /// ok: `point` is the branch's at the end of the way. no_convergence: within 0.2% of the way from
-  /// `reached` the branch ends or comes too close to another; what follows is for `assemblies` to
-  /// say. not_finite: a dimension, an end of the way, or the inputs next to `reached` are. Or the
-  /// status of a start that is not solvable.
+  /// ok: `point` is that of the branch at the end of the way. no_convergence: within 0.2% of the
+  /// way from `reached` the branch ends or comes too close to another; `assemblies` tells what
+  /// follows. not_finite: a dimension, an end of the way, or the inputs next to `reached` are not
+  /// finite. Or the status of a start that is not solvable.
   Status status = Status::singular;
   Scalar reached = 0;  ///< the parameter at `point`
   BranchPoint<Model, Scalar>
@@ -47,13 +47,13 @@ template <typename Model, typename Scalar = double, typename Path>
   }
   const Scalar longest = longest_length(d);
   const Scalar inverse_size = longest > 0 ? 1 / longest : (std::numeric_limits<Scalar>::max)();
-  // A shorter step may be none among parameters of this size.
+  // A shorter step might not change a parameter of this size.
   const Scalar shortest = (std::max)(
       std::abs(to - from) * detail::StepLimits<Scalar>().shortest,
       2 * std::numeric_limits<Scalar>::epsilon() * (std::max)(std::abs(from), std::abs(to)));
   Scalar width = to - from;
-  // Where a step was refused the branch may end. It does so like a square root of what is left of
-  // the way, which is its first derivative over twice its second. The next step goes most of that.
+  // Where a step was refused the branch may end, like a square root of what is left of the way.
+  // That is its first derivative over twice its second, and the next step goes most of it.
   const auto before_end = [&](Scalar step) {
     const auto& motion = way.point.motion;
     const Scalar left = detail::turn_of<Model, Scalar>(motion.velocity, inverse_size) /
@@ -75,7 +75,7 @@ template <typename Model, typename Scalar = double, typename Path>
       halved = false;
       continue;
     }
-    // What is no number makes no step, so it is looked for only where one was refused.
+    // Values that are not finite make no step, so they are looked for only where one was refused.
     if (!is_finite(d) || !is_finite(inputs.u) || !is_finite(inputs.rate) ||
         !is_finite(inputs.second_rate)) {
       way.status = Status::not_finite;

@@ -42,7 +42,7 @@ constexpr std::array<std::string_view, 94> keywords = {
     "wchar_t",      "while",     "xor",
     "xor_eq"};
 
-/// What the headers that a solver includes, others in front of them, or compilers, may define.
+/// Macros that compilers, a solver's headers, or other headers before these may define.
 constexpr std::array<std::string_view, 23> macros = {
     "BUFSIZ", "EOF",      "HUGE_VAL", "I",      "INFINITY", "M_E",    "M_PI",      "NAN",
     "NULL",   "RAND_MAX", "complex",  "errno",  "far",      "linux",  "imaginary", "max",

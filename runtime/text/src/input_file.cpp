@@ -7,7 +7,7 @@ namespace assur::text {
 
 namespace {
 
-/// Far more than a person or a program writes; a device may never end.
+/// Far more than a person or a program writes; a device might never end.
 constexpr std::size_t largest_file = std::size_t{8} << 20;
 
 }  // namespace

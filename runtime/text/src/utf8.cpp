@@ -18,7 +18,8 @@ std::size_t first_byte_outside_utf8(const std::string& text) {
     for (std::size_t ahead = 1; ahead < length; ++ahead) {
       valid = valid && (byte(ahead) & 0xC0U) == 0x80U;
     }
-    // Longer spellings than need be, halves of pairs, and what is behind the last letter.
+    // Overlong encodings, halves of surrogate pairs, and numbers beyond the last character are
+    // invalid.
     valid = valid && !(first == 0xE0 && byte(1) < 0xA0) && !(first == 0xED && byte(1) > 0x9F) &&
             !(first == 0xF0 && byte(1) < 0x90) && !(first == 0xF4 && byte(1) > 0x8F);
     if (!valid) {

@@ -19,7 +19,7 @@ const std::string slider_crank =
     "moving crank\n"
     "loop f1 f2 = polar(r, crank) + polar(l, rod) - point(x_P, 0)\n";
 
-/// The statements of the audit of a text, of which something does not agree.
+/// The statements of the audit of a text in which something must disagree.
 Json audit(const TemporaryDirectory& directory, const std::string& text) {
   const CommandResult result =
       run_assur("audit --format json " + directory.write("one.audit", text).string());
@@ -58,7 +58,7 @@ TEST(AuditFormat, PlacesInCodeAreInItsFile) {
   EXPECT_EQ(findings.at(1)["verdict"], "agrees");
 }
 
-/// A length given as 5 is not 5.22, although that would be printed 5.
+/// A length given as 5 is not 5.22, although 5.22 would be printed as 5.
 TEST(AuditFormat, GivenNumbersAreExact) {
   const TemporaryDirectory directory;
   const Json statements =
@@ -68,7 +68,7 @@ TEST(AuditFormat, GivenNumbersAreExact) {
   EXPECT_EQ(finding["note"].get<std::string>().find("within their rounding"), std::string::npos);
 }
 
-/// A printed input is within half a unit of its last digit, and that can be the whole difference.
+/// A printed input is known to half a unit of its last digit, which may explain a difference.
 TEST(AuditFormat, PrintedNumbersAreRounded) {
   const TemporaryDirectory directory;
   const Json statements = audit(directory,

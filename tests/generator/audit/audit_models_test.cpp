@@ -50,7 +50,7 @@ class PrintedModel {
 
   [[nodiscard]] const ExpressionMatrix& jacobian() const { return derivatives_.jacobian; }
 
-  /// Returns the audit file with all matrices, of which the Jacobian is the given one.
+  /// Returns the audit file with all matrices, the given one as the Jacobian.
   [[nodiscard]] std::string with(const ExpressionMatrix& jacobian) const {
     return text_ + matrix("(2)", jacobian, equations_.unknowns) +
            matrix("(3)", derivatives_.dimension_jacobian, equations_.dimensions) +

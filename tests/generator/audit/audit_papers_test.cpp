@@ -30,7 +30,7 @@ void PrintTo(const Disagreement& disagreement, std::ostream* out) {
 
 struct Paper {
   std::string file;
-  std::size_t audited;  ///< things that the file asks about
+  std::size_t audited;  ///< number of findings, with those that agree
   std::vector<Disagreement> disagreements;
 };
 

@@ -36,7 +36,7 @@ std::string function_of(const std::vector<std::string>& statements) {
   return text + "}\n";
 }
 
-/// The answer of a file of code that is read; nothing where it is refused.
+/// The audit of a file of code; nothing where the code is refused.
 std::optional<AuditReport> read(const TemporaryDirectory& directory, const std::string& name,
                                 const std::string& text) {
   directory.write(name, text);

@@ -1,4 +1,4 @@
-// Law: of a user's code the audit reads what the code says, or refuses it in one line.
+// Law: the audit reads from a user's code what the code computes, or refuses it in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How some code fills J = df/d(q_0, s), f1 = l*cos(q_0) - s^2/2, f2 = l*sin(q_0): what the audit
-/// answers, and with what status.
+/// Code that fills J = df/d(q_0, s), f1 = l*cos(q_0) - s^2/2, f2 = l*sin(q_0), and the status and
+/// the answer of its audit.
 struct Code {
   const char* name;
   const char* text;
@@ -261,7 +261,7 @@ INSTANTIATE_TEST_SUITE_P(
         Code{"Unclosed", "void f(M& J) { J(0, 0) = 1;", 2, "mine.cpp:1:14: this bracket is not"}),
     [](const testing::TestParamInfo<Code>& at) { return std::string(at.param.name); });
 
-/// The same of MATLAB, in mine.m.
+/// The same for MATLAB, in mine.m.
 class HandWrittenMatlab : public testing::TestWithParam<Code> {};
 
 TEST_P(HandWrittenMatlab, IsReadAsItStands) {

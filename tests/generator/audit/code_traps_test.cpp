@@ -1,5 +1,5 @@
-// Law: code that looks right and computes something else is refused where it stands, or called
-// wrong; code beside it that is right is read.
+// Law: code that looks right but computes something else is refused at its place, or called wrong;
+// similar code that is right is read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// How some code in a file fills J = df/d(q_0, s), f1 = l*cos(q_0) - s^2/2, f2 = l*sin(q_0): what
-/// the audit answers, and with what status.
+/// Code in a file that fills J = df/d(q_0, s), f1 = l*cos(q_0) - s^2/2, f2 = l*sin(q_0), and the
+/// status and the answer of its audit.
 struct Trap {
   const char* name;
   const char* file;
@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(
         Trap{"UnusedFloat", "a.cpp", head("float w, bool up", "float v = w;" + right), 0, agree}),
     [](const testing::TestParamInfo<Trap>& at) { return std::string(at.param.name); });
 
-/// Other ways to the matrix, and calls that may take them.
+/// Other ways to reach the matrix, and calls that may use them.
 INSTANTIATE_TEST_SUITE_P(
     Ways, CodeTraps,
     testing::Values(

@@ -85,7 +85,7 @@ TEST(Neighbours, AClosureWithAllSignsTurnedCountsBeforeItAndBehindIt) {
   EXPECT_EQ(verdicts({closure, matrix}), verdicts({matrix, closure}));
   EXPECT_EQ(verdicts({matrix, closure})["matrix (2)"],
             (std::vector<Verdict>{Verdict::agrees, Verdict::agrees}));
-  // Printed both ways it has no other sign than the derived one.
+  // Where a closure is printed with both signs, the derived one counts.
   EXPECT_EQ(verdicts({closure, matrix, other})["matrix (2)"],
             (std::vector<Verdict>{Verdict::differs_by_sign, Verdict::differs_by_sign}));
   EXPECT_EQ(verdicts({closure, matrix, other}), verdicts({other, matrix, closure}));
@@ -104,7 +104,7 @@ TEST(Names, AreRefusedWhereFormulasHaveAFunctionOfThatName) {
       }
     }
   }
-  // Numbers have no derivatives.
+  // Formulas of numbers have no derivatives, so that d may be a name there.
   EXPECT_TRUE(audit_text("given d = 2\nprinted number n = 4 is 2*d\n", "n").agrees());
 }
 

@@ -171,7 +171,7 @@ double value(const char* formula, const Values& values) {
                                 [&](const std::string& name) { return values.at(name); });
 }
 
-/// What the statement's values say.
+/// Whether both sides have equal values always, never or on one branch.
 Truth numeric_truth(const Statement& statement) {
   constexpr double tolerance = 1e-6;
   Random random;

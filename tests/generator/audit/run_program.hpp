@@ -1,4 +1,4 @@
-// Turns a program that fills a Jacobian into what an audit by running answers of it.
+// Turns a program that fills a Jacobian into the answer of an audit that runs it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ struct Program {
   const char* name;
   const char* file;
   const char* text;
-  const char* rows;  ///< of the statement, the first of them what it is compared with
+  const char* rows;  ///< of the statement; the first names what J is the derivative of
   int status;
   const char* answer;
 };
@@ -42,7 +42,7 @@ inline std::vector<Program> installed(std::vector<Program> programs) {
   return programs;
 }
 
-/// Octave takes long to begin. What never ends is not waited for as long.
+/// Octave takes long to start. Programs that never end have a shorter limit.
 inline std::string options_of(const Program& program) {
   const bool ends = std::string(program.answer).find("did not end") == std::string::npos;
   const char* const limit = is_in_octave(program) ? (ends ? "8" : "2") : (ends ? "2" : "1");

@@ -1,5 +1,5 @@
 // Law: what a program computes is compared with the derivation where closures hold: a wrong entry
-// is named with a point and its slip, and a program that gives no values is one line and status 2.
+// is named with a point and its slip, and a program without values gets one line and status 2.
 #include <gtest/gtest.h>
 
 #include "run_program.hpp"

@@ -1,4 +1,4 @@
-// Law: of slips planted in code for the models' own Jacobians all are found, entry by entry, and no
+// Law: all slips planted in code for the models' own Jacobians are found, entry by entry, and no
 // right entry is called wrong: in C++ and MATLAB that are read, in C++, Python and Octave that run.
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ constexpr unsigned seed = 2016;
 
 bool same(const GiNaC::ex& one, const GiNaC::ex& other) { return (one - other).expand().is_zero(); }
 
-/// One way to get one matrix wrong; the engine chooses where. An audit by running that says one of
-/// the words names it rightly.
+/// One way to get a matrix wrong; the engine chooses the entry. An audit that runs the code names
+/// the slip rightly if it says one of the words.
 struct Slip {
   const char* name;
   std::vector<const char*> words;
@@ -118,7 +118,7 @@ const std::vector<Slip>& slips() {
        }},
       {"stale derivative",
        {"is missing", "always zero", "is left out", "stands where",
-        "is exchanged with"},  // of closures that did not have this length yet, or another angle
+        "is exchanged with"},  // of closures without this length, or with another angle
        [](const CodedModel& model, ExpressionMatrix& matrix, std::mt19937& engine) {
          GiNaC::ex& entry = entry_that(matrix, engine, [&](const GiNaC::ex& each) {
            return has_terms(each) && has_one_of(each, model.lengths());
@@ -177,7 +177,7 @@ std::vector<const Model*> rigid_models() {
   return list;
 }
 
-/// Audits one version of a model's code; every answer counts.
+/// Audits one version of a model's code, and adds the answers for all entries to the tally.
 void audit_version(const CodedModel& model, const ExpressionMatrix& version, const Way& way,
                    const std::string& what, const std::vector<const char*>& words, Tally& tally) {
   const TemporaryDirectory directory;
@@ -226,7 +226,7 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
   const std::vector<const Model*> models = rigid_models();
   ASSERT_GE(models.size(), 20U);
   Tally tally;
-  // By default each way meets a few slips of a few models, and all slips are met.
+  // By default each way has a few slips of a few models, among which every slip occurs.
   std::size_t turn = 0;
   const auto taken = [&] { return whole || ++turn % 37 == 0; };
   for (std::size_t number = 0; number < models.size(); ++number) {

@@ -1,4 +1,4 @@
-// Law: what is emitted for closures that a user types is their derivatives.
+// Law: the functions emitted for closures that a user types are the closures' derivatives.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -268,7 +268,7 @@ TEST(LongOwnModel, TheRuntimeSolvesAsItDoesModels) {
   expect_word("not finite");
 }
 
-/// Closures without moving parameters, without others, and more of them than unknowns.
+/// Closures without moving parameters, with these alone, and with more closures than unknowns.
 const std::string shapes = R"(
 #include <assur/closures/all_held.hpp>
 #include <assur/closures/all_moving.hpp>

@@ -1,4 +1,4 @@
-// Law: closures that no header can be made of get one line that names where and what.
+// Law: closures that cannot become a header are refused in one line that says where and why.
 #include <gtest/gtest.h>
 
 #include <algorithm>

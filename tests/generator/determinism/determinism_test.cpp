@@ -1,5 +1,4 @@
-// Runs every command in processes with different addresses: what they print may not differ by a
-// byte.
+// Law: every command prints the same bytes in processes with different addresses.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,8 +15,8 @@ namespace {
 
 constexpr int processes = 3;
 
-/// The call's arguments. `OUTPUT` stands for a new directory, whose files belong to what is
-/// compared; `EXAMPLES` and `HERE` for those of the examples and of this test.
+/// The call's arguments. `OUTPUT` stands for a new directory, whose files are compared, too;
+/// `EXAMPLES` and `HERE` stand for the directories of the examples and of this test.
 struct Call {
   std::string name;
   std::string arguments;
@@ -41,7 +40,7 @@ std::vector<Call> calls() {
   for (const std::string format : {"text", "markdown", "json", "github"}) {
     std::vector<std::string> files = {"EXAMPLES/audit/mitsi_tetrad_kinds",
                                       "EXAMPLES/audit/own_model/gear_five_bar", "HERE/differences"};
-    // These take longer than the others together: both in every format by `ctest -L long`.
+    // Papers take longer than all else: `ctest -L long` audits both in every format.
     if (is_whole_campaign()) {
       files.insert(files.end(), papers.begin(), papers.end());
     } else if (format == "text") {

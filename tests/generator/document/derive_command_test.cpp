@@ -1,5 +1,5 @@
-// Law: `assur derive` prints the same in every process, LaTeX that fits its page, and one line
-// where it does not know what is asked.
+// Law: `assur derive` prints the same in every process, its LaTeX fits the page, and what it does
+// not know is refused in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>

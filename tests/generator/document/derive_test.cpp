@@ -110,7 +110,7 @@ struct NamedAssembly {
 template <typename Model>
 class Derive : public testing::Test {
  protected:
-  /// What one process says, for all tests of the model.
+  /// The output of one run, kept for all tests of the model.
   static const CommandResult& said(const std::string& format) {
     static std::map<std::string, CommandResult> answers;
     const auto at = answers.find(format);
@@ -190,8 +190,8 @@ void expect_back_substitution(const Json& back, const Values& values) {
   }
 }
 
-/// Each `name = value = 0` of the equations left, of their determinant's roots and of the final
-/// polynomial: its parts are equal, and both polynomials have the degree that is told.
+/// Expects that all parts of the formulas for the equations left and for the final polynomial, in
+/// both of its forms, vanish, and that the polynomial's rule states its degree.
 void expect_formulas(const Json& step, const Json& elimination, Values values) {
   const std::string title = step["title"];
   const double unknown = values.at(elimination["unknown"].get<std::string>());
@@ -223,7 +223,7 @@ void expect_formulas(const Json& step, const Json& elimination, Values values) {
   }
 }
 
-/// The values at the assembled group of the series that a resultant is written in, by name.
+/// The values, by name, of the series in which a resultant is written, at the assembled group.
 std::map<std::string, std::complex<double>> series_values(const Json& step, const Json& elimination,
                                                           const Values& values) {
   const double unknown = values.at(elimination["unknown"].get<std::string>());
@@ -347,7 +347,7 @@ int count(const std::string& text, const std::string& line_start) {
       std::distance(std::sregex_iterator(text.begin(), text.end(), start), std::sregex_iterator()));
 }
 
-/// What one text line is allowed to be: a comment, a statement, a row or a continuation of one.
+/// Each line of the text is a comment, a statement, a row or a continuation of one.
 TYPED_TEST(Derive, TextIsAnAuditFileThatMentionsEverything) {
   const CommandResult& result = this->said("text");
   EXPECT_EQ(result.status, TypeParam::rigid ? 0 : 1);

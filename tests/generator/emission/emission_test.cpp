@@ -28,9 +28,9 @@ std::string whole_tree(const fs::path& directory) {
 }
 
 // Each process has its addresses elsewhere (address-space randomisation is the system's default),
-// and GiNaC orders by address. Three processes emit all models in this file: one writes them, one
-// finds what is checked in current, and one finds nothing but the planted change. By default the
-// last two look at one model, for they read what the first has shown to be the same.
+// and GiNaC orders by address. Three processes emit all models in this file: the first compares
+// them with the checked-in files, the second finds that those are current, and the third finds only
+// the planted change. By default the last two emit one model, because the first has compared all.
 TEST(Emission, IsTheSameInEveryProcess) {
   const TemporaryDirectory directory;
   ASSERT_EQ(run_assur("emit --all --output " + directory.path().string()).status, 0);

@@ -1,6 +1,7 @@
-// Law: what an emitted solver gives of rates and sensitivities has two digits at least, beside a
-// change point too, and six where it is `ok`; what has not two, or does not exist, is NaN. What
-// `assur solve` calls regular where a group is much smaller than its surroundings is `ok`.
+// Law: rates and sensitivities of an emitted solver have at least two correct digits, even near a
+// change point, and six where the configuration is `ok`; those with fewer than two, or that do not
+// exist, are NaN. A group much smaller than its surroundings is `ok` where `assur solve` calls it
+// regular.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -25,7 +26,7 @@ SceneMaker::Json four_bar(double crank, double coupler, double rocker, double gr
       .scene();
 }
 
-/// What is read of a configuration: of the rocker, but for the sensitivity of C.y to the coupler.
+/// What is read of a configuration: the rocker's motion, and the sensitivity of C.y to the coupler.
 struct Reading {
   int near_singular;
   double sin, omega, alpha, sensitivity;
@@ -104,7 +105,7 @@ std::vector<std::vector<std::vector<Reading>>> emitted(const std::vector<Posed>&
   return readings;
 }
 
-/// The rocker of a branch on which the tangent of its half angle is `times` that of the crank's.
+/// The exact reading on a branch on which tan(rocker / 2) is `times` tan(crank / 2).
 Reading exact(double times, double position) {
   const double t = std::tan(position / 2);
   const double reduced = 1 + times * times * t * t;
@@ -114,7 +115,7 @@ Reading exact(double times, double position) {
           bend * rate * rate + slope * second_rate, -1 / std::tan(position)};
 }
 
-/// Whether a number is known; then it has two digits.
+/// 1 for a number that is known, which must then have two digits; 0 for NaN.
 int counted(double value, double truth) {
   if (std::isnan(value)) {
     return 0;

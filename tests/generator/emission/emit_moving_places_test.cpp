@@ -1,4 +1,4 @@
-// Law: an emitted solver moves the places that change with the rates of parameters as `assur solve`
+// Law: where parameters have rates, an emitted solver moves what depends on them as `assur solve`
 // does: points and lines on the ground and on links, lengths of groups, laws that read joints.
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ TEST(EmitMovingPlaces, AgreesWithSolveWhereAllParametersMove) {
   }
 }
 
-/// A length that moves and is a formula in another one that does, with a rate of its own.
+/// A length whose value is a formula in another moving length, but whose rate is its own.
 Json formula_with_its_own_rate() {
   Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "slider_crank.json");
   scene["parameters"]["crank"] = {{"value", "0.3*rod + 2*swell"}, {"velocity", 3}};
@@ -56,8 +56,8 @@ Json pin(const std::string& one, const std::string& other) {
   return {{"type", "revolute"}, {"between", Json::array({one, other})}};
 }
 
-/// A crank-rocker, and a dyad from its coupler to the ground of which one link changes its shape by
-/// a law: a cylinder's length, or the bend between two bars, as the rocker stands.
+/// A crank-rocker, and a dyad from its coupler to the ground. A law that reads the rocker's joint
+/// shapes one link of the dyad: the length of a cylinder, or the angle between two bars.
 Json shaped_by_law(const std::string& law, bool is_cylinder) {
   Json scene;
   scene["parameters"] = {{"reach", {{"value", 2.0}, {"tolerance", 0.01}}},
@@ -87,15 +87,15 @@ Json shaped_by_law(const std::string& law, bool is_cylinder) {
   return scene;
 }
 
-/// The root is declared behind the coordinate that it reads.
+/// The emitted code must declare the root after the coordinate that it reads.
 Json law_with_a_root() {
   Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json");
   scene["drivers"]["rack"]["position"] = "pinion*sqrt(joint(D) + 4)";
   return scene;
 }
 
-/// A gear on the rocker, driven by the rocker's own joint, and a pin that a driver moves in a slot
-/// of the coupler, with a dyad behind it.
+/// A gear on the rocker or, if `is_slot`, a pin in a slot of the coupler with a dyad that follows.
+/// The law drives the gear or the pin, and reads the rocker's joint.
 Json driven_behind_its_group(const std::string& law, bool is_slot) {
   Json scene = shaped_by_law("1.6 + gain*joint(D)", true);
   if (is_slot) {
@@ -118,9 +118,9 @@ Json driven_behind_its_group(const std::string& law, bool is_slot) {
   return scene;
 }
 
-/// Where laws that read joints shape later groups or have a root, and where rates stand in place of
-/// those that follow: in one program, because most of its compilation is what they share. By
-/// default without the scenes whose sorts of laws and of joints others of them have too.
+/// Scenes in which laws that read joints shape later groups or contain a root, or in which a rate
+/// is given in place of that of a formula. One program has them all, because they share most of its
+/// compilation. By default it has one scene of each sort of law and joint.
 TEST(EmitMovingPlaces, AgreesWithSolveOfLawsAndRatesOfTheirOwn) {
   const std::string turned = "0.5*joint(D)";
   const std::string bent = "0.4 + gain*joint(D)";

@@ -15,7 +15,7 @@
 namespace assur::test::emit_redundant_test {
 namespace {
 
-/// A coupler on three parallel cranks of a length, the third of which is a parameter.
+/// A coupler on three parallel cranks of one length.
 SceneMaker three_cranks() {
   SceneMaker scene;
   scene.bar("ground", {{"A", 0}, {"D", 4}, {"F", 2}})
@@ -92,7 +92,7 @@ int main() {
   }
 }
 
-/// Beside where the cranks are flat, the one that was left out almost fits in an antiparallelogram.
+/// Near a flat position the joint that is left out almost closes in the antiparallelogram, too.
 TEST(LongEmitRedundant, SolversFindOneConfigurationBesideTheLine) {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
@@ -131,7 +131,7 @@ int main() {
       double sine = 0;
       printed >> count >> sine;
       EXPECT_EQ(count, 1);
-      // Both are one to the root of rounding.
+      // Nearer than 2e-7 both configurations agree to the square root of rounding.
       const double off = beside > 2e-7 ? 4e-15 / beside : 1e-7;
       EXPECT_NEAR(sine, 0, is_float ? 2e-3 : off);
     }
@@ -141,7 +141,7 @@ int main() {
 /// What a solver tells of the cranks where the first is turned by an angle.
 struct Told {
   int status, count, families, regularity;
-  double turning, turned, speeding_up;  ///< of the rocker, the coupler, the rocker
+  double turning, turned, speeding_up;  ///< rocker's rate, coupler's sine, rocker's second rate
 };
 
 /// Compiles the solver of a scene of cranks, and asks it for each angle in double, then in float.
@@ -196,7 +196,7 @@ int main() {
   return all;
 }
 
-/// Verdicts and rates are those of `assur solve`, which closes all constraints together, too.
+/// Verdicts and rates are those of all constraints together, as `assur solve` closes them.
 TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
   // Two cranks in line with their pivots, and a third one that is not.
   nlohmann::ordered_json scene = three_cranks().scene();
@@ -218,7 +218,7 @@ TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
       EXPECT_NEAR(told.speeding_up, 0.5, is_float ? 1e-2 : 1e-11);
     }
   }
-  // In line all three are near-singular, and rates that are told are right.
+  // With all three in line, configurations are near-singular; rates that are given are right.
   place = 0;
   angles = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 0};
   for (const Told& told : told_of(three_cranks().scene(), angles)) {
@@ -234,7 +234,7 @@ TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
   }
 }
 
-/// A crank's tip on the pivot of another one: whether the third leaves the family is not known.
+/// A crank's tip on another's pivot: it is not known whether the third crank blocks the family.
 TEST(LongEmitRedundant, SolversSayWhereTheyDoNotKnowWhatIsLeft) {
   nlohmann::ordered_json scene = three_cranks().scene();
   scene["links"]["ground"]["F"] = scene["links"]["coupler"]["G"] = {1.5, 0};
@@ -245,8 +245,8 @@ TEST(LongEmitRedundant, SolversSayWhereTheyDoNotKnowWhatIsLeft) {
   }
 }
 
-/// A door on three hinges of which one is driven, a flap on two hinges that a cylinder moves, a ram
-/// in two guides in one line, and three cranks of which the groups have two configurations each.
+/// A door on three hinges, one of them driven; a flap on two hinges, moved by a cylinder; a ram in
+/// two guides in one line; and three cranks, whose groups have two configurations each.
 std::vector<nlohmann::ordered_json> scenes_with_redundant_joints() {
   SceneMaker door;
   SceneMaker flap;

@@ -1,5 +1,5 @@
 // Law: an emitted solver agrees with `assur solve` where groups are solved relative to links that
-// move: positions, rates of every order and sensitivities, in all shapes of what such links carry.
+// move: positions, rates of every order and sensitivities, whatever such links carry.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/plan.hpp>
@@ -38,8 +38,8 @@ SceneMaker truss() {
   return scene;
 }
 
-/// A cylinder between two bars of the truss in place of the third, on a bell crank: a group that is
-/// solved relative to one of them, in which a driver moves.
+/// The truss with a driven cylinder in place of its third bar: a group that is solved relative to
+/// one of the other bars, with a driver inside.
 SceneMaker cylinder_in_truss() {
   SceneMaker scene = truss();
   scene.json["links"].erase("three");
@@ -52,7 +52,7 @@ SceneMaker cylinder_in_truss() {
   return scene;
 }
 
-/// Bars that cross at a pin in a slot, on a slider: a dyad RRP relative to one of them.
+/// Bars that cross, one with its foot in a slot of the ground: a dyad RRR relative to the other.
 SceneMaker crossed_in_a_slot() {
   SceneMaker scene;
   scene.parameter("reach", {{"value", 1.4}, {"velocity", 0.1}, {"tolerance", 0.02}})
@@ -107,8 +107,8 @@ TEST(EmitRelativeGroups, AgreeWithSolve) {
   EXPECT_GT(compared, 5000);
 }
 
-/// Whether no configuration that is compared is so near to a singular one that rounding grows much
-/// in its rates.
+/// Whether links turn slowly in all configurations that are compared: near singular ones they turn
+/// fast, and their rates magnify rounding.
 bool is_far_from_singular(const Json& scene) {
   constexpr double fast = 10;
   return std::ranges::all_of(driver_steps, [&](double step) {
@@ -122,7 +122,7 @@ bool is_far_from_singular(const Json& scene) {
   });
 }
 
-/// Scenes put together at random, of few drivers: compilers take long over many, one upon another.
+/// Random scenes with few drivers: where many drivers carry one another, compilers take long.
 TEST(EmitRelativeGroups, AgreeWithSolveInRandomScenes) {
   std::vector<NamedScene> scenes;
   const std::size_t wanted = is_whole_campaign() ? 12 : 1;
@@ -139,8 +139,8 @@ TEST(EmitRelativeGroups, AgreeWithSolveInRandomScenes) {
   EXPECT_GT(compare(scenes), 500);
 }
 
-/// Groups relative to links of groups that are relative, too: lengths are roots of formulas in what
-/// other roots turn. Written out, their second rates took four times the text.
+/// Relative groups within relative groups: lengths are roots of formulas that contain other roots.
+/// The rates of roots have names, because second rates written out took four times the text.
 TEST(EmitRelativeGroups, NameTheRatesOfRoots) {
   const TemporaryDirectory directory;
   const RandomDrivenScene made(27188, Places::anywhere, 1, Ties::groups);
@@ -152,7 +152,7 @@ TEST(EmitRelativeGroups, NameTheRatesOfRoots) {
   EXPECT_LT(std::filesystem::file_size(directory.path() / "assur/scenes/nested.hpp"), most_bytes);
 }
 
-/// How such links stand is not known without a configuration.
+/// Where links of a relative group stand is not known without a configuration.
 TEST(EmitRelativeGroups, RefuseWhatCannotBeAssembled) {
   const TemporaryDirectory directory;
   Json scene = lift();

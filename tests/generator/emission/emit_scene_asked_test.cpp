@@ -1,5 +1,5 @@
-// Law: an emitted solver holds nothing that nobody calls or reads, whatever is wanted of a scene
-// and whichever of its outputs.
+// Law: an emitted solver contains nothing that is never called or read, whichever results and
+// outputs of a scene are wanted.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/scene_file.hpp>
@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A solver that was emitted, and the sorts of its groups: two of one sort are called alike.
+/// An emitted solver, and the sorts of its groups: the runtime calls two of one sort alike.
 struct Emitted {
-  std::string name;  ///< of the struct, another for every solver
+  std::string name;  ///< of the struct, different for every solver
   std::string text;
   std::string code;
   std::set<std::string> sorts;
@@ -38,8 +38,8 @@ List chosen(const List& list, std::size_t bits) {
   return some;
 }
 
-/// The scene with every subset of its outputs: with none of them its links and slides are
-/// reported, with some nothing else.
+/// The scene with every subset of its outputs: without outputs it reports links and slides, with
+/// some it reports nothing else.
 std::vector<Json> with_subsets_of_outputs(const Json& scene) {
   std::vector<std::string> names;
   for (const auto& [name, feature] : scene["outputs"].items()) {
@@ -70,7 +70,7 @@ std::string sort_of(const EmittedStruct& group, const EmittedStruct& solver) {
   return sort;
 }
 
-/// Every solver, or one in 29, which are of all wants.
+/// Every solver, or one in 29 of them, among which all sets of results occur.
 std::vector<Emitted> emitted_solvers(bool all_of_them) {
   const std::size_t stride = all_of_them ? 1 : 29;
   std::size_t number = 0;
@@ -112,8 +112,8 @@ std::map<std::string, int> runtime_words() {
   return words_of(code);
 }
 
-/// No struct, name of a type, constant or function is declared that is not mentioned again, in the
-/// header or by the runtime.
+/// Expects that every struct, name of a type, constant and function that is declared is mentioned
+/// again, in the header or by the runtime, or is for users.
 void expect_mentioned(const EmittedStruct& solver, const std::map<std::string, int>& runtime) {
   const std::set<std::string> for_users = {"solve", "branch", "track", "parameters"};
   const std::map<std::string, int> words = words_of(solver.code);
@@ -125,7 +125,7 @@ void expect_mentioned(const EmittedStruct& solver, const std::map<std::string, i
   EXPECT_FALSE(std::regex_search(solver.code, std::regex(R"(struct \w+ \{\n +\};)")));
 }
 
-/// A group's functions read all inputs and unknowns, all that they name, and all constants.
+/// Expects that a group's functions read all inputs, unknowns and constants, and their own names.
 void expect_read(const EmittedStruct& group, const std::map<std::string, int>& runtime) {
   const std::map<std::string, int> words = words_of(group.code);
   for (const std::string& constant : matches_of(group.code, R"(static constexpr [\w:]+ (\w+) =)")) {
@@ -157,7 +157,7 @@ void expect_read(const EmittedStruct& group, const std::map<std::string, int>& r
   }
 }
 
-/// Whatever is placed is read where groups are held, configurations listed or told apart.
+/// Expects that every member of `Placed` is read, and not only set.
 void expect_placed_is_read(const EmittedStruct& solver) {
   const std::string members = block_of(solver.code, "struct Placed {");
   for (const std::string& member : matches_of(members, R"( (\w+)(?: =.*)?;\n)")) {
@@ -167,7 +167,7 @@ void expect_placed_is_read(const EmittedStruct& solver) {
   }
 }
 
-/// Whatever a driver, a state or its parts hold is given by the solver's own functions.
+/// Expects that the solver sets every member of a state's parts and reads every member of a driver.
 void expect_filled(const EmittedStruct& solver) {
   for (const std::string part : {"Links", "Slides", "Outputs"}) {
     const std::string members = block_of(solver.code, "struct " + part + " {");
@@ -185,7 +185,7 @@ void expect_filled(const EmittedStruct& solver) {
   }
 }
 
-/// The solvers with the least text that have groups of all sorts, not more than `most`.
+/// At most `most` solvers, the shortest first, each of which has a sort of group not seen before.
 std::vector<const Emitted*> sample_of(const std::vector<Emitted>& all, std::size_t most) {
   std::vector<const Emitted*> by_size;
   for (const Emitted& one : all) {
@@ -206,8 +206,8 @@ std::vector<const Emitted*> sample_of(const std::vector<Emitted>& all, std::size
   return sample;
 }
 
-/// What a compiler has made of a file: `Solver1Group1::Inputs::members const`. It makes nothing of
-/// a function of a struct that nobody calls.
+/// The functions that a compiler put into an object file: `Solver1Group1::Inputs::members const`.
+/// It leaves out a member function that nobody calls.
 std::multiset<std::string> compiled_functions(const fs::path& object,
                                               const TemporaryDirectory& directory) {
   const fs::path names = directory.path() / "names";
@@ -288,8 +288,8 @@ template <typename Solver> void use_nearest() {
       const std::multiset<std::string> declared = functions_of(part.code);
       const bool has_inputs = part.code.find("input_count = 0") == std::string::npos;
       for (const std::string& function : std::set<std::string>(declared.begin(), declared.end())) {
-        // The types tell the runtime what a configuration holds, and that there are no inputs; not
-        // all are read so.
+        // The types alone can tell the runtime what a configuration holds, and that there are no
+        // inputs, so that these need not be called.
         if (function == "Configuration::members const" ||
             (!has_inputs && function.starts_with("Inputs::members"))) {
           continue;
@@ -310,7 +310,7 @@ template <typename Solver> void use_nearest() {
   EXPECT_GT(functions, most < all.size() ? 100U : 200U);
 }
 
-// One in 29 of them by default, all by `ctest -L long`.
+// One solver in 29 by default, all by `ctest -L long`.
 TEST(EmitSceneAsked, IsAllThatAnEmittedSolverHolds) {
   const bool whole = is_whole_campaign();
   const std::vector<Emitted> all = emitted_solvers(whole);

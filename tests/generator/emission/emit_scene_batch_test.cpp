@@ -1,4 +1,4 @@
-// Law: what an emitted solver finds of many drivers at once is what it finds of each by itself.
+// Law: an emitted solver finds the same in a batch of driver positions as in single calls.
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -13,8 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Emits a scene with limits on a slide that leave some configurations out. The scene with two
-/// dyads has limits on a pin, too. What is not wanted is not compiled.
+/// A scene with limits on a slide that leave some configurations out. In the whole campaign it has
+/// two dyads, and limits on a pin, too; otherwise it wants less, so that less is compiled.
 EmittedScene limited(const TemporaryDirectory& directory, bool whole) {
   const std::string example = whole ? "shaper_quick_return.json" : "slider_crank.json";
   Json scene = scene_json(fs::path(ASSUR_EXAMPLES) / example);
@@ -35,8 +35,8 @@ std::vector<EmittedScene> examples() {
   return scenes;
 }
 
-/// Numbers of groups that formulas solve are the same, bit by bit, where products and sums are not
-/// contracted; the others keep six digits, as `ok` promises of both. By default of one scene.
+/// Where products and sums are not contracted, groups that are solved by formula give the same
+/// numbers bit by bit; other groups agree to six digits, as `ok` promises. By default one scene.
 TEST(EmitSceneBatch, FindsWhatSingleCallsFind) {
   const bool whole = is_whole_campaign();
   const TemporaryDirectory directory;

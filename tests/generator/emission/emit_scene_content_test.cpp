@@ -1,5 +1,5 @@
-// Law: an emitted solver holds what its scene wants and no more, in the same bytes everywhere; a
-// scene without a solver is refused by one line.
+// Law: an emitted solver holds what its scene wants and no more, with the same bytes in every
+// process; a scene that cannot have a solver is refused in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -71,7 +71,7 @@ TEST(EmitSceneContent, HoldsWhatIsWantedAlone) {
   EXPECT_NE(everything.find("\"AB\""), std::string::npos);
 }
 
-/// Compilers warn of a point of which nothing is used.
+/// Compilers warn of a point that is computed and not used.
 TEST(EmitSceneContent, PlacesNoPointOfWhichNothingIsWanted) {
   const TemporaryDirectory directory;
   const fs::path file = directory.write("crank.json", R"({"links": {"ground": {"A": [0, 0]},

@@ -1,4 +1,4 @@
-// Law: every word of a solver may be the name of a scene's part or file: the solver compiles.
+// Law: a solver compiles even where the scene's parts or file are named like words of the solver.
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -71,7 +71,7 @@ TEST(EmitSceneNames, OfFilesMayBeEveryWordOfASolver) {
   std::string includes;
   int files = 0;
   for (const std::string& word : words_of_a_solver()) {
-    // Types alone; with Quintero, those that the worked mechanism defines.
+    // Only names of types; those that begin with Quintero are defined by the worked mechanism.
     if (std::regex_match(word, type) && !word.starts_with("Quintero")) {
       const auto file = directory.write(word + ".json", driven_links({"a", "b"}).dump());
       emit_solver({file, "", "", {}}, directory);

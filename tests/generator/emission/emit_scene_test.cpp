@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One in so many.
+/// Every `stride`-th example.
 std::vector<EmittedScene> examples(std::size_t stride) {
   std::vector<EmittedScene> scenes;
   std::size_t number = 0;
@@ -28,7 +28,7 @@ std::vector<EmittedScene> examples(std::size_t stride) {
   return scenes;
 }
 
-/// A scene whose names become identifiers that differ.
+/// A scene whose names have to change to become identifiers.
 EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
   const std::map<std::string, std::string> members = {
       {"class", "class_2"},     {"1-2", "n1_2"},   {"1 2", "n1_2_2"},
@@ -37,8 +37,8 @@ EmittedScene awkwardly_named(const TemporaryDirectory& directory) {
           "Scene4BarCo", members};
 }
 
-/// All in one program, because most of its compilation is what they share; by default of every
-/// sixth example, by the compiler of the project.
+/// All scenes in one program, because they share most of its compilation; by default every sixth
+/// example. The project's compiler compiles it.
 TEST(EmitScene, AgreesWithSolveOverAllExamplesAndAwkwardNames) {
   const TemporaryDirectory directory;
   const bool whole = is_whole_campaign();

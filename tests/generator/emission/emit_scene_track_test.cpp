@@ -1,5 +1,5 @@
-// Law: `track` of an emitted solver stays on a branch of the library's sweep, to where that ends
-// and no further, and refuses what is no place for a branch.
+// Law: `track` of an emitted solver stays on a branch of the library's sweep up to its end, goes no
+// further, and refuses starts and targets that are on no branch.
 #include <gtest/gtest.h>
 
 #include <assur/status.hpp>
@@ -149,7 +149,7 @@ std::istream& operator>>(std::istream& in, FollowedBranch& branch) {
 struct Totals {
   int ends = 0, whole = 0, points = 0;
   double largest = 0;   ///< distance from a listed configuration
-  double earliest = 0;  ///< end before an event, in parts of a step
+  double earliest = 0;  ///< largest distance of an end from an event, in steps
 };
 
 void compare(const Tracked& tracked, int steps, const SweptBranches& sweep, std::istream& printed,
@@ -191,7 +191,7 @@ void compare(const Tracked& tracked, int steps, const SweptBranches& sweep, std:
   }
 }
 
-/// What is no place for a branch: `refusals` counts what is not as it must be, and prints it.
+/// Starts and targets that are on no branch: `refusals` counts and prints wrong answers to them.
 constexpr const char* refusals_code = R"(
 int wrong = 0;
 void expect(bool right, const char* what) {
@@ -271,7 +271,7 @@ TEST(EmitSceneTrack, StaysOnTheBranchesOfTheSweep) {
       sweep = swept(tracked, steps, directory);
       compare(tracked, steps, sweep, printed, totals);
     }
-    // Through the whole range at once: the branches that the sweep has at both ends.
+    // One call over the whole range follows exactly the branches that the sweep has at both ends.
     std::set<int> last;
     int count = 0;
     for (const auto& [place, branch] : sweep.branches) {

@@ -116,8 +116,9 @@ SceneMaker parallel_guides() {
   return scene;
 }
 
-/// A crank with two dyads. Two bars, equal if they are to move, stand between the first of these
-/// and the ground, on pins that coincide in one of its two configurations.
+/// A crank with two dyads, and a third dyad between the first one and the ground. In one of the
+/// first's two configurations the third's outer pins coincide, and there it moves if its bars are
+/// equal.
 SceneMaker dyads_before_a_kite(double bar, double reach) {
   SceneMaker scene;
   scene.bar("ground", {{"A", 0}, {"D", 5}, {"E", -2}})
@@ -158,8 +159,8 @@ Json in_order(const Json& scene, const std::array<std::size_t, 3>& order) {
   return result;
 }
 
-/// Every order of the dyads, with the sides of the joints as they are and exchanged; of these a
-/// sixth if the whole campaign is not asked for.
+/// Every order of the dyads, with the sides of the joints as they are and exchanged; by default
+/// a sixth of these.
 void add_every_order(const std::string& name, const Json& scene,
                      std::vector<SpecialScene>& scenes) {
   const bool all = is_whole_campaign();
@@ -191,7 +192,7 @@ std::vector<SpecialScene> special_scenes() {
       {"half_platform", platform(0.5, 2).scene()},
       {"bars_on_one_pin", bars_on_one_pin().scene()},
   };
-  if (is_whole_campaign()) {  // sorts that others have too
+  if (is_whole_campaign()) {  // similar to those above
     scenes.insert(
         scenes.end(),
         {
@@ -204,8 +205,8 @@ std::vector<SpecialScene> special_scenes() {
             {"half_platform_rotated", scene_listed(platform(0.5, 2).scene(), 2)},
         });
   }
-  // A family for one choice of the first dyad, whatever the second does; no family, for the kite
-  // does not move; none told, for the second dyad cannot be assembled.
+  // First a family for one choice of the first dyad, whatever the second does; then no family,
+  // because the kite does not move; last none reported, as the second dyad cannot be assembled.
   add_every_order("kite_behind", dyads_before_a_kite(4, 2).scene(), scenes);
   add_every_order("no_kite_behind", dyads_before_a_kite(3, 2).scene(), scenes);
   scenes.push_back(
@@ -242,7 +243,7 @@ Verdict verdict_of(const Json& report) {
   return verdict;
 }
 
-/// Without the rates that are not known.
+/// The configuration without the rates that are not known.
 Json with_known_numbers(Json configuration) {
   for (const std::string part : {"links", "joints", "outputs"}) {
     for (const auto& [name, entry] : configuration[part].items()) {
@@ -258,7 +259,7 @@ Json with_known_numbers(Json configuration) {
   return configuration;
 }
 
-/// The number is read from each configuration of the emitted solver, whether or not solve knows it.
+/// The C++ that reads every number that solve knows in some configuration; it is run for all.
 std::vector<std::string> codes_of(const std::vector<Json>& reports, const EmittedScene& scene) {
   std::set<std::string> codes;
   for (const Json& report : reports) {
@@ -293,7 +294,7 @@ std::string printing_function(const SpecialScene& special, const EmittedScene& s
   return code.str();
 }
 
-/// Expects every number that solve knows to be the emitted solver's; gives how many.
+/// Expects that the emitted solver gives every number that solve knows; returns how many.
 int compare(const Json& configuration, const EmittedScene& scene,
             const std::map<std::string, double>& printed) {
   // Where the Jacobian is singular, positions are known to the root of rounding.

@@ -36,7 +36,7 @@ TEST_P(EmitVariableRefuses, InOneLine) {
   EXPECT_NE(result.messages.find(GetParam().message), std::string::npos) << result.messages;
 }
 
-/// A tetrad with C at B, which a parameter moves, and F at E.
+/// A tetrad with C at B, from where two parameters move it, and with F at E.
 Json coinciding() {
   SceneMaker scene;
   scene.parameter("s", 0).parameter("t", 0);
@@ -103,8 +103,8 @@ TEST(EmitVariableOptions, TheKeyDoesTheSameAsTheOption) {
   EXPECT_EQ(emitted("--variable rocker"), by_option);
 }
 
-/// Where the frame of a link stands on two pivots that parameters may bring together, it may have
-/// no direction; so it stands on two others, if these are at rest in the link.
+/// A frame through two pivots that parameters may bring together may have no direction; so a link's
+/// frame goes through two others, if these are fixed in the link.
 TEST(EmitVariableOptions, AFrameStandsOnPivotsThatCannotMeet) {
   const TemporaryDirectory directory;
   const VariableScene scene = meeting_pivots();

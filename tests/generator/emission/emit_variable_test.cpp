@@ -54,9 +54,9 @@ std::vector<VariableScene> variable_scenes() {
   return scenes;
 }
 
-/// Follows both configurations of the four-bar while crank and lengths change at once, in three
-/// calls, and beside that from one of many small steps to the nearest configuration of the next;
-/// prints by how much the two differ. Then follows a way on which the bars cannot reach.
+/// Follows both configurations of the four-bar while crank and lengths change together: in three
+/// calls of `track`, and in many small steps, each to the nearest configuration; prints by how much
+/// the two differ. Then follows a change of length by which the bars cease to reach.
 constexpr const char* following = R"(
 namespace following {
 using S = assur::scenes::VariableFourBar;
@@ -110,7 +110,7 @@ void run() {
 }  // namespace following
 )";
 
-/// How far the ground's length goes from 4 to 9 before the four-bar of `following` cannot reach.
+/// The part of the ground's way from 4 to 9 after which the four-bar of `following` cannot reach.
 double reach_of_ground() {
   const double x = 2 * std::cos(0.7);
   const double y = 2 * std::sin(0.7);
@@ -133,7 +133,7 @@ void expect_followed(std::istream& printed) {
   EXPECT_EQ(ok, 1);
 }
 
-/// Each variable parameter is read where something is placed.
+/// Expects that the solver declares each variable parameter and reads it.
 void expect_parameters_are_read(const std::filesystem::path& header, const Values& values) {
   const std::string text = read_file(header);
   for (const auto& [name, value] : values) {

@@ -1,4 +1,4 @@
-// Law: seeded numbers are the same with every compiler and library, as what is judged at them is.
+// Law: seeded numbers are the same with every compiler and library, so that verdicts at them are.
 #include "equations/seeded_numbers.hpp"
 
 #include <gtest/gtest.h>

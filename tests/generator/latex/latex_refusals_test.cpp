@@ -1,5 +1,5 @@
-// Law: what a reader of a paper could take in two ways is refused where it stands, and never
-// guessed; so is what a map or a paper has wrong.
+// Law: notation that could be read in two ways is refused at its place in the paper, and never
+// guessed; so are mistakes in a map or a paper.
 #include <gtest/gtest.h>
 
 #include <algorithm>

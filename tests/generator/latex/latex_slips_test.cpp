@@ -184,7 +184,7 @@ std::optional<std::string> missing_factor(const std::string& body, Engine& engin
       body, form, [](const std::smatch&) { return std::string(); }, engine);
 }
 
-/// Where a derivative belongs stands what it is the derivative of.
+/// Puts a vector's component in the place of its derivative: x and y are exchanged.
 std::optional<std::string> stale_derivative(const std::string& body, Engine& engine) {
   if (!is_matrix(body)) {
     return std::nullopt;
@@ -213,7 +213,7 @@ TEST(LatexSlips, AreFoundAndNothingElseIs) {
   constexpr std::size_t most_models = 6;
   std::vector<document::Derivation> derivations;
   for (const structure::Model* model : all_models()) {
-    // Tetrads take longest: one in six of them, and the smaller groups as they come.
+    // Tetrads take longest: one in six of them, and the first models of the smaller groups.
     const bool taken =
         whole || (model->group->name() == "tetrad" ? model->number % 6 == 1
                                                    : derivations.size() + 3 < most_models);
@@ -231,7 +231,7 @@ TEST(LatexSlips, AreFoundAndNothingElseIs) {
   int false_alarms = 0;
   for (const document::Derivation& derivation : derivations) {
     const structure::Model* const model = derivation.model;
-    // What stands behind the derivatives is not audited.
+    // The part of the paper after the derivatives is not audited.
     std::string paper = document::derivation_latex(derivation);
     paper.resize(paper.find("\\section{Elimination}"));
     const std::string map = map_of(derivation);

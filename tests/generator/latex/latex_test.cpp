@@ -249,7 +249,7 @@ TEST(Latex, EquationsThatStandSideBySideAreSeveral) {
   EXPECT_EQ(labels_of("\\begin{equation}\\begin{aligned} r &= r & l &= r \\\\ s &= s "
                       "\\end{aligned}\\end{equation}"),
             three);
-  // One equation in columns, and one that goes on in another.
+  // One equation in three columns, and one that continues after a second equals sign.
   EXPECT_EQ(labels_of("\\begin{eqnarray} r &=& r \\end{eqnarray}"),
             std::vector<std::string>{"equation (1)"});
   EXPECT_EQ(labels_of("\\begin{align} r &= r &= r \\end{align}"),

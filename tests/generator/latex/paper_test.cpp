@@ -19,7 +19,7 @@ using namespace generator::audit;
 
 std::string path_of(const std::string& file) { return ASSUR_EXAMPLES "/audit/" + file; }
 
-/// For each equation the verdicts, in order.
+/// The verdicts on each equation, in order.
 using Verdicts = std::map<std::string, std::vector<Verdict>>;
 
 Verdicts verdicts(const AuditReport& report, const std::vector<std::string>& words) {
@@ -48,7 +48,7 @@ std::size_t lines_of(const std::string& map) {
 
 struct Paper {
   const char* name;
-  /// Equations of which the audit file has what the text says of their vectors.
+  /// Equations that only the audit file can audit: the paper's text says what their vectors are.
   std::set<std::string> of_vectors;
 };
 
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(Papers, LatexPapers,
                                                 "(25)"}}),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-// Its audit file has these formulas as numbers, for they have no closures.
+// The paper's audit file has these formulas as numbers, because the paper has no closures.
 TEST(FormulasOfMobility, HaveTheFindingsOfTheirNumbers) {
   const std::string name = "mitsi_tetrad_kinds";
   const AuditReport paper = latex::audit_paper(path_of(name + ".tex"), path_of(name + ".map"));

@@ -1,4 +1,5 @@
-// Checks the derived catalogue: counts, orbits, verdicts, and what the paper prints otherwise.
+// Law: the derived catalogue has the known counts, orbits and verdicts, and shows where the paper's
+// table differs.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -118,7 +119,7 @@ TEST(Catalogue, HasTheDyadAndTheTriad) {
     }
     EXPECT_EQ(seen.size(), static_cast<std::size_t>(expected[index].second[1]));
   }
-  // What two curves have in common at most, one of them drawn by the rest of the group.
+  // The most points in which two curves intersect; one of them is drawn by the rest of the group.
   EXPECT_EQ(most["RRR"], 2);       // two circles
   EXPECT_EQ(most["RRP"], 2);       // a circle and a line
   EXPECT_EQ(most["PRP"], 1);       // two lines

@@ -1,5 +1,5 @@
-// Law: samples and cells depend on their numbers alone, are what solving them one by one gives, and
-// what is lost is counted.
+// Law: each sample and each cell depends on its number alone and equals what solving it by itself
+// gives, and those without a certain answer are counted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,7 @@ Rows rows_of(const Campaign& campaign, ItemRange items, int threads) {
 
 Rows rows_of(const Campaign& campaign) { return rows_of(campaign, {0, campaign.items}, 1); }
 
-/// Equal, or none in both.
+/// Equal, or NaN in both.
 bool are_same(const Rows& one, const Rows& other) {
   return std::ranges::equal(one, other, [](double first, double second) {
     return first == second || (std::isnan(first) && std::isnan(second));
@@ -44,7 +44,7 @@ Outcome outcome_in(const Campaign& campaign, const Rows& rows, std::size_t sampl
   return static_cast<Outcome>(rows[sample * campaign.columns.size() + 1]);
 }
 
-/// The known answers of the generator's authors.
+/// The known answers that the generator's authors publish.
 TEST(CounterRandom, IsPhilox) {
   using mechanism::campaign::philox;
   using Numbers = std::array<std::uint32_t, 4>;
@@ -120,8 +120,8 @@ TEST(Campaign, EndsWithWhatIsThrown) {
   }
 }
 
-/// A slide that stands at a sum: an output that is linear in the parameters, one of them a formula
-/// in another.
+/// A slide that is driven to the sum of two parameters, one of them a formula of the other: the
+/// output is linear in both.
 const char* const linear = R"({
   "parameters": {
     "a": {"value": 3, "tolerance": 0.3},
@@ -158,14 +158,14 @@ TEST(Sampling, OfALinearOutputAgreesWithFirstOrder) {
   EXPECT_LE(statistics.greatest().x() - 9, nominal.worst_case->x());
   EXPECT_GE(statistics.least().x() - 9, -nominal.worst_case->x());
   EXPECT_GT(statistics.greatest().x() - 9, 0.97 * nominal.worst_case->x());
-  // Five standard errors; that of the deviation is less than that of a normal law.
+  // Five standard errors; the deviation has a smaller one than a normal distribution would give.
   EXPECT_LT(std::abs(statistics.mean_shift().x()), 5 * deviation / std::sqrt(count));
   EXPECT_LT(std::abs(std::sqrt(statistics.covariance()(0, 0)) - deviation),
             5 * deviation / std::sqrt(2.0 * count));
   EXPECT_EQ(statistics.covariance()(1, 1), 0);
 }
 
-/// The configuration with the least sum of squares of turns from the nominal one.
+/// The configuration that is turned least from the nominal one, by the sum of squares over links.
 const Configuration& nearest_of(const Solution& solution, const Configuration& nominal,
                                 LinkIndex ground, LinkIndex driven) {
   const auto square = [&](const Configuration& one) {
@@ -213,7 +213,7 @@ TEST(Sampling, IsWhatSolvingEachSampleGives) {
   }
 }
 
-/// A dyad that is stretched but for a little: some samples do not close, as the triangle says.
+/// An almost stretched dyad: the samples that do not close are those without a triangle.
 TEST(Sampling, CountsDyadsThatCannotClose) {
   const Scene scene = parse_scene(R"({
     "parameters": {"a": {"value": 1, "tolerance": 0.01}, "b": {"value": 1, "tolerance": 0.01},
@@ -242,8 +242,8 @@ TEST(Sampling, CountsDyadsThatCannotClose) {
   EXPECT_LT(lost, 1700U);
 }
 
-/// Both configurations of a parallelogram meet in its change point, so that no sample there has one
-/// that is near without the other.
+/// At a parallelogram's change point its two configurations meet, so that in no sample only one of
+/// them is near the nominal configuration.
 TEST(Sampling, TellsWhereTheConfigurationIsAmbiguous) {
   const std::string text = R"({
     "parameters": {"a": {"value": 1, "tolerance": 0.001}, "b": 1, "c": {"value": 2, "tolerance": 0.001},

@@ -1,5 +1,5 @@
-// Checks that a mechanism that is built in C++ is the one of the scene file, and that what does not
-// fit is refused where it is added, by name.
+// Law: a mechanism that is built in C++ has the solutions of the same mechanism in a scene file,
+// and a part that does not fit is refused by name where it is added.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/sweep.hpp>
@@ -72,7 +72,7 @@ TEST(MechanismBuilder, ReplacedValuesAreSettings) {
                        read.solution);
 }
 
-/// A plan is a whole of its own: the mechanism and the plan it was made from may go.
+/// A plan needs its mechanism no longer, and a solution its plan: both may be destroyed.
 TEST(MechanismBuilder, SolutionsOutliveTheirPlan) {
   Solution solution;
   {
@@ -215,7 +215,7 @@ INSTANTIATE_TEST_SUITE_P(
               "column 3 of '2*'"}),
     [](const auto& fault) { return std::string(fault.param.name); });
 
-/// What is refused leaves the mechanism as it was.
+/// A refused addition leaves the mechanism as it was.
 TEST(MechanismBuilder, AFaultLeavesNothingBehind) {
   Mechanism made = four_bar();
   EXPECT_NE(message_of([&] { made.add_point("coupler.Q", "no_such", 0); }), "no error");
@@ -250,7 +250,7 @@ mechanism::Mechanism turning_bar() {
   return bar;
 }
 
-// Seven positions, some of which the links cannot reach, in the memory of those before.
+// Seven positions, some of them out of reach, are solved into one solution that is reused.
 TEST(Solution, IsTheSameInTheMemoryOfAnother) {
   Mechanism linkage = four_bar();
   linkage.set_parameter("coupler", 30);
@@ -305,7 +305,7 @@ TEST(MisusedLibrary, ANumberThatNoConfigurationHasIsRefused) {
   EXPECT_EQ(message_of([&] { (void)mechanism::sweep_branch(plan, 1, {}); }), "no error");
 }
 
-/// Where a table or an index of a request is not the mechanism's own.
+/// A table of the request has the wrong size, or the mechanism does not have its index.
 TEST(MisusedLibrary, ARequestThatDoesNotFitIsRefusedInALine) {
   mechanism::Mechanism bar = turning_bar();
   const auto refusal = [&bar](const auto& ask) {

@@ -1,5 +1,5 @@
-// Law: drawings show what is solved: pins and outputs stand where the configurations have them,
-// dead centres where sweeps find them, whatever the unit and the names.
+// Law: in a drawing, pins and outputs stand where they are solved and dead centres where sweeps
+// find them, in any unit and with any names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +87,7 @@ TEST_P(ExampleDrawing, NumbersOfThePictureAreFiniteAndInsideIt) {
   EXPECT_GT(count, 50);
 }
 
-/// The widths of letters are no narrower than in common plain fonts.
+/// The widths that are assumed for letters are not less than those of common plain fonts.
 TEST_P(ExampleDrawing, TextsDoNotOverlap) {
   const Picture picture(drawing_);
   struct Extent {
@@ -117,7 +117,7 @@ TEST_P(ExampleDrawing, TextsDoNotOverlap) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ExampleDrawing, testing::ValuesIn(scenes_of(ASSUR_EXAMPLES)),
                          [](const auto& name) { return std::string(name.param); });
 
-/// The events that a sweep of the scene's own steps tells, of branches that are drawn.
+/// Every dead centre that is drawn is an event of the sweep in the scene's own steps.
 TEST(DrawingOfTheWorkedMechanism, HasTheDeadCentresOfItsSweep) {
   const DrawnScene& drawn = drawn_scene("quintero_2011_rrp_rrr");
   std::set<long> swept;
@@ -146,7 +146,7 @@ std::string shown(const Made& made) {
   return std::regex_replace(text.substr(0, legend), std::regex(R"( data-[a-z]+="[^"]*")"), "");
 }
 
-/// A power of two changes no digit of a number.
+/// A factor that is a power of two changes no digit of a number.
 TEST(DrawingOfAnyUnit, IsTheSamePicture) {
   EXPECT_EQ(shown(slider_crank(1)), shown(slider_crank(1024)));
   EXPECT_EQ(shown(slider_crank(1)), shown(slider_crank(std::ldexp(1, -30))));
@@ -163,7 +163,7 @@ TEST(DrawingOfOddNames, IsWellFormed) {
   EXPECT_NE(dxf.find("\\U+00E9"), std::string::npos);
 }
 
-/// A link named as the layer of pins is.
+/// A link has the name of the layer of pins.
 TEST(DrawingOfOddNames, HasALayerForEachLink) {
   Mechanism mechanism("a link called pins");
   mechanism.add_link("ground");
@@ -222,7 +222,7 @@ TEST(DrawingChoices, AreOneConfigurationOrRefused) {
   EXPECT_THROW((void)drawing_of(ground, {}), mechanism::MechanismError);
 }
 
-/// Where the scene's own value is no value of the sweep, ways are those of no configuration.
+/// If the scene's own value is no value of the sweep, the traces belong to no configuration.
 TEST(DrawingBesideItsSweep, HasWaysWithoutConfigurations) {
   Made made = slider_crank(1);
   made.request.sweep->from = made.mechanism.add_number(1, "sweep.from");

@@ -1,5 +1,5 @@
-// Law: a DXF file that is read back has every pin of every configuration where it is solved, on
-// layers that its table holds.
+// Law: a DXF file, read back, has every pin of every configuration where it is solved, and uses
+// only layers of its own table.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -13,7 +13,7 @@
 namespace assur::test::dxf_test {
 namespace {
 
-/// Groups from one `0` to the next: what the entity is, and its values by their codes.
+/// An entity of the file: its kind, which follows code 0, and its values by their codes.
 struct Entity {
   std::string kind;
   std::map<int, std::string> values;

@@ -1,5 +1,5 @@
-// Law: what moves is at every moment where it is solved, and the branch that is asked for is shown
-// whatever the number of the others.
+// Law: in a moving drawing, every pin is at each moment where it is solved, and the branch that is
+// asked for is shown, however many others there are.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/drawing.hpp>
@@ -33,7 +33,7 @@ std::vector<double> values_of(const XmlElement& pin, const std::string& attribut
   return values;
 }
 
-/// A full turn goes round; every moment is a solved position.
+/// A full turn is a closed motion; its every moment is a solved position.
 TEST(MovingDrawing, HasPinsWhereTheyAreSolved) {
   const Made made = slider_crank(1);
   const Picture picture(moving_drawing_of(made.mechanism, made.request, 1));
@@ -75,7 +75,7 @@ TEST(MovingDrawing, GoesToAndFroWhereItIsNotClosed) {
   }
 }
 
-/// A crank whose pin is held by dyads that know nothing of one another: 2^dyads configurations.
+/// A crank that holds dyads which are independent of one another: 2^dyads configurations.
 Made star(int dyads) {
   Made made{Mechanism("a star"), {}};
   Mechanism& m = made.mechanism;

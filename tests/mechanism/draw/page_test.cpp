@@ -1,5 +1,5 @@
-// Law: the frames of a page are what is solved at the values of the sweep, and no name of a scene
-// ends the data that it stands in.
+// Law: the frames of a page are the solutions at the values of the sweep, and no name in a scene
+// ends the script or the template that contains it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Json data_of(const std::string& page) {
   return Json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-/// What the page has in 32 bits.
+/// The numbers of 32 bits that the page holds in base 64.
 std::vector<float> numbers_of(const std::string& text) {
   const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::vector<std::uint8_t> bytes;
@@ -53,7 +53,7 @@ std::vector<float> numbers_of(const std::string& text) {
   return numbers;
 }
 
-/// The same, with rows that begin with x and y, in the scene's own coordinates.
+/// The same numbers in the scene's own coordinates; each row begins with x and y.
 std::vector<double> placed(const std::string& text, std::size_t width, const Json& origin) {
   const std::vector<float> numbers = numbers_of(text);
   std::vector<double> there(numbers.begin(), numbers.end());
@@ -162,11 +162,11 @@ TEST(PageWithoutASweep, HasTheConfigurationsAtOneStep) {
   const std::vector<double> output = placed(data["branches"][0]["outputs"], 6, data["origin"]);
   ASSERT_EQ(output.size(), 6U);
   EXPECT_NEAR(output[0], 2 * std::cos(1), 1e-6);
-  EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed of a unit turn upwards
+  EXPECT_NEAR(output[3], 2 * std::cos(1), 1e-6);  // the speed upwards at angular velocity 1
 }
 
-/// A crank of two units, thousands of kilometres away in metres: single precision has steps of half
-/// a metre there.
+/// A crank of length 2 stands millions of units from the origin, where single precision has steps
+/// of half a unit.
 TEST(PageOfAFarPlace, HasPlacesToAPartOfTheMechanism) {
   Mechanism m("A far crank");
   m.add_parameter("phi", 1);
@@ -184,7 +184,7 @@ TEST(PageOfAFarPlace, HasPlacesToAPartOfTheMechanism) {
   EXPECT_NEAR(output[1], 5.4e6 + 2 * std::sin(1), 1e-6);
 }
 
-/// The crank with a swept angle: its length has a value of its own, twice the length has not.
+/// The crank with a swept angle: `length` has a value of its own, `twice` is a formula.
 constexpr const char* crank = R"({"name": "A crank",
   "parameters": {"length": "1+1", "twice": "2*length", "phi": 0},
   "links": {"ground": {"A": [0, 0]}, "crank": {"A": [0, 0], "B": ["twice", 0]}},

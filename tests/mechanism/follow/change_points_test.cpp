@@ -1,5 +1,5 @@
-// Law: a sweep goes through a change point with its branches joined and says `crossing`, however
-// short it is, on the point or beside it, and in every order of listing.
+// Law: a sweep joins its branches through a change point and reports a `crossing`, however short it
+// is, with a step on the point or beside it, and in every order of listing.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/scene_file.hpp>
@@ -22,15 +22,15 @@ using Complex = std::complex<Real>;
 struct Stage {
   double coupler, rocker, ground;
 };
-/// Four-bars in a row, each driven by the rocker before it, all flat where the crank is.
+/// Four-bars in a row, each driven by the rocker before it, all flat at one angle of the crank.
 struct Row {
   const char* name;
   double crank;
   std::vector<Stage> stages;
-  bool half_turn;      ///< whether they are flat there, or where the crank is at zero
+  bool half_turn;      ///< flat at half a turn of the crank, or else at zero
   bool parallelogram;  ///< or a kite, whose coupler may lie on its crank
   /// Nearer than this to the change point, rounding leaves no digits of the last stage: each branch
-  /// has a row, but which of them has which is not known.
+  /// has a row, but which row belongs to which branch is not known.
   double lost = 0;
 
   friend std::ostream& operator<<(std::ostream& out, const Row& row) { return out << row.name; }
@@ -55,8 +55,8 @@ SceneMaker::Json scene_of(const Row& row) {
   return scene.drive("A", "phi", 1, 0).scene();
 }
 
-/// The pins between couplers and rockers. Each stage is a parallelogram (or its kite is folded), or
-/// that pin is mirrored at the line through the other two.
+/// The pins between couplers and rockers. In each stage the pin is where a parallelogram (or a
+/// folded kite) has it, or is mirrored in the line through the two other pins.
 std::vector<Complex> pins(const Row& row, Real phi, unsigned mode) {
   const Real move = phi - row.flat();
   Complex b = Complex(std::cos(move), std::sin(move)) * (row.half_turn ? -1.0L : 1.0L) *
@@ -75,8 +75,8 @@ std::vector<Complex> pins(const Row& row, Real phi, unsigned mode) {
   return result;
 }
 
-/// Whether a configuration is in a mode, as far as it is known: a stage loses as many digits as the
-/// one before it once more, and what meets to rounding is one configuration.
+/// Whether a configuration is in a mode, as far as digits tell: each stage loses as many as the one
+/// before it once more, and configurations that meet to within rounding are one.
 bool is_in_mode(const Row& row, unsigned mode, const mechanism::SweepRecord& at) {
   const Real away = std::abs(static_cast<Real>(at.parameter) - row.flat());
   if (away > 0 && away < row.lost) {
@@ -156,7 +156,7 @@ void expect_crossing(const Row& row, SceneMaker::Json scene, double from, double
 
 class ChangePoints : public testing::TestWithParam<Row> {};
 
-/// All of these by `ctest -L long`, one in 17 by default, and of rows with many branches one in 51.
+/// By default one sweep in 17, and one in 51 for rows with many branches; all by `ctest -L long`.
 TEST_P(ChangePoints, AreCrossingsInSweepsOfAnyWidth) {
   const Row& row = GetParam();
   const bool all = is_whole_campaign();
@@ -194,9 +194,9 @@ INSTANTIATE_TEST_SUITE_P(
         Row{"four", 1, {{3, 1, 3}, {3, 1, 3}, {3, 1, 3}, {3, 1, 3}}, true, true, 2e-6},
         Row{"four rocking", 3, {{1, 3, 1}, {1, 3, 1}, {1, 3, 1}, {1, 3, 1}}, false, true, 2e-6}));
 
-/// Peaucellier's cell with arms of 5 and a rhombus of 3, whose pin B a length moves through the
-/// place between P and Q, where C meets it: there C = B and C on the other side exchange sides, for
-/// each of the two places of P and Q. No driver moves with the length.
+/// Peaucellier's cell with arms of 5 and a rhombus of 3. A length moves its pin B through the
+/// middle between P and Q, where C meets B. There the configurations with C = B and with C opposite
+/// B cross, for each of the two places of P and Q. No driver moves with the length.
 TEST(ChangePointsOfALength, AreCrossingsInSweepsOfAnyWidth) {
   SceneMaker cell;
   cell.parameter("p", 0.0)

@@ -64,9 +64,9 @@ Named named_by(const std::string& event) {
   return named;
 }
 
-/// Counts what is silent: a branch that has its first row behind the first step, or its last before
-/// the last one, without an event; a step whose rows have no branch without any event before it;
-/// fewer branches than there are at the last step without one at it.
+/// Expects an event for each branch whose first row is behind the first step or whose last row is
+/// before the last step, and some event if rows belong to no branch or if branches have no row at
+/// the last step.
 void expect_no_silence(const Row& row, SceneMaker::Json scene, double from, double to, int count) {
   const std::size_t branches = std::size_t{1} << row.stages;
   scene["sweep"] = {{"parameter", "phi"}, {"from", from}, {"to", to}, {"count", count}};
@@ -109,7 +109,7 @@ void expect_no_silence(const Row& row, SceneMaker::Json scene, double from, doub
 
 class LostBranches : public testing::TestWithParam<Row> {};
 
-/// All by `ctest -L long`, one in 23 by default, and of the row of four one.
+/// All by `ctest -L long`; by default one in 23, and only one for the row of four.
 TEST_P(LostBranches, AreTold) {
   const Row& row = GetParam();
   constexpr double flat = std::numbers::pi;

@@ -1,7 +1,7 @@
 // Campaign over four-bars that almost have a change point: the branches and folds of their sweeps
 // against the triangle between coupler and rocker, whose lengths are taken exactly.
-// `near_change_points_campaign SWEEPS [FIRST [LEAST]]`: lengths are changed by LEAST at least,
-// 1e-12.
+// `near_change_points_campaign SWEEPS [FIRST [LEAST]]`: FIRST is the first seed; a change of a
+// length is at least the part LEAST of it, 1e-12 by default.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/scene_file.hpp>
@@ -32,8 +32,8 @@ constexpr double rounding = 5e-14;
 /// where branches meet.
 struct FourBar {
   double crank, coupler, rocker, ground;
-  /// (|AB - AD|^2 - |BC - CD|^2) and ((BC + CD)^2 - (AB + AD)^2), free of rounding: they are zero
-  /// where there is a change point at phi = 0 and at phi = pi.
+  /// (|AB - AD|^2 - |BC - CD|^2) and ((BC + CD)^2 - (AB + AD)^2), free of rounding. The first is
+  /// zero if phi = 0 is a change point, the second if phi = pi is one.
   Real inner, outer;
 
   FourBar(double ab, double bc, double cd, double ad)
@@ -82,7 +82,7 @@ struct FourBar {
 
 struct Fold {
   Real parameter;
-  Real beside;  ///< its distance from the change point it is at
+  Real beside;  ///< its distance from the change point beside it
 };
 
 /// The values within a sweep at which the triangle becomes flat, without those at which it only
@@ -115,7 +115,7 @@ struct Case {
 
 struct Tally {
   int sweeps = 0, rows = 0, folds = 0, crossings = 0, unresolved = 0;
-  int misplaced = 0;   ///< events that are not, or are elsewhere, or are left out
+  int misplaced = 0;   ///< events that are invented, misplaced or left out
   int jumps = 0;       ///< branches that change sides
   int wrong_rows = 0;  ///< steps with too few configurations or too many
 };
@@ -178,7 +178,7 @@ class Draw {
   int pick(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
 
   std::mt19937_64 random_;
-  double least_;  ///< change of a length, in parts of it
+  double least_;  ///< least change of a length, in parts of it
 };
 
 mechanism::Plan plan_of(const Case& at) {
@@ -194,7 +194,7 @@ mechanism::Plan plan_of(const Case& at) {
       mechanism::parse_scene(scene_listed(scene.scene(), at.listing).dump(), "scene"));
 }
 
-/// One sweep against the triangle.
+/// Compares one sweep with the triangle.
 class Comparison {
  public:
   explicit Comparison(const Case& at)
@@ -290,7 +290,7 @@ class Comparison {
   [[nodiscard]] bool is_at_end(Real parameter) const {
     return std::min(std::abs(parameter - at_.from), std::abs(parameter - at_.to)) < 1e-11L;
   }
-  /// Where the sides change places, seen from B and D, though the configurations go straight on.
+  /// Where configurations that go straight on exchange sides of the line from B to D.
   [[nodiscard]] std::vector<Real> changes() const {
     std::vector<Real> places;
     if (bar_.inner == 0) {
@@ -346,7 +346,7 @@ int main(int argc, char** argv) {
             << tally.misplaced << ", jumps " << tally.jumps << ", steps with other rows "
             << tally.wrong_rows << ", sweeps with something unresolved " << tally.unresolved
             << '\n';
-  // Rounding hides what lengths that differ by less open.
+  // If lengths differ by less, rounding hides the events that the difference makes.
   const bool is_told = least < usual_least || tally.unresolved == 0;
   return tally.misplaced + tally.jumps + tally.wrong_rows == 0 && is_told ? 0 : 1;
 }

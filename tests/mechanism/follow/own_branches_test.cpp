@@ -1,5 +1,5 @@
-// Law: where a mechanism has too many constraints, events name the branches that have rows, and no
-// other.
+// Law: events of a mechanism with redundant constraints name only branches that have rows, and no
+// branches of the mechanism without these constraints.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/scene_file.hpp>
@@ -35,7 +35,7 @@ Swept swept(SceneMaker::Json scene, double from, double to, int count) {
   return result;
 }
 
-/// A four-bar whose rocker is there twice.
+/// A four-bar that has its rocker twice.
 SceneMaker::Json doubled(double crank, double coupler, double rocker, double ground) {
   return SceneMaker()
       .parameter("phi", 0.0)
@@ -48,8 +48,8 @@ SceneMaker::Json doubled(double crank, double coupler, double rocker, double gro
       .scene();
 }
 
-/// Three equal cranks on one coupler, and a four-bar beside them: with two cranks alone there were
-/// twice as many branches, which meet those of three where the cranks lie on the ground.
+/// Three equal cranks on one coupler, and a four-bar beside them. Without the third crank there
+/// would be twice as many branches; they meet where the cranks lie on the ground.
 SceneMaker::Json three_cranks() {
   return SceneMaker()
       .parameter("phi", 0.0)
@@ -77,7 +77,7 @@ TEST(OwnBranches, BecomeDegenerateWithoutOthers) {
   EXPECT_EQ(swept(kite, 0, 1, 3).events, Events{"degenerate / 1 2"});
 }
 
-/// Born and gone as if the rocker were there once.
+/// The branches begin and end as if there were one rocker.
 TEST(OwnBranches, BeginAndEnd) {
   const Swept found = swept(doubled(1.3, 0.72, 1.11, 1.9), -2, 2, 9);
   EXPECT_EQ(found.events, (Events{"birth 1 2", "fold 1 2"}));

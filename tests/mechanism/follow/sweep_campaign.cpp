@@ -18,7 +18,7 @@ struct Tally {
   double residual = 0;
 };
 
-/// Branches that are open after each event, against those listed at each step.
+/// Steps whose number of rows does not follow from the step before and the events between.
 int unbalanced_steps(const SweepKept& kept) {
   std::vector<int> rows(static_cast<std::size_t>(kept.steps), 0);
   std::vector<int> change(static_cast<std::size_t>(kept.steps), 0);

@@ -1,5 +1,5 @@
-// Law: what happens at the very end of a sweep is told there, in every listing, unit and direction;
-// and what befalls links that turn freely at one value, on a step, beside it and at an end.
+// Law: an event at the very end of a sweep is reported there, in every listing, unit and direction;
+// where links turn freely at one value, a step there says so, and branches pass joined.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/scene_file.hpp>
@@ -19,14 +19,14 @@ namespace {
 struct FourBar {
   const char* name;
   double crank, coupler, rocker, ground;
-  double singular;  ///< the crank's angle there, but for rounding
+  double singular;  ///< the crank's angle at the event, to within rounding
   const char* as_end;
   const char* as_start;
 
   friend std::ostream& operator<<(std::ostream& out, const FourBar& bar) { return out << bar.name; }
 };
 
-/// Where coupler and rocker are in line, though their lengths are no doubles.
+/// The crank's angle at which coupler and rocker are in line, to within rounding.
 double dead_centre(double crank, double coupler, double rocker, double ground) {
   return std::acos((crank * crank + ground * ground - std::pow(coupler + rocker, 2)) /
                    (2 * crank * ground));
@@ -59,7 +59,7 @@ std::vector<std::pair<std::string, double>> events_of(SceneMaker::Json scene, do
 
 class SweepEnds : public testing::TestWithParam<FourBar> {};
 
-/// A few roundings before it, at it, and behind it. All by `ctest -L long`, one in 4 by default.
+/// Ends a few roundings before the event, at it and behind it: one in 4, by `ctest -L long` all.
 TEST_P(SweepEnds, AreToldAlike) {
   const FourBar& bar = GetParam();
   int number = 0;
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                     FourBar{"rhombus", 0.7, 0.7, 0.7, 0.7, std::numbers::pi, "crossing 1 2",
                             "crossing 1 2"}));
 
-/// The crank of a kite on its ground: the other two links turn freely there.
+/// At 0 the crank of a kite lies on its ground, and the two other links turn freely.
 TEST(SweepEndsInSelfMotion, AreToldFromBothSides) {
   const FourBar kite{"kite", 4, 2, 2, 4, 0, "", ""};
   using Events = std::vector<std::pair<std::string, double>>;
@@ -105,8 +105,8 @@ TEST(SweepEndsInSelfMotion, AreToldFromBothSides) {
   EXPECT_EQ(events_of(scene_of(kite, 1), 0, 1), (Events{{"degenerate / 1 2", 0}}));
 }
 
-/// A lift of scissors whose bars stand upright at 90 degrees, all on one line: above the lowest
-/// pair each turns freely there, and passes with all branches joined.
+/// A scissor lift whose bars are all upright at 90 degrees, on one line: each pair above the lowest
+/// turns freely there, and the branches pass joined.
 class UprightScissors : public testing::TestWithParam<int> {};
 
 TEST_P(UprightScissors, GoOn) {
@@ -149,7 +149,7 @@ TEST_P(UprightScissors, GoOn) {
             return;
           }
           if (at.branch == 0) {
-            return;  // The lowest pair folded, a family but for rounding.
+            return;  // The lowest pair is folded: a family, to within rounding.
           }
           ++rows[at.branch];
           std::string side;

@@ -1,5 +1,5 @@
-// Checks where singular events are found, and of which type, against rigid bodies in long double
-// and against mechanisms whose singular configurations are known exactly.
+// Law: a sweep finds singular events, of the right type, where rigid bodies in long double have
+// them and where singular configurations are known exactly.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -14,8 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The curve of poses and parameter near a fold, cut by the plane v . (q - q0) = offset: q and p by
-/// Newton's method, where the closure alone would be singular.
+/// The curve of poses q and parameter p near a fold. Newton's method finds its point in the plane
+/// v . (q - q0) = offset, where the closure alone would be singular.
 class FoldCurve {
  public:
   FoldCurve(RandomSweep& made, const SweepEventKept& event) : made_(made) {
@@ -91,7 +91,7 @@ class FoldCurve {
   RealVector null_;
 };
 
-/// The extremum of the parameter on the curve, by differences along it.
+/// The fold is at the extremum of the parameter along the curve, found by differences.
 TEST(SweepEvents, FoldsAreWhereRigidBodiesHaveThem) {
   constexpr Real offset = 1e-4L;
   int folds = 0;
@@ -130,9 +130,9 @@ TEST(SweepEvents, FoldsAreWhereRigidBodiesHaveThem) {
   EXPECT_LT(along_error, 1e-11);
 }
 
-/// All joints on the x-axis at p = 0, at whole numbers: every link is mirrored upon itself, so the
-/// configuration there is its own mirror image, exactly. `delta` moves E;
-/// then no interval's middle is at p = 0.
+/// At p = 0 all joints are on the x-axis, at whole numbers, so that the configuration is exactly
+/// its own mirror image. With `delta`, which moves E, the sweep has another end, so that no
+/// interval's middle is at p = 0.
 mechanism::Scene flat_scene(const std::array<int, 6>& x, double delta, int count) {
   const auto [b, c, g, d, f, e] = x;
   std::ostringstream e_text;
@@ -174,9 +174,9 @@ const std::vector<FlatCase> flat_cases = {{{-2, 4, -6, 1, 7, -9}, 2},  {{-3, 5, 
                                           {{4, -4, -7, 7, 1, 5}, 4},   {{6, -5, 8, -9, 5, 9}, 4},
                                           {{8, 9, 3, -8, 4, 5}, 4}};
 
-/// The mirror image of a pose at p belongs to -p; a branch that crosses must go through.
-/// By default two of the mechanisms are swept in the smallest steps, one for each number of
-/// branches.
+/// The mirror image of a pose at p is a pose at -p, so a branch that crosses must go straight
+/// through. By default two of the mechanisms are swept in the smallest steps, one for each number
+/// of branches.
 TEST(SweepEvents, FlattenedMechanismsCross) {
   double parameter_error = 0;
   double pose_error = 0;
@@ -233,10 +233,9 @@ std::vector<std::string> texts(const SweepKept& kept) {
   return list;
 }
 
-/// Where E is moved the crossing opens: on one side of it into two branches that pass one another,
-/// on the other the mechanism flattens twice, and there two branches end and two others begin at
-/// one configuration. Few steps must see the same as many.
-/// One in 17 of these by default.
+/// Moving E opens the crossing. To one side, two branches then pass one another; to the other, the
+/// mechanism is flat at two values, and at each of them two branches end and two others begin. A
+/// sweep in few steps must find the same as one in many. By default one case in 17 is tried.
 TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
   const bool all = is_whole_campaign();
   int number = 0;
@@ -278,8 +277,8 @@ TEST(SweepEvents, CrossingsThatOpenAreSeenAtAnyStep) {
   EXPECT_GT(passing, all ? 20 : 0);
 }
 
-/// A group that half a turn maps on itself, its two bars swept: pairs of configurations that the
-/// turn exchanges end on one that it keeps.
+/// Half a turn maps the group onto itself; the length of its two bars is swept. Two configurations
+/// that the half turn exchanges end on one that it keeps.
 TEST(SweepEvents, AFoldMayHaveABranchThrough) {
   const auto scene = [](int count) {
     return mechanism::parse_scene(R"({

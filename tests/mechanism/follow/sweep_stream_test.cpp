@@ -32,7 +32,7 @@ TEST(SweepStream, RecordsArriveWhileTheSweepRuns) {
   int solved = 0;
   int done = 0;
   const auto record = [&](const mechanism::SweepRecord& row) {
-    EXPECT_EQ(done, row.step);  // the steps before, and none behind
+    EXPECT_EQ(done, row.step);  // all steps before it, and no later one
     solved_before_row.push_back(solved);
   };
   mechanism::sweep(plan, {record, [&](double, const Solution&) { ++solved; },

@@ -1,4 +1,4 @@
-// Checks that a sweep names branches alike however fine it is, and as rigid bodies move.
+// Law: a sweep names branches alike in steps of any size, and rigid bodies move along them.
 #include <gtest/gtest.h>
 
 #include <iostream>
@@ -62,7 +62,7 @@ TEST(Sweep, BranchesAndEventsDoNotDependOnTheStep) {
   EXPECT_LT(shift_of_pose, 2e-11);
 }
 
-/// The mechanism with the ground below it mirrored: folds at p and 2 pi - p are one fold.
+/// The same events are met in the opposite order, with folds as births and births as folds.
 TEST(Sweep, DownwardsIsTheSameAsUpwards) {
   const SweepKept up = run_sweep(worked_scene(whole_turn));
   Json reversed = whole_turn;
@@ -107,7 +107,7 @@ void place(RigidBodies& bodies, const Eigen::VectorXd& pose) {
   }
 }
 
-/// Steps of 0.3 rad, each followed by rigid bodies in many small ones.
+/// Each step of 0.3 rad is followed by rigid bodies in many small steps.
 TEST(Sweep, BranchesAreTheMotionsOfRigidBodies) {
   constexpr int small_steps = 20;
   int joins = 0;
@@ -149,8 +149,8 @@ TEST(Sweep, BranchesAreTheMotionsOfRigidBodies) {
   EXPECT_EQ(astray, 0);
 }
 
-/// A sample that is itself a dead centre: the double configuration is one row, or two, of a branch
-/// that meets there, and the fold is an event at that step.
+/// A step that is itself a dead centre: the double configuration is one row or two, of branches
+/// that meet there, and the fold is an event at that step.
 TEST(Sweep, AStepMayBeADeadCentre) {
   const SweepKept found = run_sweep(worked_scene(whole_turn));
   for (const SweepEventKept& event : found.events) {
@@ -169,7 +169,7 @@ TEST(Sweep, AStepMayBeADeadCentre) {
         EXPECT_GT(row.branch, 0);
       }
     }
-    // At an end of the sweep. Where the pair lies beyond, the double configuration is of no branch.
+    // At an end of the sweep. If the pair lies beyond it, the double configuration has no branch.
     for (const bool first : {true, false}) {
       Json sweep = whole_turn;
       sweep["from"] = first ? event.parameter : event.parameter - 0.25;

@@ -1,5 +1,5 @@
-// Checks how scenes fall into Assur groups: the examples, and random chains of the known groups
-// however they are listed.
+// Law: the examples fall into the Assur groups of the textbook, and random chains of known groups
+// into the groups of which they were made, however they are listed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -112,7 +112,7 @@ TEST(RandomChains, FallIntoTheGroupsOfWhichTheyWereMade) {
             << " pins of several links\n";
 }
 
-/// Sums of all coordinates of each configuration: what no order of listing may change.
+/// A sum over all coordinates for each configuration, which no order of listing may change.
 std::vector<double> fingerprint(const Solved& solved) {
   std::vector<double> sums;
   for (const auto& configuration : solved.configurations()) {
@@ -182,12 +182,12 @@ TEST(Pins, OfFourLinksMayListTheirLinksInAnyOrder) {
 
 TEST(Drivers, InARowPlaceTheirLinksOneAfterTheOther) {
   Bars bars;
-  bars.four_bar();  // on the arm that is driven against the crank
+  bars.four_bar();  // its coupler moves to an arm that is driven against the crank
   bars.point("arm", "A", 0, 0).point("arm", "B", 0.5, 0);
   bars.join("K", {"crank.B", "arm.A"}).join("B", {"arm.B", "coupler.B"});
   bars.json()["drivers"]["K"]["position"] = 0.4;
   EXPECT_EQ(groups_of(solved(bars.json())), std::vector<std::string>{"dyad RRR 1: coupler rocker"});
-  // The other end first: the order of the drivers says nothing.
+  // The outer driver first: the order of the drivers does not matter.
   Json drivers = {{"K", {{"position", 0.4}}}, {"A", {{"position", "phi"}}}};
   bars.json()["drivers"] = drivers;
   EXPECT_EQ(groups_of(solved(bars.json())), std::vector<std::string>{"dyad RRR 1: coupler rocker"});

@@ -1,5 +1,5 @@
-// Law: laws, limits and references that make no sense are refused by one line that says where, what
-// and the mend.
+// Law: drivers, laws, limits and references that make no sense are refused in one line that names
+// the place, the fault and the remedy.
 #include <gtest/gtest.h>
 
 #include "mechanism/bars.hpp"
@@ -29,7 +29,7 @@ std::string message_with_law(const std::string& joint, const std::string& law) {
   return message_of(scene);
 }
 
-/// A bar that makes the pin at the coupler's end one of three links.
+/// The robot with a bar that turns the coupler's end into a pin of three links.
 Json robot_with_pin_of_three() {
   Json scene = robot();
   scene["links"]["ground"]["M"] = {1, 3};
@@ -86,7 +86,7 @@ TEST(Laws, ThatDoNotStandInAPositionAreNamed) {
   EXPECT_EQ(message_of(scene), "scene: reference.coupler" + alone);
 }
 
-/// The arm and the hand, which only wait behind them, are not named.
+/// The arm and the hand, which only depend on these links, are not named.
 TEST(Laws, ThatMakeAGroupOfTheirOwnAreNamed) {
   for (const char* read : {"B", "C", "D"}) {
     EXPECT_EQ(message_with_law("A", "joint(" + std::string(read) + ")"),

@@ -1,6 +1,6 @@
-// Law, over all 64 kinds: a scene gives the same configurations in the same order however its links
-// and joints are listed, and the one from which it was made is among them; so does one with
-// constraints that are too many.
+// Law: over all rigid kinds of the tetrad, a scene gives the same configurations in the same order
+// however its links and joints are listed, and the one from which it was made is among them; so
+// does a scene with redundant constraints.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -82,7 +82,7 @@ TEST(Relabelling, KeepsConfigurationsAndTheirOrder) {
   EXPECT_GT(groups, 100);
 }
 
-/// A coupler on three equal cranks: of the constraints that are too many the same is left out,
+/// A coupler on three equal cranks: in every listing the same redundant constraint is left out,
 /// along the same line, on which the verdict on a configuration depends.
 TEST(Relabelling, KeepsWhatIsLeftOutOfTooManyConstraints) {
   SceneMaker maker;

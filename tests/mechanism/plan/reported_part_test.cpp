@@ -1,5 +1,5 @@
-// Law, over every link and slide of every example: what all of the mechanism says of one of them is
-// said, too, where it is reported alone and only what holds it is modelled.
+// Law: for every link and slide of every example, whatever the whole mechanism says of it is also
+// said where it is reported alone and only what holds it is modelled.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ using mechanism::JointIndex;
 using mechanism::LinkIndex;
 using mechanism::Reported;
 
-/// The numbers of one part in every configuration, each list once: other parts may tell apart what
-/// this one does not.
+/// The numbers of one part in every configuration. Equal ones are kept once, since configurations
+/// may differ in other parts alone.
 using Numbers = std::vector<std::vector<double>>;
 
 bool are_close(const std::vector<double>& one, const std::vector<double>& other) {
@@ -63,7 +63,7 @@ Numbers of_slide(const Solved& solved, const std::string& name) {
   return numbers;
 }
 
-/// There may be more: a configuration of the part that the rest of the mechanism cannot reach.
+/// The part may have more: configurations that the rest of the mechanism cannot reach.
 void expect_included(const Numbers& whole, const Numbers& part, const std::string& what) {
   EXPECT_GE(part.size(), whole.size()) << what;
   for (const std::vector<double>& entry : whole) {

@@ -1,5 +1,5 @@
-// Law: a scene that is no chain of driven links and known groups is refused by one line that names
-// its links or joints.
+// Law: a scene that is no chain of driven links and known groups is refused in one line that names
+// the links or joints at fault.
 #include <gtest/gtest.h>
 
 #include "mechanism/bars.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A dyad of the crank and a second crank-rocker that is all right and must not be blamed.
+/// A second dyad on the crank is correct and must not be blamed.
 TEST(Imbalance, NamesTheLinksAndJointsThatAreHeldTooOften) {
   Bars bars;
   bars.four_bar().bar("strut", "coupler.E", "ground.A");
@@ -35,7 +35,7 @@ TEST(Imbalance, NamesTheLinksThatKeepAFreedom) {
             "move; drive one of their joints, or add a joint");
 }
 
-/// The freedoms are as many as the constraints, and yet the mechanism is no structure.
+/// Freedoms and constraints balance, but some links are over-constrained and one is loose.
 TEST(Imbalance, NamesBothAtOnce) {
   Bars bars;
   bars.four_bar().bar("strut", "coupler.E", "ground.A").bar("loose", "crank.B", "");

@@ -1,5 +1,5 @@
-// Law: the tangential and normal parts of a point's acceleration are the growth of its speed and
-// its speed times the turning of its heading, in every report.
+// Law: in every report, the tangential part of a point's acceleration is the rate of its speed, and
+// the normal part is its speed times the rate of its heading.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace assur::test::path_acceleration_test {
 namespace {
 
-/// A point on a circle of radius 2, with the crank's angular velocity and acceleration 5.
+/// A point on a circle of radius 2; the crank has the angular acceleration 5.
 Json circling(double omega) {
   Json scene;
   scene["parameters"] = {{"phi", 0.7}};
@@ -23,13 +23,13 @@ Json circling(double omega) {
   return scene;
 }
 
-/// The line of a table of `text` that begins with a title, without it.
+/// The rest of that line of a table in `text` that begins with a title.
 std::string line_of(const std::string& text, const std::string& title) {
   const std::size_t at = text.find(title);
   return at == std::string::npos ? "" : text.substr(at + title.size(), text.find('\n', at) - at);
 }
 
-/// Both parts as the CSV table tells them.
+/// Both parts as they stand in the CSV table.
 std::vector<std::string> csv_parts(const Solved& solved) {
   const auto cells = [](const std::string& line) {
     std::vector<std::string> list;
@@ -50,8 +50,8 @@ std::vector<std::string> csv_parts(const Solved& solved) {
   return parts;
 }
 
-/// Turning left or right: a_n = omega^2 r to the side that it turns, a_t = alpha r forward if it
-/// speeds up.
+/// In either sense of rotation a_n is omega^2 r, positive to the left of the motion, and a_t is
+/// alpha r, positive if the point speeds up.
 TEST(PathAcceleration, OnACircleIsKnownInEveryReport) {
   for (const double omega : {3.0, -3.0}) {
     const Json json = circling(omega);

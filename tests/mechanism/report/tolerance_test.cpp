@@ -1,5 +1,5 @@
-// Law: the covariance and the mean shift of a scene's points follow from sensitivities and from
-// means over whole solutions, and stand alike in every report.
+// Law: the covariance of a scene's points follows from their sensitivities and the mean shift from
+// means over whole solutions, and every report has the same numbers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -73,8 +73,8 @@ TEST(Covariance, OfIndependentParametersIsTheSquareOfTheRootSumSquare) {
   }
 }
 
-/// What the mean over normal deviations adds to each point of the first configuration, by the
-/// three-point rule in both parameters, less what the report says.
+/// What normal deviations add to the mean position of each point of the first configuration, by the
+/// three-point rule in both parameters, less the mean shift that the report gives.
 Eigen::VectorXd unexplained_shift(double scale) {
   const Json scene = correlated(scale);
   const Json& matrix = scene["covariance"]["matrix"];
@@ -152,7 +152,7 @@ std::vector<std::string> cells(const std::string& line) {
 
 TEST(Covariance, StandsInTheTableAndInTheTextAsInTheJson) {
   Json json = correlated(1);
-  json.erase("sweep");  // whose table has other columns
+  json.erase("sweep");  // the table of a sweep has other columns
   const Solved made = solved(json);
   const Json point = report_of(json)["configurations"][0]["outputs"]["F"];
   const std::vector<std::string> titles = cells(mechanism::csv_header(made.plan));

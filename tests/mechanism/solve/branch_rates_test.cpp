@@ -60,8 +60,8 @@ Motion motion_of(const Configuration& configuration) {
   return motion;
 }
 
-/// How far a motion is from being that through the middle of two configurations at -h and h, with
-/// rates by central differences.
+/// How far the rates of a motion are from central differences between two configurations, one at -h
+/// and one at h.
 double miss(const Motion& motion, const Motion& before, const Motion& after, double h) {
   double largest = 0;
   for (std::size_t place = 0; place < motion.at.size(); ++place) {
@@ -127,9 +127,9 @@ TEST_P(EveryMeeting, HaveTheRatesOfTheirBranches) {
       }
     }
     EXPECT_GT(singular, 0);
-    // A configuration without motions stands alone: beside it there is none on one side at least.
+    // Beside a configuration without motions there is none, at least on one side.
     EXPECT_TRUE(meeting.branches > 0 || before.empty() || after.empty());
-    // No two are one.
+    // No two motions are the same.
     for (std::size_t one = 0; one < rates.size(); ++one) {
       for (std::size_t other = 0; other < one && meeting.branches > 1; ++other) {
         double apart = 0;
@@ -183,8 +183,8 @@ Meeting isosceles() {
   return {"isosceles_slider_crank", maker, 3, -2, 2};
 }
 
-/// A dyad of 4 and 3 that hangs stretched between a point of another four-bar and the ground; the
-/// point moves across it.
+/// A dyad of 4 and 3 that hangs stretched between a point of a four-bar and the ground; the point
+/// moves across it.
 Meeting behind(const std::string& name, const std::string& on, double x, double y, double ground_x,
                double ground_y) {
   SceneMaker maker;
@@ -202,7 +202,7 @@ Meeting behind(const std::string& name, const std::string& on, double x, double 
   return {name, maker, 1.5, 0.75, 2};
 }
 
-/// The same above a coupler that does not come nearer: it closes in this place alone.
+/// The same above a coupler that comes no nearer: the dyad closes in this place alone.
 Meeting nowhere_to_go() {
   Meeting meeting = behind("beneath_a_coupler", "coupler", 2.5, 1, 1.4, 11.3);
   meeting.branches = 0;
@@ -239,7 +239,7 @@ Meeting two_in_a_row() {
   return {"two_in_a_row", maker, 1, 0.5, 4};
 }
 
-/// A dyad in line on a link, whose two ends hold it stretched wherever the link goes.
+/// A dyad with both ends on one link, which holds it stretched wherever the link goes.
 Meeting stretched_throughout() {
   SceneMaker maker;
   maker.parameter("phi", "1")
@@ -264,7 +264,7 @@ INSTANTIATE_TEST_SUITE_P(Everywhere, EveryMeeting,
                                          stretched_throughout()),
                          [](const auto& meeting) { return meeting.param.name; });
 
-/// The angular accelerations of the rocker in all motions through the one configuration there is.
+/// The angular accelerations of the rocker in all motions through the first configuration.
 std::vector<double> rocker_accelerations(const SceneMaker& scene) {
   const Solved solved(mechanism::parse_scene(scene.scene().dump(), "scene"));
   std::vector<double> result;
@@ -274,7 +274,7 @@ std::vector<double> rocker_accelerations(const SceneMaker& scene) {
   return result;
 }
 
-/// A crank at rest that is accelerated does to the rocker in each motion what its turning would.
+/// From rest, the rocker's accelerations have the ratios that its velocities have in passing.
 TEST(Meetings, AreLeftFromRestAsTheyArePassed) {
   const std::vector<double> found = rocker_accelerations(four_bar(2, 1, 2, 1, "pi", 0, 1));
   ASSERT_EQ(found.size(), 2U);
@@ -282,8 +282,8 @@ TEST(Meetings, AreLeftFromRestAsTheyArePassed) {
   EXPECT_NEAR(found[0] * found[1], 1.0 / 3, 1e-9);
 }
 
-/// Parallelograms in a row that are flat at once, whatever rounding makes of their Jacobians there:
-/// each turns as the one before it, or at one other ratio.
+/// Parallelograms in a row that are flat at one angle, whatever rounding makes of their Jacobians:
+/// each rocker turns as the one before it, or at one other ratio.
 TEST(Meetings, OfGroupsInARowHaveAllTheirMotions) {
   for (const double crank : {0.75, 1.0, 2.0, 3.0, 1.3}) {
     for (const double coupler : {4.0, 3.5, 5.7}) {
@@ -341,8 +341,8 @@ TEST(Meetings, DoNotDependOnUnits) {
   }
 }
 
-/// Beside a crossing, at a distance s, velocities lose 1 / s^2 and accelerations 1 / s^3: what is
-/// not known to two digits is not told. The truth changes little from the crossing on.
+/// At a distance s from a crossing, velocities lose 1 / s^2 and accelerations 1 / s^3; rates
+/// without two digits are not given. The true rates hardly differ from those at the crossing.
 TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
   for (const double beside : {1e-3, 1e-4, 1e-5, 3e-6, 1e-6, 3e-7, 1e-7, 1e-8}) {
     SceneMaker scene = four_bar(4, 5, 3, 6, "0", -1, 0);
@@ -363,8 +363,8 @@ TEST(Meetings, BesideThemNothingIsToldThatIsNotKnown) {
   }
 }
 
-/// In both motions of a parallelogram tan(rocker / 2) is a multiple of tan(crank / 2). Six digits
-/// of accelerations are left from 1e-3 rad on, and where they are the configuration is regular.
+/// In both motions of a parallelogram tan(rocker / 2) is a multiple of tan(crank / 2). Where a
+/// configuration is regular its accelerations have six digits, and it is regular from 5e-3 rad on.
 TEST(Meetings, BesideThemWhatIsRegularHasSixDigits) {
   constexpr double crank = 2;
   constexpr double ground = 3;

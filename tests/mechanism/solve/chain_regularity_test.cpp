@@ -1,4 +1,4 @@
-// Law: what a scene of several groups calls regular has six digits of its sensitivities at least.
+// Law: regular configurations of a scene of several groups have six digits of sensitivities.
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -69,7 +69,7 @@ struct TwoDyads {
     return json;
   }
 
-  /// Q with one length moved, on given sides.
+  /// Q with one length changed and the two dyads on the given sides.
   [[nodiscard]] bool exact(const std::string& moved, const Exact& by, int first, int second,
                            ExactPoint& Q) const {
     std::map<std::string, Exact> a;
@@ -77,7 +77,7 @@ struct TwoDyads {
       a[name] = value;
     }
     a[moved] += by;
-    // The ground's B is a number of the scene, rounded before it is far away.
+    // The scene holds x_B + away as one number, which is rounded.
     const ExactPoint B{Exact(x_B + away) - away, y_B};
     const ExactPoint D{a["x_D"], 0};
     ExactPoint C;
@@ -106,7 +106,7 @@ class Chains {
   double between(double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(engine_);
   }
-  /// Both middle pins with a sine between 10^low and 10^high.
+  /// A chain whose middle pins both have a sine between 10^low and 10^high.
   TwoDyads draw(double low, double high, double away) {
     TwoDyads chain;
     chain.away = away;

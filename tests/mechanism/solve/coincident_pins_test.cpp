@@ -1,4 +1,4 @@
-// Law: a group on pins that coincide moves, however rounding has placed the pins; and of two
+// Law: a group on coincident pins moves freely, however rounding has placed the pins; of two
 // independent groups neither changes the answer of the other, whichever is listed first.
 #include <gtest/gtest.h>
 
@@ -161,8 +161,8 @@ TEST(CoincidentPins, DoNotHideThatAnotherGroupCannotReach) {
   }
 }
 
-/// Two folded kites, two bars with two assemblies, and a kite folded on the end of one of these: a
-/// family for each of the first two and one for each assembly, in any listing.
+/// Two folded kites, two bars with two assemblies, and a kite folded on the end of one of these: in
+/// any listing each of the first two has one family, and the last has one for each assembly.
 TEST(IndependentGroups, AreToldToMoveOnceForEachChoiceOfWhatHoldsThem) {
   const std::vector<Json> parts = {
       {{"a", {{"A", {0, 0}}, {"B", {1, 0}}}}, {"b", {{"B", {0, 0}}, {"C", {1, 0}}}}},

@@ -1,5 +1,5 @@
-// Law: in special positions what is told of scenes with drivers anywhere is true and whole, and the
-// same whatever the order of listing.
+// Law: in special positions the answers for scenes with drivers anywhere are true, complete, and
+// the same in every order of listing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,12 +13,12 @@
 namespace assur::test::driven_lattice_test {
 namespace {
 
-/// The tolerance at singular configurations, as a part of the mechanism's size. Where
-/// configurations meet they are known to 1e-8; what depends on them by a fold is known to the
-/// square root of that, times its arm.
+/// The tolerance at singular configurations, as a part of the mechanism's size. Configurations that
+/// meet are known to 1e-8; what depends on them through a fold is known to the square root of that,
+/// times its arm.
 constexpr double within_singular = 1e-3;
 
-/// Lattice scenes are singular exactly or by far not.
+/// Scenes on the lattice are exactly singular or far from it.
 constexpr Real singular = 1e-13L;
 
 struct Tally {
@@ -26,7 +26,7 @@ struct Tally {
   double velocity = 0, acceleration = 0;
 };
 
-/// A family as it is, in whatever order it is listed: the group's links, and where its holders are.
+/// A family in any order of listing: the links of its group, and where placed links are.
 struct NamedFamily {
   std::set<std::string> group;
   int mobility;
@@ -72,7 +72,7 @@ void expect_same_families(const Solved& one, const Solved& other, Real reach) {
 
 void check_rates(const RigidScene& rigid, const Configuration& configuration, RealVector q,
                  Tally& tally) {
-  constexpr int iterations = 4;  // from what closes to rounding
+  constexpr int iterations = 4;  // the start closes to within rounding
   (void)rigid.assemble(q, iterations);
   const RealVector v = rigid.velocity(q);
   const double bound = configuration.regularity == Status::ok ? 1e-6 : 1e-2;
@@ -108,7 +108,7 @@ void check(const RandomDrivenScene& made, unsigned seed, Tally& tally) {
       << scene.configurations().size() << " configurations nor of one of "
       << scene.solution.families.size() << " families; " << scene.plan.obstacle(scene.values);
   tally.families += static_cast<int>(scene.solution.families.size());
-  // One scene has 3504 configurations (27329 of ties by groups): an even share of them is enough.
+  // One scene (seed 27329, ties by groups) has 3504 configurations; an even share is enough.
   constexpr std::size_t most_checked = 200;
   const std::size_t stride = 1 + scene.configurations().size() / most_checked;
   for (std::size_t place = 0; place < scene.configurations().size(); place += stride) {
@@ -149,7 +149,7 @@ TEST_P(DrivenLattice, TellsTheTruthInSpecialPositions) {
   print(tally);
 }
 
-/// Three configurations meet, and what hangs on them is at a fold (29050).
+/// Three configurations meet, and a group that depends on them is at a fold (seed 29050).
 TEST(KnownDrivenLattice, KnowsWhereThreeMeet) {
   Tally tally;
   constexpr unsigned seed = 29050;
@@ -163,8 +163,8 @@ TEST(KnownDrivenLattice, KnowsWhereThreeMeet) {
   print(tally);
 }
 
-/// A bar without length turns freely, and a law that reads it carries what a group that is solved
-/// relative to a link is held by (27725, 27501): that group cannot be asked.
+/// A bar without length turns freely, and a law that reads its angle moves what holds a group that
+/// is solved relative to a link: that group cannot be solved (seeds 27725, 27501).
 TEST(KnownDrivenLattice, TellsFamiliesBesideGroupsThatReadThem) {
   Tally tally;
   for (const unsigned seed : {27725U, 27501U}) {
@@ -175,8 +175,8 @@ TEST(KnownDrivenLattice, TellsFamiliesBesideGroupsThatReadThem) {
   print(tally);
 }
 
-/// Links between parallel slides, which move freely though all else is held (27283 to 27745); a
-/// driven link whose law reads what moves (27870, 28470); families that differed by rounding.
+/// Links between parallel slides move freely though all else is held (seeds 27283 to 27745), or the
+/// law of a driven link reads what moves (27870, 28470), or families differ by rounding alone.
 TEST(KnownDrivenLattice, TellsWhatIsFreeAndWhatStandsInKnownScenes) {
   Tally tally;
   for (const unsigned seed : {27283U, 27346U, 27492U, 27540U, 27745U, 27635U, 27982U, 28617U,

@@ -1,5 +1,5 @@
-// Law: wherever drivers stand and whatever their laws read, rigid bodies that know no groups agree
-// with all that the solver says.
+// Law: wherever drivers are and whatever their laws read, rigid bodies with constraints, which know
+// no groups, agree with all that the solver reports.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -38,7 +38,7 @@ void compare(const Solved& scene, const RigidScene& rigid, const Configuration& 
   const RealVector listed = poses_of(rigid, configuration);
   RealVector q = listed;
   if (!rigid.assemble(q)) {
-    // Where the constraints hold so loosely, rounding does not let Newton's method come to rest.
+    // Near singular configurations rounding may keep Newton's method from coming to rest.
     EXPECT_FALSE(is_regular && condition_of(rigid, listed) > 1e-6) << "does not come to rest";
     return;
   }
@@ -194,7 +194,7 @@ TEST_P(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
           return RigidScene(scene.plan.mechanism(), there).assemble(q) &&
                  distance(rigid, q, start) < 0.1;
         };
-        // Near a fold only within small steps.
+        // Near a fold the bodies can only be assembled after small steps.
         double step = 2e-3;
         RealVector q;
         while (step > 1e-5 && !(assembled(step, q) && assembled(-step, q))) {
@@ -232,7 +232,7 @@ TEST_P(DriversAnywhere, HaveTheSensitivitiesOfRigidBodies) {
   EXPECT_LT(worst, 1e-7);
 }
 
-/// The scene with one parameter moving, at a constant rate, and nothing else.
+/// The scene with one parameter moving at a constant rate, and nothing else driven.
 Json with_one_moving(Json scene, const std::string& name, double velocity) {
   for (const auto& [other, entry] : scene["parameters"].items()) {
     if (entry.is_object()) {
@@ -247,15 +247,15 @@ Json with_one_moving(Json scene, const std::string& name, double velocity) {
   return scene;
 }
 
-/// A sweep counts the angles that laws read on by whole turns; a solution alone has them in
-/// (-pi, pi], so that behind such a law it stands elsewhere and the others have other numbers.
+/// A sweep counts the angles that laws read over whole turns. A solution by itself has them in
+/// (-pi, pi], so that what follows such a law stands elsewhere and the numbering may differ.
 bool is_counted_on(const Configuration& row) {
   return std::ranges::any_of(row.counted, [](const mechanism::CountedAngle& counted) {
     return std::abs(counted.angle) > std::numbers::pi;
   });
 }
 
-/// Every row of a sweep is the solution at its value, and moves as its branch goes.
+/// Every row of a sweep is a solution at its value, with the rates of its branch.
 TEST_P(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
   constexpr int steps = 21;
   constexpr double range = 0.02;
@@ -272,7 +272,7 @@ TEST_P(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
     const double middle = json["parameters"][name]["value"];
     const Plan alone(mechanism::parse_scene(json.dump(), "random"));
     if (alone.solve(alone.values()).configurations.size() > mechanism::most_followed) {
-      return;  // sweeps refuse them
+      return;  // too many for a sweep
     }
     json["sweep"] = {
         {"parameter", name}, {"from", middle - range}, {"to", middle + range}, {"count", steps}};
@@ -282,7 +282,7 @@ TEST_P(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
     Solution solution;
     int step = -1;
     std::size_t rows_of_step = 0;
-    // Where no row is, there is no configuration.
+    // Every step has as many rows as configurations.
     const auto go_to = [&](int next) {
       while (step < next) {
         EXPECT_EQ(rows_of_step, solution.configurations.size()) << "step " << step;
@@ -299,7 +299,7 @@ TEST_P(DriversAnywhere, SweepAsTheyAreSolvedAtEachStep) {
     const auto rigid = [&] { return RigidScene(alone.mechanism(), values); };
     bool step_is_counted_on = false;
     std::map<int, std::map<int, RealVector>> poses;       // by branch and step
-    std::map<int, std::map<int, RealVector>> velocities;  // likewise
+    std::map<int, std::map<int, RealVector>> velocities;  // by branch and step
     const auto record = [&](const mechanism::SweepRecord& row) {
       if (!row.event.empty()) {
         return;

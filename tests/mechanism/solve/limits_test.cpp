@@ -110,7 +110,7 @@ TEST(ReportedPart, KeepsWhatItsLawsRead) {
   }
 }
 
-/// The rocker is not reported, but where it may stand leaves out a configuration of what is.
+/// The rocker is not reported, but its limits leave out a configuration of the part that is.
 TEST(ReportedPart, KeepsWhatHasLimits) {
   Json scene = robot();
   scene["drivers"]["E"]["position"] = 0.5;

@@ -1,5 +1,5 @@
-// Law: what cannot be assembled says by how much it fails to close, whatever lengths vanish and
-// whatever slides are parallel.
+// Law: the answer for a mechanism that cannot be assembled says by how much it fails to close, even
+// if lengths vanish or slides are parallel.
 #include <gtest/gtest.h>
 
 #include <cmath>

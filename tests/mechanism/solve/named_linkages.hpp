@@ -1,4 +1,4 @@
-// Checks what is answered of a named mechanism against what is known of it, in every listing.
+// Checks the answers for a well-known mechanism against what is known of it, in every listing.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,10 +20,10 @@
 
 namespace assur::test {
 
-/// What vanishes, with its rates, in some assemblies of a mechanism: a theorem on it.
+/// A theorem: an expression that vanishes, with its rates, in some assemblies of a mechanism.
 struct Theorem {
   std::string says;
-  int assemblies;  ///< in how many it holds, where it is solved; on how many branches of a sweep
+  int assemblies;  ///< how many it holds in; for a sweep, the number of branches
   std::function<Jet(const Points&)> vanishes;
 };
 
@@ -36,7 +36,7 @@ struct NamedPlace {
   SceneMaker scene;
   Known known;
   std::vector<Theorem> theorems;
-  double tolerance = 1e-9;  ///< of values, relative to lengths; 1e2 and 1e5 times this of rates
+  double tolerance = 1e-9;  ///< of values, relative to lengths; for rates times 1e2 and 1e5
   /// Rounding may leave fewer than six digits of accelerations.
   bool in_doubt = false;
 
@@ -45,7 +45,7 @@ struct NamedPlace {
   }
 };
 
-/// Rates that are not known are no numbers.
+/// Rates that are not known become NaN.
 inline Points points_of(const Plan& plan, const Configuration& configuration) {
   const double known = configuration.derivatives_known ? 1 : std::nan("");
   Points result;
@@ -60,7 +60,7 @@ inline Points points_of(const Plan& plan, const Configuration& configuration) {
 }
 
 /// How far two numbers are apart, relative to the tolerance of positions, rates and second rates.
-/// Positions are known to parts of the mechanism's size.
+/// Positions are compared relative to the mechanism's size.
 inline double apart(const Jet& one, const Jet& other, bool with_rates, double size = 1) {
   const auto difference = [](double a, double b, double scale) {
     const double distance = std::abs(a - b) / scale;
@@ -74,7 +74,7 @@ inline double apart(const Jet& one, const Jet& other, bool with_rates, double si
   return result;
 }
 
-/// The points that are known, by the largest difference.
+/// The largest difference over the points that are known.
 inline double apart(const Points& answered, const Points& known, bool with_rates) {
   double size = 0;
   for (const auto& [name, point] : known) {
@@ -115,7 +115,7 @@ inline void expect_slides(const Answer& answer, const Configuration& configurati
   }
 }
 
-/// Every assembly that is known is answered once, and nothing else is.
+/// Every known assembly is listed once, and nothing else is.
 inline void expect_assemblies(const Answer& answer, const NamedPlace& place) {
   const auto& configurations = answer.solved.configurations();
   EXPECT_EQ(configurations.size(), place.known.assemblies.size());
@@ -253,7 +253,7 @@ struct Swept {
   }
 };
 
-/// The events, those at one value together.
+/// Compares the events, those at one value together.
 inline void expect_events(const Swept& swept, const NamedSweep& named) {
   std::vector<std::vector<std::string>> kinds(named.events.size());
   for (const Swept::Event& event : swept.events) {

@@ -1,5 +1,5 @@
-// Law: linkages that everybody knows, which lead no point straight, are answered as they are known
-// to be, at their special positions and beside them.
+// Law: well-known linkages, other than those for straight lines, have the configurations that are
+// known of them, at their special positions and beside them.
 #include "named_linkages.hpp"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@ constexpr double second = 1;
 
 std::string at(double place) { return " at " + std::to_string(place); }
 
-// The pantograph: OD and DQ of twice a and b, with bars of b and a from their middles to P, which a
-// stage of two driven slides moves. Q is at twice P wherever ADBP is a parallelogram.
+// The pantograph: bars OD of 2 a and DQ of 2 b, with bars of b and a from their middles A and B to
+// P, which two driven slides move. Q is at twice P wherever ADBP is a parallelogram.
 struct Pantograph {
   double a, b;
 
@@ -56,7 +56,7 @@ struct Pantograph {
 };
 
 // The equal-armed five-bar: cranks of 5 about (-4, 0) and (4, 0) mirror one another and hold two
-// arms of 4. The crank's own vector is (x, y).
+// arms of 4. In the frame of the left crank its end is at (x, y).
 SceneMaker five_bar_scene(double phi, double x, double y) {
   SceneMaker maker;
   return maker.parameter("phi", phi)
@@ -99,7 +99,7 @@ SceneMaker kite_scene(double phi, double a, double b) {
       .bar("rocker", {{"D", 0}, {"C", b}});
 }
 
-/// C at a cos(phi / 2) and more or less sqrt(b^2 - a^2 sin(phi / 2)^2) along the line at phi / 2.
+/// C at a cos(phi / 2) plus or minus sqrt(b^2 - a^2 sin(phi / 2)^2) along the line at phi / 2.
 Theorem on_axis(double a, double b, double sense, int assemblies) {
   return {"C is on its side of the line of symmetry", assemblies, [=](const Points& points) {
             const JetPoint crank = Jet(1 / a) * points.at("B");
@@ -131,7 +131,7 @@ NamedPlace kite(double phi, double a, double b) {
 }
 
 // A parallelogram ABCD of 2 and 3, and another of 2 and 3 on its coupler BC, whose crank is driven
-// against the first. It stays as it is, or is crossed, each on its own.
+// relative to the first crank. Each of the two may be crossed or not.
 SceneMaker double_scene(double phi, double psi) {
   SceneMaker maker;
   maker.parameter("phi", phi)
@@ -168,8 +168,8 @@ NamedPlace double_parallelogram(double phi, double psi, int level) {
           1e-9};
 }
 
-// Platforms on three equal legs between equilateral triangles with the radii `base` and `top`; the
-// top goes around as the base does, or the other way.
+// Platforms on three equal legs between equilateral triangles with the radii `base` and `top`. The
+// corners of the top follow one another as those of the base do, or the other way around.
 struct Platform {
   double base, top;
   bool mirrored;
@@ -202,8 +202,9 @@ struct Platform {
     return result;
   }
 
-  // Alike, the top turns about the middle until the legs fit: base^2 + top^2 - 2 base top cos theta
-  // = leg^2. If it is as large as the base it may also go around without turning.
+  // If the corners follow alike, the top turns about the centre until the legs fit:
+  // base^2 + top^2 - 2 base top cos theta = leg^2. If it is as large as the base it may also circle
+  // without turning.
   [[nodiscard]] Known alike(double leg) const {
     Known known;
     const double cosine = (base * base + top * top - leg * leg) / (2 * base * top);
@@ -219,10 +220,10 @@ struct Platform {
     return known;
   }
 
-  // Mirrored, with the middle of the top at q exp(i psi), q^2 = leg^2 - base^2 - top^2, the legs
-  // fit where the vectors top q exp(i a) and -base q exp(-i b) add up to base top, a = psi - 2
-  // theta and b = psi + theta: a triangle with known sides, its mirror image, and three theta for
-  // each.
+  // If the top is mirrored, its centre is at q exp(i psi), q^2 = leg^2 - base^2 - top^2, and the
+  // legs fit where the vectors top q exp(i a) and -base q exp(-i b) add up to base top, with
+  // a = psi - 2 theta and b = psi + theta: a triangle with known sides, or its mirror image, and
+  // three theta for each.
   [[nodiscard]] Known opposed(double leg) const {
     Known known;
     const double q = std::sqrt(leg * leg - base * base - top * top);
@@ -288,7 +289,7 @@ std::vector<NamedPlace> places() {
                                  double_parallelogram(0, 0, 0),
                                  double_parallelogram(0.01, 1, 1),
                                  double_parallelogram(1, 0.01, 1)};
-  // In the middle, both stretched, the arms one on the other, and beside these.
+  // In the middle, with the arms stretched, with one arm on the other, and beside these.
   for (const double phi : {0.0, 1e-3, -1e-2}) {
     result.push_back(five_bar(phi, 3, 4));
     result.push_back(five_bar(phi, 0, 5));

@@ -1,5 +1,5 @@
-// Law: mechanisms that everybody knows are answered as everybody knows, where they are in special
-// position.
+// Law: well-known mechanisms in special position have the assemblies, families and events that are
+// known of them.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/report.hpp>
@@ -96,8 +96,8 @@ TEST(NamedMechanisms, ChangePointsAreCrossings) {
   }
 }
 
-/// The mechanism's size tells what is close to a change point, not the length of the sweep. One in
-/// seven of these by default.
+/// What is close to a change point depends on the mechanism's size, not on the length of the sweep.
+/// By default one case in seven.
 TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
   struct Case {
     double crank, coupler, rocker, ground;
@@ -129,7 +129,7 @@ TEST(NamedMechanisms, ChangePointsAreCrossingsOfShortSweepsToo) {
   }
 }
 
-/// A rocker that is too short by a little opens the change point at phi = pi into two folds, where
+/// A rocker that is slightly too short opens the change point at phi = pi into two folds, where
 /// coupler and rocker lie in one line: cos^2 (phi / 2) = (a + d - b - c) (a + b + c + d) / (4 a d).
 TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
   struct Case {
@@ -171,8 +171,9 @@ TEST(NamedMechanisms, FoldsBesideAChangePointAreLocated) {
   std::cout << "folds beside change points within " << worst << " of their gap\n";
 }
 
-/// Where pivot B of a kite passes pivot D beside it, coupler and rocker swing round by half a turn
-/// while the crank hardly moves: C stays on its side of the line from B to D, which turns round.
+/// Where pin B of a kite passes pivot D at a distance, coupler and rocker swing round by half a
+/// turn while the crank hardly moves: C stays on its side of the line from B to D, which turns
+/// round.
 TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
   for (const double beside : {1e-2, 1e-4, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, -1e-12,
                               -1e-10, -1e-9, -1e-8, -1e-7, -1e-5}) {
@@ -202,9 +203,9 @@ TEST(NamedMechanisms, AKiteThatPassesBesideItsPivotSwingsRound) {
   }
 }
 
-/// With a shorter rocker B cannot pass at all: the branches fold before it and are born behind it.
-/// Rounding leaves closures open by some 1e-15 of the lengths, and the crank's tip is as near to
-/// the pivot as the rocker is shorter.
+/// With a shorter rocker B cannot pass D: the branches fold before it, and others are born behind
+/// it. Rounding leaves closures open by some 1e-15 of the lengths; at the folds |BD| is only the
+/// difference between coupler and rocker.
 TEST(NamedMechanisms, AKiteThatCannotPassItsPivotFolds) {
   for (const double shorter : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 5e-13}) {
     SCOPED_TRACE(shorter);

@@ -1,5 +1,5 @@
-// Law: well-known mechanisms pass positions at which they are regular, but singular without their
-// redundant constraints, or at which another of their configurations moves by itself.
+// Law: well-known mechanisms are solved correctly where they would be singular without their
+// redundant constraints, or where another of their configurations moves by itself.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -20,7 +20,7 @@ SceneMaker with_ways() {
   return maker.line("ground", "way", {0, 0}, {1, 0}).line("ground", "rise", {0, 0}, {0, 1});
 }
 
-/// A mechanism with a crank about M, as long as the arms of a rod on either side of its end B.
+/// A mechanism with a crank MB, and with a rod whose arms on either side of B are as long.
 SceneMaker with_crank_and_rod(double length) {
   return with_ways()
       .point("ground", "M", 0, 0)
@@ -29,8 +29,8 @@ SceneMaker with_crank_and_rod(double length) {
 }
 
 // Scott Russell's linkage with two blocks: X slides along the x-axis, and Y along the y-axis. A
-// turned piston points the other way on its slide, of which only half is left: the name of that
-// joint comes first.
+// turned piston points the other way on its slide. Only half of this slide's constraints are kept,
+// since of the two slides its name comes first.
 SceneMaker two_blocks_scene(bool is_turned) {
   return with_crank_and_rod(5)
       .point("piston", "X", 0, 0)
@@ -106,7 +106,7 @@ NamedPlace trammel(double phi) {
 const Theorem is_upright{"Y is on the line x = 0", 1,
                          [](const Points& points) { return points.at("Y").x; }};
 
-/// A platform like its base, whose legs go around together where they are parallel and as long.
+/// A platform congruent with its base: if its legs are parallel and equal, they go around together.
 SceneMaker like_its_base() {
   SceneMaker maker;
   for (const std::string link : {"ground", "platform"}) {
@@ -138,9 +138,9 @@ SceneMaker on_cranks_scene() {
   return maker;
 }
 
-// A platform of half the size of its base, which is turned, on two legs that reach halfway. Its two
-// assemblies turn one way and the other, by theta with p = sqrt(8) - a theta^4 and so on, until the
-// swept leg is on the line of symmetry.
+// A platform of half the size of its base, which is turned, on two legs of half the base's sides.
+// Its two assemblies turn in opposite directions, by theta with leg = sqrt(8) - a theta^4 and so
+// on, until the swept leg is on the line of symmetry.
 SceneMaker half_as_large_scene() {
   SceneMaker maker;
   return maker.parameter("leg", 2)
@@ -156,8 +156,8 @@ SceneMaker half_as_large_scene() {
 }
 
 // Dixon's mechanism: nine bars join three points P of a line to three points Q of a line square to
-// it. From x^2 = 9, 25, 49 and y^2 = 16, 36, 64 these go on to x^2 + t and y^2 - t. P1, Q1 is the
-// ground, and the bar to Q2 driven; the other three are on either side of the crossing.
+// it, which move from x^2 = 9, 25, 49 and y^2 = 16, 36, 64 to x^2 + t and y^2 - t. P1 Q1 is the
+// ground and P1 Q2 is driven; P2, P3 and Q3 are on either side of the crossing.
 NamedPlace dixon(double t) {
   const auto name = [](char of, std::size_t place) { return of + std::to_string(place + 1); };
   const std::array<double, 3> x2{9, 25, 49};

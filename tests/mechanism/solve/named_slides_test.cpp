@@ -1,4 +1,4 @@
-// Law: mechanisms with slides that everybody knows are answered as they are known to be, at their
+// Law: well-known mechanisms with slides have the configurations that are known of them, at their
 // special positions and beside them.
 #include <gtest/gtest.h>
 
@@ -101,8 +101,8 @@ NamedPlace trammel(double s) {
           1e-9};
 }
 
-// A quick return: the pin of a crank about M in the slot of a rocker about O. The end C of the
-// rocker is at 45 towards the pin, or away from it.
+// A quick return: the pin of a crank about M is in the slot of a rocker about O. The end C of the
+// rocker is 45 from O, towards the pin or away from it.
 SceneMaker quick_return_scene(double phi, double distance, double x, double y) {
   return with_crank(phi, 0, distance, x, y)
       .point("ground", "O", 0, 0)
@@ -112,7 +112,7 @@ SceneMaker quick_return_scene(double phi, double distance, double x, double y) {
       .slot("T", "rocker.slot", "crank.B");
 }
 
-/// Its pin goes through O where the crank is as long as the pivots are apart.
+/// If the crank is as long as the distance between the pivots, its pin goes through O.
 NamedPlace quick_return(double phi, double distance, double x, double y,
                         const std::vector<Theorem>& theorems = {}) {
   const JetPoint b = JetPoint{0, distance} + at_angle({phi, rate, second}, x, y);
@@ -137,8 +137,8 @@ const Theorem stands{"the rocker stands", 2, [](const Points& points) {
                        return Jet(std::hypot(c.x.rate, c.y.rate));
                      }};
 
-/// Where the pivots are apart as the crank is long, 25, the rocker turns half as fast: the square
-/// of its sine is half of one and the crank's. The rocker shows to the pin, or away from it.
+/// If the distance between the pivots is the crank's length, 25, the rocker turns half as fast: the
+/// square of its sine is (1 + the crank's sine) / 2. Only the rocker towards the pin counts.
 const Theorem turns_half{
     "the rocker, towards the pin, turns half as fast", 1, [](const Points& points) {
       const JetPoint& b = points.at("B");
@@ -189,8 +189,8 @@ NamedPlace lift(double s) {
   return {"a scissor lift" + at(s), lift_scene(s), known, {}, 1e-8, std::abs(s) < 0.2};
 }
 
-// Oldham's coupling between shafts about M and (2, 0): the middle disc is where its slots, which
-// are square to one another, go through both, and turns as the shafts do.
+// Oldham's coupling between shafts about M and (2, 0): the middle disc is where its perpendicular
+// slots go through both centres, and turns as the shafts do.
 NamedPlace coupling(double phi) {
   SceneMaker scene = with_crank(phi, 0, 0, 3, 0);
   scene.point("ground", "D", 2, 0)
@@ -214,9 +214,9 @@ NamedPlace coupling(double phi) {
           1e-12};
 }
 
-// A triangle in a circle of 2 that goes through the crossing of three slots at 60 degrees: its
-// corners stay in them while the circle rolls in one of 4. Of A at s the middle is at s / 2 along,
-// and above or below; one of the slots is one too many.
+// A triangle in a circle of radius 2 through the crossing of three slots at 60 degrees: its corners
+// stay in them while the circle rolls in one of radius 4. With A at s the circle's centre is at
+// s / 2 along the first slot, above or below it. One of the slots is redundant.
 NamedPlace three_slots(double s) {
   const double half = 0.5;
   const double high = std::sqrt(3.0) / 2;
@@ -293,8 +293,8 @@ class NamedSlideSwept : public testing::TestWithParam<NamedSweep> {};
 TEST_P(NamedSlideSwept, IsFollowedAsKnown) { expect_swept_as_known(GetParam()); }
 
 std::vector<NamedSweep> sweeps() {
-  // The rocker's angle is half the crank's and does not jump where the pin goes through O: with the
-  // crank's vector along x it is at phi / 2 + 45 degrees, or opposite.
+  // The rocker's angle is half the crank's and does not jump where the pin goes through O: with phi
+  // the angle of the crank from the x-axis, it is phi / 2 + 45 degrees, or opposite.
   const auto follows_half = [](double sense) {
     return Theorem{"the rocker turns half as fast through O", 1, [=](const Points& points) {
                      const JetPoint crank = points.at("B") - JetPoint{0, 25};

@@ -1,5 +1,5 @@
-// Law: linkages that are known to lead a point along a straight line, or nearly, do so, at their
-// special positions and beside them.
+// Law: linkages that are known to guide a point along a straight line, exactly or nearly, do so, at
+// their special positions and beside them.
 #include <gtest/gtest.h>
 
 #include "named_linkages.hpp"
@@ -21,9 +21,9 @@ SceneMaker driven_by_crank(double phi) {
 
 std::string at(double phi) { return " at " + std::to_string(phi); }
 
-// Peaucellier's inversor: arms of 60 and rhombus of 20, so that |OB| |OC| = 3600 - 400. The crank
-// of 25 about (25, 0) leads B through O; at its angle 0, B = (32, 24) and both arms are stretched
-// with their sides of the rhombus: |OB| = 60 - 20.
+// Peaucellier's inversor: arms of 60 and a rhombus of 20, so that |OB| |OC| = 3600 - 400. The crank
+// of 25 about (25, 0) moves B on a circle through O; at its angle 0, B = (32, 24) and both arms are
+// in line with their sides of the rhombus: |OB| = 60 - 20.
 SceneMaker inversor(double phi) {
   return driven_by_crank(phi)
       .point("ground", "M", 25, 0)
@@ -66,7 +66,7 @@ NamedPlace peaucellier(double phi, int straight) {
 }
 
 // Hart's inversor: bars AB, CD of 50 and AD, BC of 30 with O, P, Q in their middles. The crank
-// leads P through O as above; at its angle 0 |OP| = 25 + 15 and all bars are in line.
+// moves P on a circle through O; at its angle 0 |OP| = 25 + 15 and all bars are in line.
 SceneMaker contraparallelogram(double phi) {
   return driven_by_crank(phi)
       .point("ground", "M", 25, 0)
@@ -101,8 +101,8 @@ NamedPlace hart(double phi, int straight) {
           1e-9};
 }
 
-/// A four-bar with its crank about A, its rocker about D and a point on its coupler, along BC and
-/// aside in parts of that; the crank's own vector is (x, y).
+/// A four-bar with its crank about A, its rocker about D, and a point on its coupler: `along` BC
+/// and `aside` of it, in parts of BC. In the crank's frame its end is at (x, y).
 struct FourBar {
   double ax, ay, dx, dy;
   double x, y;
@@ -127,14 +127,14 @@ struct FourBar {
   }
 };
 
-/// P is at a place, with a velocity and an acceleration, in one assembly.
+/// In one assembly P has a known place, velocity and acceleration.
 Theorem passes(const Jet& x, const Jet& y) {
   return {"P passes its known place with its known rates", 1, [=](const Points& points) {
             return Jet(
                 apart(points.at("P").x, x, true) + apart(points.at("P").y, y, true) < 1e-9 ? 0 : 1);
           }};
 }
-/// P is at a place, and moves as it may.
+/// In one assembly P has a known place, and any velocity.
 Theorem passes(double x, double y) {
   return {"P passes its known place", 1, [=](const Points& points) {
             return Jet(std::hypot(points.at("P").x.value - x, points.at("P").y.value - y));
@@ -146,8 +146,8 @@ NamedPlace four_bar(const std::string& name, const FourBar& bars, double phi,
   return {name + at(phi), bars.scene(phi), bars.known(phi), theorems, 1e-9, is_close(phi)};
 }
 
-// Watt: the coupler of 4 stands across cranks of 3 that are parallel. Its middle passes the centre
-// along y, and turns neither way: a straight tangent of third order.
+// Watt: the coupler of 4 stands across two parallel cranks of 3. Its middle passes the centre along
+// y, without curvature: a straight tangent of third order.
 const FourBar watt{-3, 2, 3, -2, 3, 0, 4, 3, .5, 0};
 
 // Bernoulli's lemniscate: cranks of sqrt 2 about the foci (-1, 0) and (1, 0), coupler of 2.
@@ -166,8 +166,8 @@ Theorem on_circle(int assemblies) {
           [](const Points& points) { return dot(points.at("P"), points.at("P")) - Jet(2); }};
 }
 
-// Chebyshev: cranks of 5 at a distance of 4, a coupler of 2; its middle is at the height 4 in
-// three places. The crank's own vector stands there, so that these are exact at phi = 0.
+// Chebyshev: cranks of 5 at a distance of 4, a coupler of 2; its middle is at the height 4 in three
+// places. Each has its own (x, y), with which it is at phi = 0 and exact.
 FourBar chebyshev(double x, double y) { return {0, 0, 4, 0, x, y, 2, 5, .5, 0}; }
 
 // Roberts: cranks of 10 at a distance of 12, and an isosceles coupler of 6 with sides of 10, whose
@@ -204,9 +204,9 @@ NamedPlace scott_russell(double phi, double x, double y) {
           is_close(phi)};
 }
 
-// Hart's A-frame: cranks of 4 about M and (4, 0), each joined to the other by a bar of 2 at its 3,
-// hold two bars of 2, whose pin E goes up the middle wherever the frame stands upright. At angle 0
-// all lies on the ground.
+// Hart's A-frame: cranks of 4 about M and (4, 0), joined at 3 from their pivots by a bar of 2, hold
+// two bars of 2, whose pin E goes up the middle wherever the frame stands upright. At angle 0 all
+// lies on the ground.
 NamedPlace a_frame(double phi) {
   SceneMaker scene = driven_by_crank(phi);
   scene.bar("ground", {{"M", 0}, {"O", 4}})

@@ -1,5 +1,5 @@
-// Law: the nearest configuration that is sought alone is the nearest one of the list, with the same
-// runner-up; and where there are too many configurations for a list, it is found all the same.
+// Law: the search for the nearest configuration alone finds the nearest one of the list, with the
+// same runner-up, and also succeeds where there are too many configurations for a list.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/plan.hpp>
@@ -18,7 +18,7 @@ using mechanism::Solution;
 
 Plan plan_of(const Json& scene) { return Plan(mechanism::parse_scene(scene.dump(), "scene")); }
 
-/// What both ways answer; the limits, where there are any, are kept by both.
+/// The search alone and the list answer the same; both keep any limits.
 void expect_same(const Plan& plan) {
   const mechanism::Values values = plan.values();
   const Solution all = plan.solve(values);
@@ -63,7 +63,7 @@ TEST(Nearest, IsThatOfTheList) {
     if (scene % 3 == 2) {
       json["reference"]["rocker3"] = angle(random);
     }
-    if (scene % 3 == 1) {  // configurations that differ in no link of it are as near as each other
+    if (scene % 3 == 1) {  // links without a reference leave several equally near
       json["reference"]["bar6"] = angle(random);
       const Plan plan = plan_of(json);
       const mechanism::Values values = plan.values();
@@ -79,7 +79,7 @@ TEST(Nearest, IsThatOfTheList) {
   EXPECT_GT(limited, 10U);
 }
 
-/// 2^29 of them: each bar stands up where its reference says so, and down where it says that.
+/// The nearest of 2^29 has each bar up or down as its reference says.
 TEST(Nearest, IsFoundAmongMoreThanCanBeListed) {
   const auto stands_up = [](int number) { return number % 3 != 1; };
   const Plan plan =

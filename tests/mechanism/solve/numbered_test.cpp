@@ -1,5 +1,5 @@
 // Law: among more configurations than can be listed, one is found by its number and followed alone
-// through a sweep, where the list and the sweep of all, if they can be had, say the same.
+// through a sweep; where all can be listed or swept, they give the same answer.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +81,7 @@ TEST(Numbered, AreThoseOfAListThatCanBeHad) {
   EXPECT_EQ(one.configurations.size(), 0U);
 }
 
-/// Two rows of dyads on one crank, whose groups wait for none of the other row.
+/// Two rows of dyads on one crank, neither of which depends on the other.
 Json two_rows() {
   Json scene = limited_row();
   const Json other = limited_row();
@@ -106,7 +106,7 @@ Json two_rows() {
   return scene;
 }
 
-/// In another order, the links of joints exchanged with their limits.
+/// The scene in another order; where a joint's links are exchanged, its limits change their signs.
 Json listed_anew(const Json& scene, unsigned seed) {
   std::mt19937 random(seed);
   Json result = scene;
@@ -171,8 +171,8 @@ FollowedAlone followed(const Plan& plan, std::size_t number) {
   return result;
 }
 
-/// Every branch that begins at the first step of an example's sweep. One that crosses others ends
-/// where it is followed alone; all others have all their rows.
+/// Every branch that begins at the first step of an example's sweep has the same rows if it is
+/// followed alone. In none of these sweeps do branches cross.
 TEST(OneBranch, HasTheRowsThatItHasAmongAll) {
   int rows = 0;
   int whole = 0;

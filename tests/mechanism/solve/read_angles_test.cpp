@@ -1,6 +1,5 @@
-// Law: the angle of a joint that a law reads goes on along a branch of a sweep, by whole turns and
-// in whatever steps; a law without a value drops the configurations where it has none, and no
-// other.
+// Law: along a branch of a sweep the angle of a joint that a law reads is counted over whole turns,
+// in steps of any size; a law without a value drops only the configurations in which it has none.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,8 +86,8 @@ TEST(ReadAngles, GoOnToAFoldHoweverFewTheStepsAre) {
   }
 }
 
-/// Law: what a rack on the output link of a four-bar tells does not depend on how many steps a
-/// sweep has, nor on whether its steps are where branches meet.
+/// Law: the positions of a rack on the output link of a four-bar depend neither on how many steps a
+/// sweep has nor on whether its steps are where branches meet.
 class RackOnAFourBar {
  public:
   RackOnAFourBar(double ground, double crank, double coupler, double output)
@@ -127,7 +126,7 @@ TEST(ReadAngles, GoStraightThroughTheChangePointsOfAParallelogram) {
   }
 }
 
-/// Where the first step, or all steps, are where its motions meet.
+/// The first step, or every step, is where the two motions meet.
 TEST(ReadAngles, AreCountedFromAChangePointOfAParallelogram) {
   RackOnAFourBar parallelogram(3, 2, 3, 2);
   for (const int count : {2, 3, 5, 9, 17, 512}) {
@@ -168,8 +167,8 @@ TEST(ReadAngles, AreNotLostWhereALinkTurnsAtOnce) {
   }
 }
 
-/// A chain that closes at an angle of its output link near pi, beyond which one of the two branches
-/// goes at once: both begin with the same count.
+/// A chain that begins to close with its output link near pi, which one of the two branches passes
+/// at once: both begin with the same count.
 TEST(ReadAngles, BeginWithOneCountWhereTwoBranchesAreBorn) {
   RackOnAFourBar born(1, 3, 2, 1.9);
   const SweepKept fine = born.swept(2.8, 5.8, 3001);
@@ -186,9 +185,9 @@ TEST(ReadAngles, BeginWithOneCountWhereTwoBranchesAreBorn) {
   }
 }
 
-/// Two configurations of a four-bar, whose output link stands a little this side and that side of
-/// pi. The law has no value for the positive angle. That configuration is no continuation of the
-/// other, so that the sweep does not count its angle from that of the other, which is negative.
+/// Two configurations of a four-bar, with the output link slightly below and slightly above pi. The
+/// law has no value for the positive angle. That configuration does not continue the other, so the
+/// sweep does not count its angle from the other's, which is negative.
 TEST(ReadAngles, AreNotCountedFromABranchBeside) {
   constexpr int steps = 5;
   Json json = rack_on_drag_link(1, steps);
@@ -230,8 +229,8 @@ TEST(ReadAngles, GoOnAlongABranchThatIsFollowedAlone) {
   }
 }
 
-/// A rack on a crank of a flat parallelogram, which may go on in two ways: what is known of its
-/// motions moves the rack as it moves the crank.
+/// A rack on the output link of a flat parallelogram, which has two motions: in each motion that is
+/// known, the rack moves as the output link does.
 TEST(ReadAngles, HaveNoRatesOfTheirOwnAtAChangePoint) {
   for (const double phi : {-1.5, -0.5, 0.5, 1.5}) {
     Json scene = rack_on_drag_link(1, 2);
@@ -292,8 +291,8 @@ TEST(Laws, WithoutAValueDropRowsOfASweep) {
   }
 }
 
-/// A branch ends where the law loses its value, and another one, a turn behind, begins there, for
-/// whatever steps. Where that is, follows from the triangle of the crank and the coupler.
+/// A branch ends where the law loses its value, and another one, a turn behind, begins there, in
+/// steps of any size. The triangle of crank and coupler gives the place.
 TEST(Laws, EndAndBeginBranchesWhereverTheStepsAre) {
   constexpr double crank = 3;
   constexpr double coupler = 2.5;

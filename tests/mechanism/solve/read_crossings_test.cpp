@@ -12,7 +12,7 @@ namespace {
 
 constexpr double length = 1.5, base = 4, speed = 2, speeding_up = 0.5;
 
-/// A parallelogram, and a hand on the ground that a law turns, with a dyad that it moves.
+/// A parallelogram, and a hand on the ground that `hand` drives, with a dyad that it moves.
 Bars parallelogram_with_hand(double phi, const Json& hand) {
   Bars bars;
   bars.json()["parameters"]["phi"] = phi;
@@ -60,9 +60,9 @@ const std::vector<Law> laws = {
      }},
 };
 
-/// The rocker turns as the crank does, or in the antiparallelogram as many times faster as the
-/// closed form tan(rocker / 2) = m tan(crank / 2) says. The hand's dyad moves as where a driver
-/// turns the hand at the same rates.
+/// The rocker turns as the crank does, or in the antiparallelogram faster by a factor that follows
+/// from the closed form tan(rocker / 2) = m tan(crank / 2). The hand's dyad moves as if a driver
+/// turned the hand at the same rates.
 TEST(ReadCrossings, HaveTheRatesOfEachMotion) {
   for (const double phi : {0.0, std::numbers::pi}) {
     const double sense = phi == 0 ? 1 : -1;

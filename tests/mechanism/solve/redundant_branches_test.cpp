@@ -1,5 +1,5 @@
-// Law: beside and on change points a redundant mechanism has the motions and the configurations
-// that all constraints leave, whatever its links are called.
+// Law: on and beside change points, a mechanism with redundant constraints has the motions and the
+// configurations that all constraints leave, whatever its links are called.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Two parallelograms in a row, with a bar from the first crank to the last; the order of the names
-/// is that of the places.
+/// Two parallelograms in a row, with a bar from the first crank to the last; `order` has the
+/// numbers in the names of the links.
 SceneMaker double_parallelogram(const std::array<int, 6>& order) {
   const auto named = [&order](std::size_t part) { return "link" + std::to_string(order[part]); };
   SceneMaker maker;
@@ -29,7 +29,7 @@ SceneMaker double_parallelogram(const std::array<int, 6>& order) {
   return maker.drive("A", "phi", 1, 0);
 }
 
-/// Cranks turn as the first one does, and bars do not; what is not known is left out.
+/// Cranks turn as the first one does, and bars do not turn; rates that are not known are skipped.
 void expect_parallel(const Configuration& motion, const std::array<int, 6>& order,
                      const std::string& where) {
   for (std::size_t part = 0; part < order.size(); ++part) {

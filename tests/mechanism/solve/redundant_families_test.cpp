@@ -1,5 +1,5 @@
-// Law: a family of a mechanism without its redundant constraints is listed where all of them
-// together leave it; where they do not, the configurations that they leave are.
+// Law: if a mechanism without its redundant constraints has a family, it is listed where all
+// constraints together leave it; otherwise the configurations that they leave are listed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,8 +43,8 @@ TEST(RedundantFamilies, ThatTheThirdCrankBlocksAreNone) {
   }
 }
 
-/// A second crank in the place of the other turns with it, and leaves the family: at other values
-/// than the scene's own, and at these.
+/// A second crank in the same place turns with the other one and leaves the family, at the scene's
+/// own values and at others.
 TEST(RedundantFamilies, ThatADoubledCrankLeavesAreListed) {
   RedundantCranks cranks(2);
   cranks.add("A", {0, 0}).add("B", {2, 0}).add("C", {2, 0}).drive("A");
@@ -59,7 +59,7 @@ TEST(RedundantFamilies, ThatADoubledCrankLeavesAreListed) {
   }
 }
 
-/// Side by side: of two such mechanisms one is blocked, or both are.
+/// Of two such mechanisms side by side, one or both are blocked.
 TEST(RedundantFamilies, AreToldOneByOne) {
   for (const bool doubled : {false, true}) {
     RedundantCranks cranks(2);

@@ -1,5 +1,5 @@
-// Law: constraints that are too many are left out where they hold and go on to, and named;
-// elsewhere the mechanism is refused as over-constrained.
+// Law: redundant constraints are left out, and named, if they hold and go on to hold in motion;
+// otherwise the mechanism is refused as over-constrained.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/sweep.hpp>
@@ -46,8 +46,8 @@ TEST(RedundantJoints, OfAParallelogramOfFiveBarsHold) {
   }
 }
 
-/// Where the bars are in line, and where the constraint that is left out would leave the rocker
-/// free to turn back: the bars have one motion, and a sweep passes through with one branch.
+/// The bars have one motion, and a sweep one branch, also where the bars are in line, and where
+/// without the left-out constraint the rocker could turn back.
 TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
   for (const double third : {1.0, 2.0}) {
     for (const double phi : {0.0, 0.5, 1.0, 1.5, 2.0}) {
@@ -82,8 +82,8 @@ TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
   }
 }
 
-/// Three equal cranks, and a cylinder from the ground or from a crank to their coupler: without two
-/// constraints of a crank that hold, the cranks and the coupler alone would be a group that moves.
+/// Three equal cranks, and a cylinder from the ground or from a crank to their coupler. If a crank's
+/// two redundant constraints were left out, cranks and coupler alone would be a group that moves.
 TEST(RedundantJoints, OfParallelCranksOnACylinderHold) {
   for (const std::string base : {"ground", "crank"}) {
     Bars bars = five_bars(2, 1.5);
@@ -111,7 +111,7 @@ TEST(RedundantJoints, OfParallelCranksOnACylinderHold) {
   }
 }
 
-/// Equal cranks of which any is driven: pins on the ground are at rest, and at its origin.
+/// One of several equal cranks is driven; pins on the ground are at rest, one at its origin.
 TEST(RedundantJoints, OfManyParallelCranksHold) {
   for (const int cranks : {3, 4, 5}) {
     for (const int driven : {0, 1, 2}) {
@@ -152,15 +152,15 @@ TEST(RedundantJoints, ThatDoNotHoldAreRefused) {
   EXPECT_EQ(message_of(bars.json()), too_many_by("1e-06"));
 }
 
-/// The gap is that by which the third crank is too long, in the scene's unit: it alone does not
+/// The gap is the excess length of the third crank, in the scene's unit: only this crank does not
 /// fit.
 TEST(RedundantJoints, TellByHowMuchTheyDoNotHold) {
   EXPECT_EQ(message_of(five_bars(2, 1.6).json()), too_many_by("0.1"));
   EXPECT_EQ(message_of(five_bars(2, 16).json()), too_many_by("14.5"));
 }
 
-/// The least amount by which the rocker is too long or too short, where B, G and a third crank of
-/// the given length hold the coupler, and with it C: two circles, then a distance.
+/// The least error of the rocker's length where the crank's tip and a third crank of the given
+/// length hold the coupler, and with it C: two circles, then a distance.
 double length_that_misses(double third, double phi) {
   const Eigen::Vector2d tip(1.5 * std::cos(phi), 1.5 * std::sin(phi));
   const Eigen::Vector2d from_f = tip - Eigen::Vector2d(2, 0);
@@ -175,7 +175,7 @@ double length_that_misses(double third, double phi) {
   return least;
 }
 
-/// The mechanism was planned with another constraint left out than that of the crank that is moved.
+/// The plan leaves out a constraint of C, and not one of the crank whose length is changed.
 TEST(RedundantJoints, TellItAtOtherValuesThanTheScenesOwn) {
   for (const double phi : {0.7, 1.4, 2.3}) {
     Bars bars = five_bars(2, 1.5);
@@ -198,8 +198,8 @@ TEST(RedundantJoints, TellItAtOtherValuesThanTheScenesOwn) {
   }
 }
 
-/// The third crank has another pivot, and fits where the first stands upright alone: the mechanism
-/// is locked there.
+/// The third crank has another pivot, and fits only where the first one stands upright: the
+/// mechanism is locked there.
 TEST(RedundantJoints, ThatHoldAtOneInstantAreRefused) {
   Bars bars = five_bars(1, std::hypot(1.0, 1.5));
   bars.json()["parameters"]["phi"] = "pi/2";
@@ -235,7 +235,7 @@ TEST(RedundantJoints, AreNotBlamedForWhatCannotReach) {
             std::string::npos);
 }
 
-/// A law that reads one of the joints, or limits of one, leave the others to be left out.
+/// A joint that a law reads, or that has limits, is kept; constraints of another are left out.
 TEST(RedundantJoints, AreNoneThatLawsReadOrThatHaveLimits) {
   Bars bars = five_bars(2, 1.5);
   bars.point("ground", "H", 9, 0).point("hand", "H", 0, 0).join("H", {"ground.H", "hand.H"});
@@ -305,8 +305,8 @@ TEST(RedundantJoints, HideNoSlideOfTheScene) {
   EXPECT_EQ(described, 1);
 }
 
-/// Equal cranks, on whose coupler a door slides in two guides, moved by a rod: constraints of two
-/// sorts are too many, each of which would be left out were it alone.
+/// Equal cranks carry a coupler, on which a door slides in two guides, moved by a rod. There are
+/// redundant constraints of two sorts, each of which would also be left out by itself.
 TEST(RedundantJoints, OfGuidesOnParallelCranksHold) {
   for (const int cranks : {3, 4}) {
     Json scene;
@@ -347,8 +347,8 @@ TEST(RedundantJoints, OfGuidesOnParallelCranksHold) {
   }
 }
 
-/// Two rows of equal bars, one on the other's coupler, with pins of both in one place: no slot
-/// leads from one to the other.
+/// Two rows of equal bars, one on the other's coupler, with pins of both in one place: a slot from
+/// one of these pins to the other would have no direction.
 TEST(RedundantJoints, OfPinsInOnePlaceHold) {
   Json scene;
   scene["links"]["ground"]["W"] = {7, 9};

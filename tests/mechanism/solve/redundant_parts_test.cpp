@@ -1,5 +1,5 @@
-// Law: slides and slots that hold are left out as pins are, and what is left out of one part of a
-// mechanism does not depend on another part, nor on names.
+// Law: redundant slides and slots that hold are left out as pins are, and what is left out of one
+// part of a mechanism depends neither on other parts nor on names.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const mechanism::Plan& plan) {
   return names;
 }
 
-/// A slider with pins at places in slots along the x-axis; `guided`: in a slide along it too.
+/// A slider with pins in slots along the x-axis; if `guided`, it is in a slide along it, too.
 SceneMaker slider(const std::vector<Eigen::Vector2d>& pins, bool guided) {
   SceneMaker scene;
   scene.bar("ground", {{"A", 0}})
@@ -79,7 +79,7 @@ TEST(RedundantParts, SlotsThatDoNotHoldAreRefused) {
       message_of(scene).find("without constraints of guide the mechanism can be assembled, but "
                              "then these constraints are violated by 0.01 at least"),
       std::string::npos);
-  // The pin is in the slot where the crank stands at 0.7, and leaves it where that goes on.
+  // The pin is in the slot where the crank is at 0.7, and leaves it as soon as the crank goes on.
   scene["links"]["slider"]["pin0"] = {0, 1};
   const double x = 2 * std::cos(0.7) + std::sqrt(25 - std::pow(2 * std::sin(0.7), 2));
   scene["links"]["ground"]["pin0"] = {{"through", {x, 1}}, {"along", {1, 1}}};
@@ -88,7 +88,7 @@ TEST(RedundantParts, SlotsThatDoNotHoldAreRefused) {
             std::string::npos);
 }
 
-/// Three slides alone: a wedge lifts a follower by half of what it is moved.
+/// A mechanism of three slides: a wedge lifts a follower by half of its own motion.
 TEST(RedundantParts, AWedgeLifts) {
   SceneMaker maker;
   maker.line("ground", "floor", {0, 0}, {1, 0}).line("ground", "wall", {1, 0}, {0, 1});
@@ -187,7 +187,7 @@ Scene renamed(const Scene& scene, std::mt19937& random) {
   return result;
 }
 
-/// Each part alone has few names under which a search finds what to leave out first.
+/// Which constraint a search leaves out depends on the names of joints: here they are random.
 TEST(RedundantParts, AreFoundUnderAnyName) {
   SceneMaker trammel = cognates();
   add_trammel(trammel);
@@ -240,7 +240,7 @@ TEST(RedundantParts, OfFlatCognatesAreFoundUnderAnyName) {
   }
 }
 
-/// Scott Russell's linkage on two blocks, driven at the low one, on a rod of this length.
+/// Scott Russell's linkage on two blocks, driven at the low one, with a rod of this length.
 SceneMaker scott_russell(double unit, double rod) {
   SceneMaker scene;
   scene.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3 * unit}});
@@ -253,7 +253,7 @@ SceneMaker scott_russell(double unit, double rod) {
 }
 
 /// Scott Russell's linkage on two blocks, driven at a block, in units from 1e-9 to 1e9 of its size:
-/// whether what is left out holds is asked where the block has gone on by a part of that size.
+/// whether the left-out constraint holds is tested after a motion by a part of that size.
 TEST(RedundantParts, HoldInAnyUnit) {
   for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
     SCOPED_TRACE(unit);
@@ -269,8 +269,8 @@ TEST(RedundantParts, HoldInAnyUnit) {
   }
 }
 
-/// Scott Russell's linkage driven at a block, and a bar pinned to the ground farther away than a
-/// hundred times what the block can go on.
+/// Scott Russell's linkage driven at a block, and a bar that is pinned to the ground more than a
+/// hundred times as far away as the block can go.
 TEST(RedundantParts, HoldBesideALongLink) {
   for (const double far : {300.0, 3000.0, 30000.0}) {
     SCOPED_TRACE(far);
@@ -285,9 +285,9 @@ TEST(RedundantParts, HoldBesideALongLink) {
   }
 }
 
-/// Two parallelograms in a row, each with a third crank, whose pins on the lever between them are
-/// in one place: a slot of the one has no direction towards the other, so that none is put there,
-/// though the pins' names come first.
+/// Two parallelograms in a row, each with a third crank; two of their pins are in one place on the
+/// lever between them. A slot from one of these to the other would have no direction, so none is
+/// put there, though the names of these pins come first.
 TEST(RedundantParts, LieTowardsOtherPlacesAlone) {
   SceneMaker maker;
   maker.bar("ground", {{"O", 0}, {"M", 2}, {"P", 4}, {"N", 6}, {"Q", 8}});
@@ -308,7 +308,7 @@ TEST(RedundantParts, LieTowardsOtherPlacesAlone) {
   }
 }
 
-/// A lock in any unit: the low guide is off by a hundredth of the linkage's size.
+/// A linkage that locks, in any unit: its rod is too long by a hundredth.
 TEST(RedundantParts, ThatDoNotHoldAreRefusedInAnyUnit) {
   for (const double unit : {1e-9, 1e-3, 1.0, 1e9}) {
     SCOPED_TRACE(unit);
@@ -317,8 +317,8 @@ TEST(RedundantParts, ThatDoNotHoldAreRefusedInAnyUnit) {
   }
 }
 
-/// Where the rod lies along the low guide, its dyad has two configurations that are one up to
-/// rounding, 1e-7 rad beside it. Nobody can say there whether a slot on the rod reaches the pin.
+/// At 1e-7 rad from where the rod lies along the low guide, its dyad has two configurations that
+/// rounding cannot separate. Whether a slot on the rod reaches the pin is in doubt there.
 TEST(RedundantParts, BehindTwoConfigurationsThatAreOneAreInDoubt) {
   SceneMaker maker;
   maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 3}}).drive("A", 1e-7, 1, 0.5);

@@ -1,6 +1,6 @@
-// Law: the derivatives of an assembled configuration are as good as its margin says, against the
-// same configuration assembled in long double; six digits hold where the status is ok, of
-// accelerations too.
+// Law: against the same configuration assembled in long double, the derivatives of a configuration
+// are as good as its margin says; where its status is ok they have six digits, and so have its
+// accelerations.
 #include <assur/kinematics.hpp>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/second_rates.hpp>
@@ -94,7 +94,7 @@ struct Standing {
   Status regularity;
 };
 
-/// Counts what `found` promises, beside the truth.
+/// Counts what `found` promises, and how far it is from the truth.
 void compare(const Standing& found, const LongRows& to_dimensions, const LongRows& to_inputs,
              Promises& kept) {
   ++kept.compared;
@@ -142,7 +142,7 @@ class Regular : public testing::Test {
     if (refine<Model, Long>(d, u, q) != Status::ok) {
       return;
     }
-    // What double makes of the configuration, from the truth.
+    // The configuration in double, refined from the true one.
     group.q = Groups::template in_scalar<typename Model::template Configuration<double>>(q);
     if (!is_solvable(refine<Model, double>(group.d, group.u, group.q))) {
       return;
@@ -181,7 +181,7 @@ class Regular : public testing::Test {
     const Rates rate = drawn();
     return {rate, drawn()};
   }
-  /// Inputs that move so that the unknowns have rates of no great size, as they have where
+  /// Rates of the inputs that give the unknowns rates of moderate size, as they have where
   /// configurations cross.
   template <typename Dimensions, typename Inputs, typename Configuration>
   std::pair<Rates, Rates> crossing_rates(const Dimensions& d, const Inputs& u,
@@ -204,7 +204,7 @@ class Regular : public testing::Test {
                             Vector<Long, Model::input_count>::Zero(), moving) != Status::ok) {
       return {rate, Rates::Zero()};
     }
-    // Inputs that accelerate more by far leave rounding of their own.
+    // Much larger accelerations of the inputs would add rounding of their own.
     const Rates second_rate = inputs_for(wanted() - moving.acceleration);
     return {rate, second_rate.cwiseAbs().maxCoeff() < 100 ? second_rate : Rates(Rates::Zero())};
   }
@@ -280,8 +280,8 @@ TYPED_TEST(Regular, SixDigitsHoldBesideASingularConfigurationToo) {
   }
 }
 
-/// On configurations of ample margin, of which double's own digits are the truth: the error of the
-/// arithmetic alone. One draw in thousands has such a margin, so each is tried with neighbours.
+/// The error of the arithmetic alone, at configurations with an ample margin that are taken as
+/// exact in double. One draw in thousands has such a margin, so each of these has neighbours, too.
 TEST(Accuracy, OfWellShapedTetradsIsThatOfAFewRoundings) {
   using Model = tetrad::Model01;
   const int wanted = is_whole_campaign() ? 2000 : 400;

@@ -21,7 +21,7 @@ Json lift(double stroke) {
   return scene;
 }
 
-/// The cylinder stands on 0.6 of each bar, so that the bars' middles are 0.75 strokes high.
+/// The cylinder joins the bars at 0.6 from their middles, which are therefore 0.75 strokes high.
 TEST(RelativeGroups, LiftAsHighAsTheirTriangleSays) {
   for (const double stroke : {0.3, 0.7, 1.1}) {
     const Solved scene = solved(with_unit_covariance(lift(stroke)));
@@ -48,8 +48,8 @@ TEST(RelativeGroups, LiftAsHighAsTheirTriangleSays) {
   }
 }
 
-/// Stretched, the bars lie on one another and turn freely about both feet; beyond, there is
-/// nothing.
+/// With the cylinder at its longest, the bars lie on one another and turn freely about both feet;
+/// beyond that length there is no assembly.
 TEST(RelativeGroups, HaveDeadCentres) {
   const Solved flat = solved(lift(1.2));
   EXPECT_EQ(flat.solution.status, SolutionStatus::degenerate);
@@ -108,7 +108,7 @@ std::vector<double> rocker_angles(const Json& scene) {
   return angles;
 }
 
-/// A four-bar whose coupler is a triangle of bars, which has two shapes: two four-bars.
+/// A four-bar whose coupler is a triangle of bars, which has two shapes: it is two four-bars.
 TEST(RelativeGroups, AreTrusses) {
   Bars truss;
   truss.point("ground", "D", 3, 0).point("rocker", "D", 0, 0).point("rocker", "S", 2, 0);

@@ -1,5 +1,5 @@
-// Law: the second derivatives of a scene, over all rigid kinds and all functions of expressions,
-// are the differences of the gradients of its whole solutions.
+// Law: over all rigid kinds of the tetrad and all functions of expressions, the second derivatives
+// of a scene are the differences of the gradients of its whole solutions.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -26,8 +26,8 @@ TEST(SettledRedundancy, OfCranksSquareToTheCouplerAreRegular) {
   }
 }
 
-/// Beside their flat position the cranks have one configuration: without a constraint there would
-/// be an antiparallelogram, too, in which the pins miss by the square of the angle alone.
+/// Beside their flat position the cranks have one configuration. Without one constraint there would
+/// also be an antiparallelogram, in which the pins miss only by the square of the angle.
 TEST(SettledRedundancy, OfAnAlmostFlatParallelogramHoldOnce) {
   for (const double third : {1.0, 1.3, 2.0}) {
     for (const double unit : {1.0, 0x1p-60, 0x1p60}) {
@@ -46,7 +46,7 @@ TEST(SettledRedundancy, OfAnAlmostFlatParallelogramHoldOnce) {
           const Solved found = solved(bars.json());
           ASSERT_EQ(found.configurations().size(), 1U);
           const Configuration& only = found.configurations()[0];
-          // Rounding moves it by a rounding over the angle, and by no more than a root of it.
+          // Rounding moves the coupler by eps over the angle, and by no more than the root of eps.
           const double moved = std::min(4e-15 / beside, 1e-7);
           EXPECT_NEAR(only.link("coupler").pose.direction.sin, 0, moved);
           EXPECT_TRUE(only.branches.empty());
@@ -62,8 +62,8 @@ TEST(SettledRedundancy, OfAnAlmostFlatParallelogramHoldOnce) {
   }
 }
 
-/// Cranks of which two are in line with their pivots: the third one, beside that line, holds them,
-/// and all is known as elsewhere, but for what a parameter does that the cranks could not follow.
+/// Two cranks are in line with their pivots; the third one, beside that line, holds them. All is
+/// known as elsewhere, except derivatives by a parameter that the cranks could not follow.
 TEST(SettledRedundancy, OfCranksOfWhichTwoAreInLineAreRegular) {
   for (const double beside : {0.0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4}) {
     for (const std::string of_third : {"long", "1.5"}) {

@@ -1,6 +1,6 @@
-// Law: where a length, a driver between moving links or a bent law brings two motions together,
-// both are told as closed forms have them, however rounding displaces the place; and a sweep that
-// has a step there tells the crossing.
+// Law: where a length, a driver between moving links or a bent law makes two motions meet, both are
+// reported as closed forms have them, however rounding displaces the place, and a sweep with a step
+// there reports the crossing.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -64,7 +64,7 @@ Json elbow(double height, double unit = 1) {
                 "B", "s");
 }
 
-/// A rod in a tube about A, along (a, b): its pin C on the line y = c is `c` aside, and at x = +-s.
+/// A rod in a tube about A, along (a, b): its pin C, `c` aside, is on the line y = c at +-s.
 Json tube(double a, double b, double c) {
   return driven(above(c)
                     .point("tube", "A", 0, 0)

@@ -1,5 +1,5 @@
-// Law: a group whose prismatic joints close a loop is solved where its angles are compatible. It is
-// told that it cannot be assembled where it cannot, and else as a family with its mobility there.
+// Law: a group whose prismatic joints close a loop is solved if its angles are compatible: the
+// answer is a family with its mobility, or that the group cannot be assembled.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -91,7 +91,7 @@ TEST(TiedSlides, CarryDrawersOnEqualRailsOnly) {
   }
 }
 
-/// Rails that are apart by what rounding makes of their places are rails apart by nothing.
+/// Rail spacings that differ only by the rounding of coordinates count as equal.
 TEST(TiedSlides, CarryDrawersThatRoundingHasMoved) {
   for (const double far : {0.0, 1.0, 1e3, 1e6}) {
     for (const double turn : {0.1, 0.7, 2.3}) {
@@ -172,8 +172,8 @@ class Lattice {
   const std::array<tied::Vector, 5> lines_ = {{{1, 0}, {3, 4}, {0, 1}, {4, -3}, {1, 1}}};
 };
 
-/// Every kind on a lattice: whether it closes and how freely it moves is decided there over
-/// fractions, where links move in parallel but for one bar.
+/// Every kind on a lattice, where all links but one bar move in parallel: arithmetic over fractions
+/// decides whether a group closes and what its mobility is.
 TEST(TiedSlides, AreToldAsExactArithmeticHasThem) {
   const unsigned groups = is_whole_campaign() ? 1000 : 60;
   std::map<int, int> mobilities;
@@ -294,7 +294,7 @@ TEST(TiedSlides, StandBesideOtherGroups) {
   }
 }
 
-/// The bar is hinged where two bars meet, at (4, -7) or (4, -13), and reaches from the first only.
+/// The bar is hinged where two bars meet, at (4, -7) or (4, -13): it reaches from 1, 2 or 0.
 TEST(TiedSlides, AreSolvedForEachConfigurationOfWhatHoldsThem) {
   for (const auto& [bar, families] : {std::pair(8, 1U), std::pair(14, 2U), std::pair(6, 0U)}) {
     std::mt19937 random(1);
@@ -321,9 +321,9 @@ TEST(TiedSlides, AreSolvedForEachConfigurationOfWhatHoldsThem) {
   }
 }
 
-/// Two slides one on the other join the ground to the coupler of a parallelogram, which does not
-/// turn; that of the antiparallelogram does. Near the flat position rounding turns the coupler by
-/// much more than one rounding, and the angles remain compatible.
+/// Two links, one on the other, connect the ground by slides to the coupler of a parallelogram,
+/// which does not turn; an antiparallelogram's does. Near the flat position rounding turns the
+/// coupler by much more than one rounding, and the angles remain compatible.
 TEST(TiedSlides, HangOnCouplersThatRoundingTurns) {
   for (const double phi : {1.0, 0.1, 1e-3, 1e-5, -1e-5, 2.0}) {
     const auto pin = [](const std::string& one, const std::string& other) {
@@ -360,8 +360,8 @@ TEST(TiedSlides, HangOnCouplersThatRoundingTurns) {
   }
 }
 
-/// Three slides in a row, of which the second is hardly tilted: an offset between the others is
-/// closed by a slide so much longer, until that has run to infinity. Without an offset the tilt
+/// Three slides in a row, of which the second is hardly tilted. It closes an offset between the
+/// others by moving the farther the smaller the tilt is, up to a limit. Without an offset the tilt
 /// takes a freedom as soon as it is more than rounding.
 TEST(TiedSlides, CloseAcrossLinesThatAreHardlyTilted) {
   const auto row = [](double tilt, double offset) {

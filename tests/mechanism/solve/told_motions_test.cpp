@@ -1,5 +1,5 @@
 // Law: which motions go through a singular configuration does not depend on how the mechanism is
-// turned, and none is told that rounding makes.
+// turned, and no motion is reported that only rounding makes.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -35,7 +35,7 @@ Json in_unit(const LatticeScene& group, int exponent) {
   return scene;
 }
 
-/// The largest difference of two motions of a link, lengths of the other in the given unit.
+/// The largest difference of two motions of a link; the lengths of `other` are in the given unit.
 double difference(const mechanism::Frame& one, const mechanism::Frame& other, double unit) {
   const Eigen::Vector3d scale(unit, unit, 1);
   double result = std::max({std::abs(one.pose.x - other.pose.x / unit),

@@ -1,5 +1,5 @@
-// Law: where points of a link coincide, a group whose configuration is determined has all its
-// rates, and first and second derivatives to what moves the points apart: those of rigid bodies.
+// Law: where points of a link coincide, regular configurations of its group have all rates, and
+// first and second derivatives by what moves the points apart: those of rigid bodies.
 #include <gtest/gtest.h>
 
 #include <Eigen/SVD>
@@ -28,7 +28,7 @@ Json moving(Json scene, const Rates& rates) {
   return with_unit_covariance(scene);
 }
 
-/// The least singular value of the constraints' Jacobian in parts of the largest.
+/// The least singular value of the constraints' Jacobian, relative to the largest.
 Real firmness(const RigidScene& rigid, const RealVector& q) {
   const Eigen::JacobiSVD<RealMatrix> factors(rigid.jacobian(q));
   return factors.singularValues().tail<1>()(0) / factors.singularValues()(0);
@@ -39,7 +39,7 @@ struct Tally {
   double velocity = 0, acceleration = 0, gradient = 0, hessian = 0;
 };
 
-/// One number of each moving coordinate of each link.
+/// A vector of one number for each moving coordinate of each link.
 template <typename ValueOf>
 RealVector of_links(const RigidScene& rigid, const Configuration& configuration,
                     const ValueOf& value_of) {
@@ -108,7 +108,7 @@ void compare(const Solved& scene, const RigidScene& rigid, const Configuration& 
   ++tally.compared;
 }
 
-/// Every single parameter moves, and then all of them.
+/// Moves each parameter by itself, and then all of them.
 void check(const Json& scene, int listing, Tally& tally) {
   std::vector<Rates> motions;
   for (std::size_t place = 0; place < moved.size(); ++place) {
@@ -172,7 +172,7 @@ Json small_tetrad(const Json& x, const Json& y) {
   return scene.scene();
 }
 
-/// Lengths down to where their squares vanish are as good as zero.
+/// Derivatives are as good at small lengths, even if their squares vanish, as at zero.
 TEST(ZeroLengths, AreTheLimitOfSmallLengths) {
   Tally tally;
   for (const double length : {0.0, 1e-300, 1e-160, 1e-100, 1e-15, 1e-12, 1e-8, 1e-4, 3e-3}) {

@@ -1,5 +1,5 @@
-// Law: the third-class six-bar's point M follows its 13 parameters as re-solved scenes do and as
-// the published equations do once their slips are mended; with any one slip left in they do not.
+// Law: the sensitivities of the six-bar's point M to its 13 parameters are those of re-solved
+// scenes and of the published equations with their slips mended; with any one slip they are not.
 #include "mechanism/zhauyt_2017.hpp"
 
 #include <gtest/gtest.h>
@@ -17,11 +17,11 @@
 namespace assur::test::zhauyt_2017_test {
 namespace {
 
-/// Sensitivities and entries of (8) are of order 1: so much is no rounding.
+/// Sensitivities and entries of (8) are of order 1: a difference of this size is no rounding.
 constexpr double clearly = 0.1;
 
-/// How many degrees the longest run of angles within a band lasts, on a closed turn of angles at
-/// every degree, the first repeated as the last.
+/// The length, in degrees, of the longest run of angles within a band. The angles are those at
+/// every degree of a full turn, the first repeated as the last.
 int longest_dwell(const std::vector<double>& angles, double band) {
   const std::size_t steps = angles.size() - 1;
   int longest = 0;

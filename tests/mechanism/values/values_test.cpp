@@ -1,5 +1,5 @@
-// Law: values in which one parameter is set anew are those that are evaluated afresh with it, in
-// every bit; long chains of parameters need no deep stack, and cycles are refused by name.
+// Law: values in which a parameter is replaced equal in every bit those that are evaluated afresh
+// with it; long chains of parameters need no deep stack, and cycles are refused by name.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -21,7 +21,7 @@ void expect_same(const Plan& plan, const Values& set, const Values& fresh) {
   expect_same_solution(plan.solve(set), plan.solve(fresh));
 }
 
-/// Every parameter moved and moved back, one after the other, all in one set of values.
+/// Moves every parameter and moves it back, one after the other, in one set of values.
 void check_settings(const Plan& plan) {
   const Values original = plan.values();
   Values values = plan.values();
@@ -40,7 +40,7 @@ void check_settings(const Plan& plan) {
   }
 }
 
-/// Neighbouring pairs of parameters moved together, then all of them, then none.
+/// Moves neighbouring pairs of parameters together, then all of them, then none.
 void check_settings_together(const Plan& plan) {
   const Values original = plan.values();
   Values values = plan.values();
@@ -108,7 +108,7 @@ TEST(Values, SetTogetherAreThoseEvaluatedAfresh) {
       Plan(mechanism::read_scene(fs::path(ASSUR_EXAMPLES) / "excavator_arm.json")));
 }
 
-/// A value that stands in for a formula does not follow what the formula names.
+/// A value that replaces a formula does not follow the parameters that the formula names.
 TEST(Values, OfAReplacedParameterStayWhereTheyAre) {
   const Plan plan(mechanism::parse_scene(tied, "tied"));
   const ParameterIndex unit = plan.mechanism().parameter_named("unit", "");

@@ -1,4 +1,4 @@
-"""Law: arrays look into what was computed, cannot be written to, and keep it alive."""
+"""Law: arrays are read-only views of what was computed, and keep it alive."""
 
 import gc
 import sys

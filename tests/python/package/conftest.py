@@ -64,7 +64,7 @@ def command(tmp_path):
 
 @pytest.fixture
 def example():
-    """A scene of examples/ as a dictionary, its sweep in so many steps."""
+    """A scene of examples/ as a dictionary; its sweep, if any, has `steps` steps."""
 
     def read(name, steps=25, **more):
         scene = json.loads((EXAMPLES / (name + ".json")).read_text())

@@ -1,4 +1,4 @@
-"""Law: what cannot be used raises one exception, whose text is the command's own line."""
+"""Law: input that cannot be used raises one exception, whose text is the command's message."""
 
 import json
 import os

@@ -18,7 +18,8 @@ import assur
     lambda plan: assur.sample(plan.scene, 5_000_000, 1, threads=1),
 ], ids=["solve_batch", "sweep", "sweep_branch", "sample"])
 def test_is_interrupted(example, call):
-    # Each takes more than two seconds of the processor. The timer is a thread of Python: it fires if the lock is free.
+    # Each call takes more than two seconds of processor time. The timer is a thread of Python: it
+    # fires only if the call releases the lock.
     scene = example("four_bar_coupler_curve", steps=1_000_000, want=["position"],
                     report={"links": [], "joints": []})
     plan = assur.Plan(assur.parse_scene(scene))

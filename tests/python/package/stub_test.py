@@ -60,7 +60,7 @@ def stub_names(node):
 
 
 def same_kind(mine, theirs):
-    # A positional parameter of pybind11 is told by `/`; of Python's own, `self` may be given.
+    # pybind11 marks positional parameters by `/`; Python's own functions accept `self` by name.
     return [(name, default) for name, _, default in mine] == [
         (name, default) for name, _, default in theirs] and [
         kind for name, kind, _ in mine if name != "self"] == [

@@ -27,7 +27,7 @@ namespace {
 
 using Dyad = assur::dyad::Model01;
 
-// Compilers with no NaN of their own must read one.
+// Read from memory, so that compilers that assume no NaN still get one.
 const volatile double spoilt = std::numeric_limits<double>::quiet_NaN();
 
 const char* word(assur::AssemblyStatus status) {
@@ -38,7 +38,7 @@ const char* word(assur::AssemblyStatus status) {
 /// In thousandths: whole numbers are printed alike however the processor rounds.
 long printed(double value) { return std::lround(value * 1000 + 0.1); }
 
-/// The list as far as it does not depend on the order of rounding errors.
+/// Prints what rounding does not change: statuses, counts, and first angles in thousandths.
 template <typename Model>
 void print(const char* name, int number, const assur::Assemblies<Model>& found) {
   if (found.status == assur::AssemblyStatus::unsound_arithmetic) {
@@ -66,7 +66,7 @@ void print_dyad(const char* name, int number, double first, double second, doubl
   print<Dyad>(name, number, assur::assemblies<Dyad>(d, u));
 }
 
-/// In general position, flat, beside flat by less than double tells, out of reach, spoilt.
+/// Dyads in general position, flat, of no base, out of reach, nearly flat, tiny and with NaN.
 void print_dyads() {
   for (int number = 1; number <= 9; ++number) {
     const double first = 0.7 + 0.13 * number;
@@ -98,7 +98,7 @@ void print_tetrads() {
     std::apply([&](auto&... member) { ((member = next_number(seed)), ...); }, d.members());
     std::apply([&](auto&... member) { ((member = next_number(seed)), ...); }, u.members());
     print<Tetrad>("tetrad", number, assur::assemblies<Tetrad>(d, u));
-    // All points of a link in one place, then everything in one.
+    // With two joints of a link in one place.
     std::get<0>(d.members()) = 0;
     print<Tetrad>("folded tetrad", number, assur::assemblies<Tetrad>(d, u));
   }

@@ -11,7 +11,7 @@ set(flags -std=c++17 ${flags})
 set(source ${CMAKE_CURRENT_LIST_DIR}/answers.cpp)
 file(MAKE_DIRECTORY ${WORK})
 
-# An option that is not told by any macro, as compilers other than GCC do not, ends with "untold".
+# Options that end with "untold" hide GCC's macros that reveal options; other compilers have none.
 set(untold -U__FAST_MATH__ -U__ASSOCIATIVE_MATH__ -U__RECIPROCAL_MATH__ -U__FLT_EVAL_METHOD__)
 set(associative -fassociative-math -fno-signed-zeros -fno-trapping-math)
 
@@ -99,7 +99,7 @@ foreach(compiler IN LISTS COMPILERS)
   compare(${compiler} FALSE "" -O2 -fno-builtin -DASSUR_FMA_ROUNDS_TWICE)
   compare(${compiler} TRUE "" -O2 -fno-builtin -DASSUR_FMA_ROUNDS_TWICE -DFP_FAST_FMA)
 endforeach()
-# What GCC tells is refused when a program is compiled.
+# Options that GCC reveals by macros are refused when a program is compiled.
 if(first MATCHES "g\\+\\+")
   compare(${first} TRUE "" -O2 -freciprocal-math)
   compare(${first} TRUE "" -O2 ${associative})

@@ -1,5 +1,5 @@
-// Law: as many configurations as Sturm's theorem over the rationals counts real roots, each closing
-// the loops to rounding, and among them the one from which the group was made.
+// Law: the list has as many configurations as Sturm's theorem over the rationals counts real roots,
+// and each regular one closes the loops to rounding.
 #include <assur/assemblies.hpp>
 #include <iostream>
 
@@ -13,7 +13,7 @@
 namespace assur::test::assembly_test {
 namespace {
 
-/// `ctest -L long` draws the whole.
+/// `ctest -L long` draws all samples.
 const int samples = is_whole_campaign() ? 300 : 120;
 constexpr unsigned seed = 14142;
 

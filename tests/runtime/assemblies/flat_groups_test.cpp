@@ -100,8 +100,8 @@ bool draw_flat(RandomInputs& random, Assembly<Model, Rational>& at) {
   return close_loops(at);
 }
 
-/// No length of a link vanishes, and no two agree: else configurations may share their first
-/// angle, and Sturm's theorem counts them once.
+/// Whether no length of a link vanishes and no two agree: otherwise configurations may share their
+/// first angle, and Sturm's theorem counts them once.
 template <typename Model>
 bool is_generic(const Assembly<Model, Rational>& at) {
   std::vector<Rational> lengths;
@@ -133,8 +133,8 @@ TYPED_TEST(FlatGroups, LoseNoneAndInventNone) {
   RandomInputs random(seed + static_cast<unsigned>(Model::number));
   Tally tally;
   constexpr int steps = 400;
-  // The long campaign solves every step of all groups; otherwise an eighth of the groups, and of
-  // their steps those that are counted and an eighth.
+  // The long campaign solves every step of all groups; the default solves an eighth of the groups,
+  // and in each an eighth of the steps and the step that is counted.
   const int groups = is_whole_campaign() ? 2000 : 250;
   const int stride = is_whole_campaign() ? 1 : 8;
   for (int group = 0; group < groups; ++group) {
@@ -158,7 +158,7 @@ TYPED_TEST(FlatGroups, LoseNoneAndInventNone) {
   report(("model " + std::to_string(Model::number)).c_str(), tally);
 }
 
-/// B is led on a circle about the origin past a flat configuration, E is held.
+/// B moves on a circle about the origin past a flat configuration; E stays in place.
 TEST(FlatGroup, AnEndLedOnACircle) {
   using Model = tetrad::Model01;
   const Model::Dimensions<double> d = {6, -4, 0, 10, 16, 0, 3, 13};

@@ -13,9 +13,9 @@ namespace {
 
 constexpr unsigned samples = 10;
 
-/// What no motion of the whole changes of a configuration: cosines and sines of the angles between
-/// links, in the order of the kind's links and in their own frames, sines with the sign of the
-/// orientation; and the cosines between the model's frames, which put configurations in order.
+/// What a motion of the whole leaves unchanged in a configuration: cosines and sines of the angles
+/// between links, in the order of the kind's links and in their own frames, sines with the sign of
+/// the orientation; and the cosines between the model's frames, which order configurations.
 struct Shape {
   std::vector<double> angles;
   std::vector<double> model_cosines;
@@ -92,8 +92,8 @@ class Invariance : public testing::Test {
     return most;
   }
 
-  /// Mirror twins, whose model cosines all agree: their order follows sines, which a reflection
-  /// turns round and rounding of the cosines overrides. Exchanges such neighbours where that fits.
+  /// Exchanges neighbouring mirror twins where they fit in the other order. Their model cosines all
+  /// agree, so sines decide their order; a reflection or rounding of the cosines may reverse it.
   static void match_twins(const std::vector<Shape>& before, std::vector<Shape>& after,
                           double tolerance) {
     for (std::size_t index = 0; index + 1 < before.size() && index + 1 < after.size(); ++index) {
@@ -106,8 +106,7 @@ class Invariance : public testing::Test {
     }
   }
 
-  /// Compares the shapes before and after a change of the group; groups that are within 1e-4 of a
-  /// singularity are left out, because rounding the changed inputs moves them by more.
+  /// Compares the shapes before and after a change of the group.
   template <typename Change>
   void expect_same(const char* what, double tolerance, double orientation, Change change) {
     double worst = 0;
@@ -154,7 +153,7 @@ TYPED_TEST(Invariance, RigidMotion) {
 }
 
 TYPED_TEST(Invariance, TranslationFarFromTheOrigin) {
-  // At 1e8 the places of the external joints are rounded to 1.5e-8: no better can be known.
+  // At 1e8 the places of the external joints are rounded to 1.5e-8, which limits the agreement.
   if constexpr (TypeParam::rigid) {
     this->expect_same("translation by 1e8", 2e-3, 1, [](auto& space) {
       for (BodyJoint& joint : space.bodies.joints) {

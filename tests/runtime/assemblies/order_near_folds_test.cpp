@@ -1,5 +1,5 @@
-// Law: on the way to where two configurations meet their numbers stay, by the sign of det J, which
-// cannot change on that way; and keys of configurations that meet keep their order.
+// Law: on the way to where two configurations meet, each keeps its number, as is seen from the sign
+// of det J, which cannot change on that way; and keys of configurations that meet keep their order.
 #include <Eigen/LU>
 #include <assur/assemblies.hpp>
 #include <assur/numeric/order.hpp>

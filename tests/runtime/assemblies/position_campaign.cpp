@@ -83,7 +83,7 @@ void judge(const Group<Model>& group, Tally& tally) {
   tally.add(found.count, compiled::exact_assembly_count<Model>(group.d, group.u), declared);
 }
 
-/// A group between two others: lengths and angles in proportion.
+/// A group between two others: lengths and angles are interpolated.
 template <typename Variables>
 Variables between(const Variables& from, const Variables& to, double part) {
   const auto mix = [part](const auto& a, const auto& b) {
@@ -320,7 +320,7 @@ Tally family_campaign(int members) {
           const Group<Model> group = member<Model>(family, random, distance);
           judge(group, ours);
           if constexpr (std::is_same_v<Model,
-                                       tetrad::Model01>) {  // the others' would tell the same
+                                       tetrad::Model01>) {  // other models would show the same
             TrigonometricPolynomial<double, Model::polynomial_degree> T;
             Model::position_polynomial(group.d, group.u, T);
             const int expected = compiled::exact_assembly_count<Model>(group.d, group.u);

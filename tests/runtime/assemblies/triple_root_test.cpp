@@ -17,7 +17,7 @@ namespace {
 
 constexpr unsigned seed = 1618;
 
-/// T, T' and T'' at x, against the size of the coefficients.
+/// T, T' and T'' at x, relative to the size of the coefficients.
 template <std::size_t Degree>
 Vector<double, 3> contact(const TrigonometricPolynomial<double, Degree>& T, double x) {
   Vector<double, 3> f(T.cosine[0], 0, 0);

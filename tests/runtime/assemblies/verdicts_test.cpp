@@ -1,6 +1,6 @@
-// Law: where configurations are said to be ok, six digits of their derivatives hold, and none is
-// missing, beside singular configurations and however far the group is from the origin; against
-// long double and Sturm's theorem.
+// Law: where a configuration is called ok, six digits of its derivatives hold; where all are ok,
+// none is missing, near singular configurations and far from the origin, too; judged by long double
+// and Sturm's theorem.
 #include <assur/assemblies.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/support/scale.hpp>
@@ -19,7 +19,7 @@ namespace {
 using Long = long double;
 
 constexpr unsigned seed = 8129;
-/// `ctest -L long` draws the whole.
+/// `ctest -L long` draws all samples.
 const int samples = is_whole_campaign() ? 15 : 6;
 
 template <typename Model>
@@ -46,7 +46,7 @@ class Verdicts : public testing::Test {
 
 TYPED_TEST_SUITE(Verdicts, AllModels, ModelNames);
 
-/// External joints moved along, all by as much.
+/// The inputs with all external joints moved by the same vector.
 template <typename Scalar, typename Inputs>
 Inputs shifted(Inputs u, double by) {
   bool is_x = true;
@@ -60,8 +60,8 @@ Inputs shifted(Inputs u, double by) {
 }
 
 /// The largest difference of derivatives over the largest of them, among unknowns of one unit, of a
-/// group so far from the origin. One where there are no such derivatives. Closures depend on
-/// differences of places alone, so that the truth is computed at the origin: long double moves the
+/// group that was shifted by `far`; 1 where there are no derivatives. Closures depend only on
+/// differences of places, so that the truth is computed at the origin: long double shifts the
 /// places back exactly.
 template <typename Model>
 double error_of(const typename Model::template Dimensions<double>& d,
@@ -125,7 +125,7 @@ TYPED_TEST(Verdicts, HoldFarFromTheOrigin) {
             worst = largest(worst, error);
           }
         }
-        // A list of none may have lost two that rounding cannot tell apart.
+        // An empty list may have lost two configurations that rounding cannot tell apart.
         if (certain && found.count > 0 &&
             found.count != compiled::exact_assembly_count<Model>(group.d, u)) {
           ++miscounted;
@@ -143,8 +143,8 @@ TYPED_TEST(Verdicts, HoldFarFromTheOrigin) {
   }
 }
 
-/// Nothing is known of a group of which nothing bounds how far it is displaced, and no derivative
-/// of one that is turned by a thousandth: what is listed, once where it may meet, is not ok.
+/// If nothing bounds how far a group is displaced, or if it may be turned by a thousandth, no
+/// configuration is ok; those that may meet are listed once.
 TYPED_TEST(Verdicts, AreNotOkWithoutABound) {
   using Model = TypeParam;
   if constexpr (Model::rigid) {

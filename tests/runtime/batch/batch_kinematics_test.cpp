@@ -35,7 +35,7 @@ struct Given {
   std::vector<Status> status;
   std::vector<double> to_dimensions, to_inputs, velocity, acceleration;
 
-  /// One number in ten configurations is none, if so.
+  /// If `with_gaps`, one configuration in ten has a number that is not finite.
   Given(std::size_t number, bool on_lattice, bool with_gaps)
       : count(number),
         stride(number + 3),

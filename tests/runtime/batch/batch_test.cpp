@@ -24,8 +24,8 @@ namespace {
 
 constexpr unsigned seed = 9041;
 
-/// How groups are drawn. Odd ones are in general position in some unit, at some place, or hold a
-/// number that is none.
+/// How groups are drawn. Odd ones are in general position, but in various units, at various places,
+/// and some have a number that is not finite.
 enum class Kind { general, lattice, odd };
 constexpr std::array<const char*, 3> kind_names = {" general", " lattice", " odd"};
 
@@ -69,7 +69,7 @@ void make_odd(std::size_t group, Dimensions& d, Inputs& u) {
   });
 }
 
-/// Groups, and room for their answers. What no answer may overwrite stands around each column.
+/// Groups, and room for their answers, with values between the columns that no answer may change.
 template <typename Model>
 class Columned {
   using Dimensions = typename Model::template Dimensions<double>;
@@ -139,7 +139,7 @@ class Columned {
   std::vector<double> configurations_;
 };
 
-/// The largest difference of two configurations, lengths in the larger of themselves and a unit.
+/// The largest difference of two configurations, of lengths relative to themselves or to a unit.
 template <typename Configuration>
 double distance(const Configuration& one, const Configuration& other, double unit) {
   double farthest = 0;
@@ -196,8 +196,8 @@ void compare(std::size_t count, Kind kind, Seen& seen) {
 }
 
 /// The largest share of groups in general position that may be solved by themselves: batches are
-/// as quick as packs settle groups. Where a formula's error is bounded for all groups of a model
-/// alike, and the bound is wide, more discriminants are within it.
+/// quick if packs settle most groups. Where the error of a formula has a wide bound for all groups
+/// of a model, more discriminants are within that bound.
 template <typename Model>
 double most_alone() {
   if constexpr (requires { Model::discriminant_error; }) {

@@ -50,8 +50,8 @@ struct Groups {
   }
 };
 
-/// How many groups in general position, moved so far and then in such a unit, are solved by
-/// themselves.
+/// How many groups in general position are solved by themselves after they are moved by `far` and
+/// then scaled by `unit`.
 template <typename Model>
 std::size_t alone_of(double far, double unit) {
   DrawnGroups<double> draws(seed, false);
@@ -102,8 +102,8 @@ void for_each_loose_group(const Use& use) {
   }
 }
 
-/// `regularity` is told how far the places are from the origin, and so decides otherwise than of
-/// the same group without that.
+/// `regularity` gets the uncertainty of places far from the origin here, and then decides otherwise
+/// for some groups than without it.
 TEST(FarBatches, CountThePlacesOfTheJointsInVerdicts) {
   using Model = tetrad::Model04;
   Groups<Model> groups;

@@ -62,8 +62,8 @@ Group<Model> filled_by(Filler& filler) {
   return group;
 }
 
-/// Between a group that can be assembled and one that cannot: as near to the end of the first's
-/// configurations as its discriminant is `part` of what vouches for a regular group.
+/// Moves a group that can be assembled towards one that cannot, until its discriminant is `part` of
+/// the least that vouches for a regular group. False if that does not happen on the way.
 template <typename Model>
 bool bring_near_end(Group<Model>& group, const Group<Model>& other, double part) {
   using Form = detail::ClosedForm<Model, double>;
@@ -93,7 +93,7 @@ bool bring_near_end(Group<Model>& group, const Group<Model>& other, double part)
   return true;
 }
 
-/// The variables in double-double, moved by less than the few roundings that are taken for granted.
+/// The variables in double-double, moved at random within the rounding that inputs may have.
 template <typename To, typename From>
 To moved(const From& from, double length, RandomInputs& random) {
   const double most = numeric::Magnitude::given_rounding();
@@ -111,8 +111,8 @@ To moved(const From& from, double length, RandomInputs& random) {
   return result;
 }
 
-/// The configurations of a group whose first unknown is an angle, and how regular they are, without
-/// any of the search's own functions but the formula.
+/// The least margin among the configurations of a group whose first unknown is an angle, computed
+/// without the search's own functions but the formula.
 template <typename Model>
 double least_margin(const Group<Model>& group) {
   using Scalar = DoubleDouble;
@@ -138,15 +138,15 @@ double least_margin(const Group<Model>& group) {
 }
 
 struct Largest {
-  double error = 0;  ///< of the discriminant, in parts of what is said
-  double lost = 0;   ///< what a group loses at most, in parts of what a regular one may
+  double error = 0;  ///< of the discriminant, relative to its bound
+  double lost = 0;   ///< loss of a group, relative to what a regular one may lose
   double key = 0;    ///< difference of keys that are passed over
-  double alike = 0;  ///< what may pass for equal, in parts of the difference that counts
+  double alike = 0;  ///< what may pass for equal, relative to the difference that counts
   double miss = 0;   ///< of the closures, in roundings of the longest length
-  int regular = 0;   ///< groups
+  int regular = 0;   ///< number of regular groups
 };
 
-/// The configurations of a group that its discriminant vouches for, as the search has them.
+/// Examines the configurations of a group that its discriminant vouches for, as the search does.
 template <typename Model>
 void examine_roots(const Group<Model>& group, Largest& largest_of) {
   const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(group.d, 1.0);
@@ -265,7 +265,7 @@ TYPED_TEST(ClosedForm, HoldsOfAllGroups) {
 }
 
 TEST(ClosedFormReport, VouchesForTheDyads) {
-  // The determinants are these parts of the root of the discriminant in every textbook.
+  // In every textbook the determinants are multiples of the root of the discriminant.
   EXPECT_TRUE((detail::ClosedForm<dyad::Model01, double>::vouches));
   EXPECT_TRUE((detail::ClosedForm<dyad::Model02, double>::vouches));
   EXPECT_TRUE((detail::ClosedForm<dyad::Model03, double>::vouches));

@@ -1,5 +1,5 @@
-// Law: nearly all groups in general position whose configurations follow by formula are listed by
-// it; a closer look, which takes several times as long, is the exception.
+// Law: nearly all groups in general position whose configurations have a formula are listed by the
+// formula; a closer look, which takes several times as long, is the exception.
 #include <gtest/gtest.h>
 
 #include <assur/detail/closed_search.hpp>
@@ -95,7 +95,7 @@ double off_the_circle() {
   return farthest / std::numeric_limits<double>::epsilon();
 }
 
-/// A direction that is computed from a root closes its loop by its length, too, unless that is one.
+/// Closures do not show this: a direction of another length than one may close its loop, too.
 TEST(ClosedSearchReport, DirectionsAreUnitVectors) {
   EXPECT_LT(off_the_circle<dyad::Model01>(), 8);
   EXPECT_LT(off_the_circle<dyad::Model02>(), 8);

@@ -1,5 +1,5 @@
-// Law: the values of a displacement that make a final polynomial vanish are its roots, in
-// double-double, and it is told where they are not certain.
+// Law: if the first unknown is a displacement, its values are the roots of the final polynomial in
+// double-double, and the result says whether they are certain.
 #include <gtest/gtest.h>
 
 #include <assur/detail/first_values.hpp>

@@ -17,17 +17,17 @@ namespace assur::test::float_groups_test {
 namespace {
 
 constexpr unsigned seed = 1702;
-/// `ctest -L long` draws the whole.
+/// `ctest -L long` draws all samples.
 const int samples = is_whole_campaign() ? 10000 : 100;
 
 /// What was seen of one model.
 struct Seen {
   int groups = 0, configurations = 0, regular = 0;
   int unresolved = 0, undecided = 0, miscounted = 0;
-  double pose = 0;        ///< what configurations are off, in eps of every closure
+  double pose = 0;        ///< by how many eps closures must be off to explain configurations
   double derivative = 0;  ///< largest error of derivatives where they are regular
-  double promised = 0;    ///< largest error of derivatives in parts of what is promised
-  double constant = 0;    ///< and of all, in eps/margin
+  double promised = 0;    ///< largest error of derivatives relative to what is promised
+  double constant = 0;    ///< largest error of all derivatives, in eps/margin
 };
 
 /// The longest length of a group, or one where all vanish.
@@ -38,8 +38,8 @@ double size_of(const typename Model::template Dimensions<double>& d,
   return longest > 0 ? longest : 1;
 }
 
-/// How far a configuration is off: directions, and displacements in parts of the group's longest
-/// length, or of the longest displacement where that is longer: it is rounded as it is long.
+/// The error of a configuration: of directions, and of displacements relative to the longest length
+/// of the group, or to the longest displacement where that is longer and so is rounded more.
 template <typename Model>
 double distance(const typename Model::template Configuration<float>& q,
                 const typename Model::template Configuration<double>& truth, double longest) {
@@ -56,8 +56,8 @@ double distance(const typename Model::template Configuration<float>& q,
   return farthest;
 }
 
-/// How far each closure must be off for rounding to have moved an unknown as far as it is, in parts
-/// of the longest length or displacement: dq = J^-1 df.
+/// How far all closures must be off, relative to the longest length or displacement, to move an
+/// unknown as far as it is from the truth: dq = J^-1 df.
 template <typename Model>
 double needed_of_closures(
     const typename Model::template Configuration<float>& q,
@@ -80,7 +80,7 @@ double needed_of_closures(
   return needed;
 }
 
-/// Derivatives by lengths times the longest length are compared with those by angles.
+/// Factors that make derivatives by lengths comparable with those by angles.
 template <typename Variables>
 Eigen::VectorXd units_of(const Variables& variables, double longest) {
   std::vector<double> units;
@@ -90,9 +90,9 @@ Eigen::VectorXd units_of(const Variables& variables, double longest) {
   return Eigen::Map<const Eigen::VectorXd>(units.data(), static_cast<Eigen::Index>(units.size()));
 }
 
-/// The largest difference of derivatives over the largest derivative, to dimensions and inputs,
-/// among unknowns of one unit. That does not vanish: where the base turns, so do the links, and a
-/// larger group has longer displacements. What single parameters do may cancel to nothing.
+/// The largest difference of derivatives by dimensions and inputs over the largest derivative,
+/// among unknowns of one unit. The latter does not vanish: if the base turns, so do the links, and
+/// a larger group has longer displacements. Derivatives by a single parameter may vanish.
 template <typename Model>
 double difference(const typename Model::template Dimensions<double>& d,
                   const typename Model::template Inputs<double>& u, double longest,

@@ -1,4 +1,5 @@
-// Law: an assembly in which several meet, known to a root of rounding, is moved to where they meet.
+// Law: an assembly at which several meet, and which is found only to a root of the rounding error,
+// is moved to the place where they meet.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -49,7 +50,7 @@ TEST(MultipleAssembly, SettlesWhereSeveralMeet) {
   }
 }
 
-/// Two that are farther apart than rounding lets them be do not meet, though they are singular.
+/// Assemblies that are farther apart than rounding explains stay apart, although they are singular.
 TEST(MultipleAssembly, StaysWhereNoneMeet) {
   constexpr double apart = 1e-5;
   const Meeting group{2, apart * apart};

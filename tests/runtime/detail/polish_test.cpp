@@ -33,7 +33,7 @@ TEST(Polish, ClosesWhatNearlyCloses) {
 TEST(Polish, RefusesWhatDoesNotClose) {
   Model::Configuration<double> q;
   EXPECT_EQ(polished(1.5, 0.5, -0.5, q), Status::no_convergence);  // out of reach
-  // Three steps with one Jacobian lead from far away to a few digits alone.
+  // From far away, three steps with one Jacobian reach only a few digits.
   EXPECT_EQ(polished(0.875, 0.9, -0.6, q), Status::no_convergence);
   q.theta_BC.cos = std::numeric_limits<double>::quiet_NaN();
   const Model::Configuration<double> none = q;

@@ -54,7 +54,7 @@ TEST(SecondLook, CountsWhatTheEliminationLoses) {
   EXPECT_NEAR(lost(0x1p-5F, 0x1p-5F), 4 * 1023, 1);
 }
 
-/// How far an angle turns where all closures are open by a part of the longest length.
+/// 1/firmness is how far an angle turns, to first order, if closures open by the longest length.
 TEST(SecondLook, TellsHowFirmlyTheClosuresHoldAngles) {
   const Bars bars;
   Matrix<float, 2, 2> inverse;

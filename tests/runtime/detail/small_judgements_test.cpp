@@ -1,5 +1,5 @@
-// Law: steps are measured and shortened by the turns of links, two configurations are told from
-// one, and numbers of which one is not finite are found lane by lane.
+// Law: steps are measured and limited by how far links turn, configurations that are the same are
+// found, and so are the lanes of a pack with a number that is not finite.
 #include <gtest/gtest.h>
 
 #include <assur/assemblies.hpp>
@@ -21,7 +21,7 @@ using Model = tetrad::Model01;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-/// Angles count as they are, lengths in parts of the group's size.
+/// Changes of angles count as they are, changes of lengths relative to the group's size.
 TEST(Steps, AreMeasuredByTheTurnsOfLinks) {
   using Dyad = dyad::Model02;
   static_assert(Dyad::unknowns[0].is_angle && !Dyad::unknowns[1].is_angle);
@@ -31,8 +31,8 @@ TEST(Steps, AreMeasuredByTheTurnsOfLinks) {
   EXPECT_TRUE(std::isnan(detail::turn_of<Dyad, double>(Step(0.25, nan), 0.5)));
 }
 
-/// What turns a link by more than half a radian is shortened as a whole, so that it leads the same
-/// way; the turn of a short bar does not hold back the others and is cut alone.
+/// A step that turns a link by more than half a radian is shortened as a whole and keeps its
+/// direction; but the turn of a short bar is cut alone, and does not hold back the others.
 TEST(Steps, AreShortenedWhereTheyTurnTooFar) {
   using Jacobian = Matrix<double, Model::equation_count, Model::unknown_count>;
   using Step = Vector<double, Model::unknown_count>;
@@ -48,7 +48,7 @@ TEST(Steps, AreShortenedWhereTheyTurnTooFar) {
   EXPECT_EQ(limited(short_bar, Step(0.25, -0.25, 0, 8)), Step(0.25, -0.25, 0, 0.5));
 }
 
-/// Two roots that lead to one configuration hide another.
+/// Where two roots lead to one configuration, another one may be missing.
 TEST(Twins, AreToldFromConfigurationsThatDiffer) {
   Assemblies<Model> found;
   found.count = 3;
@@ -62,7 +62,7 @@ TEST(Twins, AreToldFromConfigurationsThatDiffer) {
   EXPECT_FALSE((detail::has_twins<Model, double>(found)));
 }
 
-/// Where numbers are said to be finite no configuration is computed by itself.
+/// Lanes whose numbers are said to be finite are not computed again by themselves.
 TEST(FiniteNumbers, AreToldLaneByLane) {
   using Pack = numeric::PackOf<double, 4>;
   for (const double spoilt :

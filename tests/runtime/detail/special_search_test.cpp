@@ -1,5 +1,5 @@
-// Law: a group in special position is displaced only where double-double does not tell its
-// assemblies, the group itself is solved as it is, and what is listed closes in its own unit.
+// Law: a group in special position is displaced only where double-double cannot decide its
+// assemblies; the group itself is solved first, and closures are measured relative to its length.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -100,7 +100,7 @@ TEST(SpecialSearch, StartsOnBothSidesOfTheOrigin) {
   EXPECT_LT(*most, 2);
 }
 
-/// What is farther away than rounding lets tell has run to infinity.
+/// An assembly that is farther away than rounding can resolve counts as infinitely far.
 TEST(SpecialSearch, ListsNothingThatHasRunToInfinity) {
   EXPECT_EQ(searched(0x1p20, true).count, 1U);
   EXPECT_EQ(searched(0x1p27, true).count, 0U);
@@ -120,7 +120,7 @@ TEST(Closures, GiveADirectionToWhatHasNone) {
   EXPECT_EQ(q[1], 0.8);
 }
 
-/// A specialised group may be much shorter than its unit: closures count in parts of its length.
+/// A specialised group may be much shorter than its unit: closures are relative to its length.
 TEST(Closures, AreMeasuredByTheGroupsLength) {
   place = 0;
   const detail::Closures closures{&evaluate, &differentiate, nullptr, unknowns.data(), 1, 0, 0,

@@ -9,7 +9,7 @@ models = ["dyad RRR", "dyad PRR", "triad RR-RR-RR", "tetrad RRR-RRR", "tetrad PP
 
 
 def answers(file):
-    """Of each group: its model; status, count and mobility; instructions; bytes; configurations."""
+    """For each group its model; status, count and mobility; instructions; bytes; configurations."""
     numbers = array.array("d")
     numbers.frombytes(pathlib.Path(file).read_bytes())
     at = 0
@@ -22,8 +22,8 @@ def answers(file):
 
 
 def compared(host_file, target_file, groups, special):
-    """Of the groups the first `special` are in special position. Largest: of the differences
-    between numbers that are not the same bit for bit."""
+    """The first `special` groups are in special position. Largest: the largest difference between
+    numbers that are not the same bit for bit."""
     host, target = list(answers(host_file)), list(answers(target_file))
     if len(host) != groups or len(target) != groups:
         raise SystemExit(f"{len(target)} answers of the machine, {len(host)} of the host, to "

@@ -1,5 +1,5 @@
-// Turns a processor under QEMU, or the machine that builds, into input, output, instructions that
-// it has run and the depth to which it has used its stack.
+// Turns a processor under QEMU, or the machine that builds, into functions that read, write, count
+// the instructions that have run and measure how deep the stack has been used.
 #pragma once
 
 #include <cstddef>
@@ -57,7 +57,7 @@ inline void start_counting() {
   timer()[1] = 0xFFFFFFFF;
   timer()[0] = 1;
 }
-/// Those that have run since, to five and but for a few: up to 2^32 ticks.
+/// The instructions that have run since, in steps of five, to within a few; up to 2^32 ticks.
 inline std::uint64_t instructions() { return std::uint64_t{0xFFFFFFFF - timer()[1]} * 5; }
 #else
 inline std::uint64_t all_instructions() {
@@ -74,14 +74,14 @@ inline std::uint64_t all_instructions() {
 }
 inline std::uint64_t counted_from = 0;
 inline void start_counting() { counted_from = all_instructions(); }
-/// Those that have run since, but for a few.
+/// The instructions that have run since, to within a few.
 inline std::uint64_t instructions() { return all_instructions() - counted_from; }
 #endif
 
 extern "C" std::uint32_t stack_bottom, stack_top;
 constexpr std::uint32_t paint = 0xA5A5A5A5;
 
-/// Marks what of the stack is not used, but for what this needs itself.
+/// Marks the unused part of the stack, except what this function needs itself.
 [[gnu::noinline]] inline void paint_stack() {
   auto* const here = static_cast<std::uint32_t*>(__builtin_frame_address(0));
   for (std::uint32_t* to = &stack_bottom; to < here - 32; ++to) {

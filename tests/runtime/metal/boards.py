@@ -70,7 +70,7 @@ def cortex(name, core, unit, machine, off=0.0):
 
 def library_headers():
     """Debian has no C++ library for a RISC-V without an operating system. The headers of ARM's,
-    made for the same C library and the same compiler, do: nothing of it is linked."""
+    made for the same C library and the same compiler, serve: nothing of that library is linked."""
     headers = sorted(pathlib.Path("/usr/include/newlib/c++").glob("*"))
     if not headers:
         return []
@@ -79,8 +79,8 @@ def library_headers():
 
 
 # The compiler's software for ARM rounds some differences of doubles to the farther neighbour, such
-# as that of 0x1.0000000000017p+0 and 0x1.ed753c74a7438p-33. Then 18 roundings may be other ones,
-# which polishing leaves of the closures.
+# as that of 0x1.0000000000017p+0 and 0x1.ed753c74a7438p-33. Then numbers may differ by the
+# 18 roundings that polishing leaves of the closures.
 boards = {
     "m7": cortex("Cortex-M7", "cortex-m7", "fpv5-d16", "mps2-an500"),
     "m4f": cortex("Cortex-M4F", "cortex-m4", "fpv4-sp-d16", "mps2-an386", 18 * 2.0**-52),

@@ -1,10 +1,10 @@
-// Turns groups, read as numbers one after the other, into all their configurations as numbers, the
-// same on every machine: what they are, how many instructions each took and how much of the stack.
+// Turns groups, read as numbers one after the other, into numbers: all their configurations, which
+// are the same on every machine, and the instructions and the stack that each group took.
 //
 // A group is its model's place in `Models`, its dimensions and its inputs. The answer is that
-// place, status, count, mobility, instructions, bytes of the stack, how many numbers a
-// configuration is; then of each configuration regularity and unknowns. All are doubles, of which
-// ASSUR_SCALAR may hold less.
+// place, status, count, mobility, instructions, bytes of the stack and how many numbers each
+// configuration has; then the regularity and the unknowns of each configuration. All are written as
+// doubles, even if ASSUR_SCALAR is narrower.
 #include <array>
 #include <assur/assembly.hpp>
 #include <assur/support/flat_variables.hpp>
@@ -18,7 +18,7 @@ namespace {
 using assur::test::metal::Models;
 using Scalar = ASSUR_SCALAR;
 
-/// Numbers to be written, as many as fit.
+/// A buffer of numbers, which is written when it is full.
 class Answer {
  public:
   void add(double number) {

@@ -14,7 +14,7 @@ import sys
 import boards
 from answers import compared
 
-# Those of which the table of exact answers tells: 9 kinds of 174 seeds (campaign_groups.cpp).
+# The groups in the table of exact answers: 9 kinds with 174 seeds each (campaign_groups.cpp).
 special = 9 * 174
 plain = ["acos", "atan", "atan2", "cos", "hypot", "pow", "sin", "sincos"]
 

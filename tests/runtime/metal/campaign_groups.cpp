@@ -58,7 +58,7 @@ bool serves(const LatticeKind& kind) {
                      [&kind](const auto& one) { return kind.spelling == one.kind; });
 }
 
-/// Lengths of -2 to 2, directions all around.
+/// A random group: lengths from -2 to 2, directions all around.
 template <typename Model>
 void put_random(std::size_t model, std::mt19937& engine) {
   const auto drawn = [&engine] { return std::ldexp(static_cast<double>(engine()), -30) - 2; };

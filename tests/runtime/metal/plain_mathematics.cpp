@@ -1,6 +1,6 @@
 // Turns numbers into those functions of them that the runtime calls and that mathematics libraries
-// round differently, by products, sums, quotients and square roots alone: the same bits on every
-// machine, where libraries would hide whether the rest is the same.
+// round differently, by products, sums, quotients and square roots alone. These give the same bits
+// on every machine, so that any difference between machines is in the rest of the code.
 
 extern "C" {
 
@@ -25,7 +25,7 @@ double series(double x, int first) {
   return sum;
 }
 
-/// The cosine of an angle that `quarters` more quarters turn.
+/// The cosine of the angle x and `quarters` quarter turns.
 double turned_cosine(double x, int quarters) {
   const double whole = x / half_pi;
   const auto nearest = static_cast<long long>(whole < 0 ? whole - 0.5 : whole + 0.5);

@@ -1,5 +1,5 @@
-// Turns numbers that no compiler knows into the answers of an emitted solver, ASSUR_SOLVER, for the
-// linker to hold all of it.
+// Turns numbers that the compiler cannot know into the answers of an emitted solver, ASSUR_SOLVER,
+// so that the linked program holds all of it.
 #include ASSUR_HEADER
 #include <array>
 #include <cstddef>

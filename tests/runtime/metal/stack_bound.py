@@ -28,7 +28,7 @@ def frames_of_compiler(files):
 
 
 def bytes_taken(instruction, operands):
-    """What an instruction takes of the stack."""
+    """The bytes that an instruction takes from the stack."""
     if instruction in ("push", "stmdb", "vpush", "vstmdb") and (
             "push" in instruction or operands.startswith("sp!")):
         registers = 0
@@ -54,7 +54,7 @@ def pointed_at(elf, prefix):
 
 
 def functions_of(elf, prefix):
-    """Of each function by its mangled name: the bytes that its instructions take, whom it calls."""
+    """For each function by its mangled name: the bytes that its instructions take, its calls."""
     text = output_of(prefix + "objdump", "-d", "--no-show-raw-insn", elf)
     pointed = pointed_at(elf, prefix)
     functions = {}

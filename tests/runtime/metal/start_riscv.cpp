@@ -16,7 +16,7 @@ int main();
 
 [[gnu::aligned(4), noreturn, gnu::used]] void fault() { semihosting::exit(1); }
 
-/// The C library keeps errno where the thread's pointer says.
+/// The C library keeps errno where the thread pointer tp points, so this sets it.
 [[gnu::naked, gnu::section(".vectors"), gnu::used]] void reset() {
   asm volatile(
       ".option push\n.option arch, +zicsr\nla sp, stack_top\nla tp, thread_begin\nla t0, fault\n"

@@ -1,5 +1,5 @@
-// Turns numbers that no compiler knows into what is known of a group, for the linker to hold all of
-// it.
+// Turns numbers that the compiler cannot know into a group's configurations and sensitivities, so
+// that the linked program holds all of their code.
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/model_01.hpp>

@@ -18,7 +18,7 @@ constexpr double unit = 0x1p-24;
 double value_of(const DoubleFloat& word) {
   return static_cast<double>(word.high) + static_cast<double>(word.low);
 }
-/// In squares of the unit, of what double holds to a thirtieth of one.
+/// The error in squares of the unit; double holds the truth to a thirtieth of one.
 double error_of(const DoubleFloat& word, double truth) {
   return std::abs(value_of(word) - truth) / (std::abs(truth) * unit * unit);
 }

@@ -61,7 +61,7 @@ TEST(Matrix4, EliminationChoosesThePivotsOfEigen) {
   std::normal_distribution<double> normal;
   double largest = 0;
   for (const double threshold : {1e-14, 1e-4}) {
-    // What is added to entries stays above the threshold, or below.
+    // The noise that is added to entries is above the threshold, or below it.
     for (const double noise : {0.0, 1e-7}) {
       for (int rank = 0; rank <= 4; ++rank) {
         for (int trial = 0; trial < 2000; ++trial) {

@@ -62,7 +62,7 @@ Polynomial product_of(const std::vector<Factor>& factors, double lift) {
 }
 
 struct Outcome {
-  double largest_open = 0;  // |T| where double-double left it undecided, against its error
+  double largest_open = 0;  // |T| where double-double did not decide, over its error
   int certified = 0;
   int by_double_double = 0;
   int undecided = 0;
@@ -234,7 +234,7 @@ std::array<DoubleDouble, 2> value_and_slope(const Polynomial& T, const Direction
   return result;
 }
 
-/// At the roots T is what rounding leaves of it, in parts of epsilon and the sum of coefficients.
+/// The largest |T| at the roots that are found, in epsilons of the sum of coefficients.
 template <typename Scalar>
 double largest_left(const Polynomial& T) {
   TrigonometricPolynomial<Scalar, 3> given;
@@ -278,7 +278,7 @@ TEST(TrigonometricRoots, AreKnownToAFewRoundings) {
   EXPECT_LT(in_double_double, 8);
 }
 
-/// A cluster tells where its multiple root is, much better than how far T is below its error.
+/// A cluster locates its multiple root much better than the range in which |T| is below its error.
 TEST(TrigonometricRoots, ClustersAreWhereTIsFlattest) {
   RandomInputs random(seed + 7);
   double farthest = 0;

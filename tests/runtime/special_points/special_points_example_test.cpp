@@ -142,7 +142,7 @@ Eigen::Vector4d solve_velocities(double L_BS3, const Eigen::Vector4d& sides) {
   system << -L_BS3, 0, 0, 1, -481.9848, 300, 0, 0, 500, 0, 155.1123, 0, 0, 150, 436.2923, 0;
   return system.partialPivLu().solve(sides);
 }
-/// Likewise equations 50 to 53 in counter-clockwise angular accelerations and a_S3S2^p.
+/// The same for equations 50 to 53, in counter-clockwise angular accelerations and a_S3S2^p.
 Eigen::Vector4d solve_accelerations(double L_BS3, const Eigen::Vector4d& sides) {
   Eigen::Matrix4d system;
   system << 500, 0, 155.1123, 0, 0, 150, 436.2923, 0, L_BS3, 0, 0, 1, -481.9848, 300, 0, 0;
@@ -177,8 +177,8 @@ TEST_F(WorkedExample, PrintedNumbersLeaveTheMethodAtOneLength) {
               motion_.acceleration(3), 0.02);
 }
 
-/// RRR-RRR in which BC and ED enclose a smaller and smaller angle, at last none: S_CD runs to
-/// infinity, and the group does not care.
+/// RRR-RRR in which the angle between BC and ED shrinks to zero: S_CD runs to infinity, while the
+/// group stays regular.
 TEST(PointAtInfinity, IsSaidAndDigitsAreCounted) {
   using Model = tetrad::Model01;
   using Rates = Vector<double, Model::input_count>;

@@ -73,7 +73,7 @@ class SpecialPoints : public testing::Test {
     return at;
   }
 
-  /// Whether a special point of an assembly has parallel lines: small rational numbers coincide.
+  /// Whether a special point of an assembly has parallel lines, as small rational numbers may give.
   static bool has_parallel_lines(const Assembly<Model, Rational>& at) {
     Matrix<Rational, 2 * Model::closure_link_count, 3> lines;
     Model::special_point_lines(at.d, at.u, at.q, lines);

@@ -16,7 +16,7 @@ class LostConfigurations : public testing::Test {};
 TYPED_TEST_SUITE(LostConfigurations, TypesOf<ConfigurationFamilies>::Types, FamilyNames);
 
 /// The list of each of 300 groups, by default 75, is as long as Sturm's theorem says and holds the
-/// configurations of which the group was made (append_listing_rows), and the generated solver tells
+/// configurations of which the group was made (append_listing_rows), and the generated solver finds
 /// every one.
 TYPED_TEST(LostConfigurations, GeneratedLosesAndInventsNone) {
   using Model = typename TypeParam::Model;
@@ -34,7 +34,7 @@ TYPED_TEST(LostConfigurations, GeneratedLosesAndInventsNone) {
   std::cout << TypeParam::name << ", seed " << seed << ": largest error " << error << '\n';
 }
 
-/// The doubles hold the groups exactly: in them the final polynomial has a root fewer than the
+/// Doubles represent the groups exactly, so that the final polynomial has one root fewer than the
 /// group has configurations.
 TEST(SharedUnknown, IsSharedExactlyAtZero) {
   for (int number = 0; number < members_per_distance; ++number) {

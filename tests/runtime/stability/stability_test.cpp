@@ -17,7 +17,7 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// The constant of the error bound C eps kappa.
 constexpr double allowed_roundings = 16;
-/// The same of an acceleration, which inherits the velocity's error and may be a small difference.
+/// The same for an acceleration, which inherits the velocity's error and may be a small difference.
 constexpr double allowed_in_acceleration = 256;
 
 /// A member of a family, at its distance from the failure.
@@ -136,7 +136,8 @@ TYPED_TEST(Stability, PivotingAndAutomaticDifferentiationAreBoundedAlike) {
   });
 }
 
-/// The error that the runtime's own margin promises, where no acceleration inherits the velocity's.
+/// Errors are within what the runtime's own margin promises. Accelerations, which inherit the error
+/// of the velocity, are printed alone.
 TYPED_TEST(Stability, GeneratedStaysWithinItsMargin) {
   using Model = typename TypeParam::Model;
   std::array<double, 3> worst{};
@@ -178,7 +179,7 @@ TYPED_TEST(Stability, OkMeansSixDigits) {
   EXPECT_LT(worst[1], 1e-6);
 }
 
-/// Else a family would say nothing about its failure.
+/// Otherwise a family would show nothing of its failure.
 TYPED_TEST(Stability, FamilyComesToItsFailure) {
   using Family = TypeParam;
   constexpr bool regular = Family::largest_condition < any_condition;
@@ -192,7 +193,7 @@ TYPED_TEST(Stability, FamilyComesToItsFailure) {
   });
 }
 
-/// The largest error of a method by distance, and how many members it failed on.
+/// The largest error of a method by distance; infinity where it failed on a member.
 template <typename Family>
 std::map<double, double> largest_errors(
     Answer<typename Family::Model> (*method)(const Geometry<typename Family::Model, double>&),
@@ -234,7 +235,7 @@ TEST(ComplexStep, PaysForAssemblingInDoubleNearAFold) {
   }
 }
 
-/// Members for which Newton's iteration settles, and elsewhere.
+/// The number of members for which Newton's iteration settles, but on another configuration.
 template <typename Family>
 int landed_elsewhere() {
   using Model = typename Family::Model;
@@ -271,7 +272,7 @@ TEST(CentralDifferences, NeverHaveMoreThanSixDigitsOfAllQuantities) {
   }
 }
 
-/// Whether a status says of spoilt input that it is no number, by method.
+/// By method, whether the status of spoilt input is not_finite.
 TEST(BadInput, IsRefusedByTheRuntimeAndByNoBareSolver) {
   std::map<std::string, int> refused;
   for (const BadInputRow& row : bad_input_rows()) {

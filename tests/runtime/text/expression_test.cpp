@@ -1,4 +1,4 @@
-// Checks the expression parser against arithmetic, and that no text at all can upset it.
+// Law: expressions have the values of arithmetic, and any other text is refused at a column of it.
 #include <gtest/gtest.h>
 
 #include <assur/text/expression.hpp>

@@ -36,7 +36,7 @@ class TemporaryDirectory {
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Writes a file and gives its path.
-  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and whoever reads by name needs no path
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and a caller may not need the path
   std::filesystem::path write(const std::string& name, const std::string& text) const {
     std::ofstream(path_ / name, std::ios::binary) << text;
     return path_ / name;

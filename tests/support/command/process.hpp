@@ -20,8 +20,8 @@ struct ProcessResult {
   std::string messages;
 };
 
-/// `output` becomes the standard output and is closed here; files that grow beyond `largest_file`
-/// bytes, if it is not 0, are as on a full disk.
+/// `output` becomes the standard output and is closed here. Unless `largest_file` is 0, a file that
+/// grows beyond that many bytes fails as on a full disk.
 inline ProcessResult run_process(const std::vector<std::string>& arguments, int output,
                                  unsigned long largest_file = 0) {
   const TemporaryDirectory directory;

@@ -1,5 +1,5 @@
-// Measures the emitted functions of closures against their residual, and that against one typed
-// here: Jacobians by complex steps, right-hand sides by differences in long double.
+// Measures the emitted functions of closures against their residual, and the residual against one
+// that is typed: Jacobians by complex steps, right-hand sides by differences in long double.
 #pragma once
 
 #include <array>

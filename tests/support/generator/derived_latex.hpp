@@ -19,7 +19,7 @@ inline std::string product_with_jacobian(const generator::document::Derivation& 
   return text;
 }
 
-/// Rates follow the closures where there are as many as unknowns.
+/// Whether there are as many closures as unknowns, so that the closures determine rates.
 inline bool is_square(const generator::document::Derivation& derivation) {
   return derivation.jacobian.rows.size() == derivation.jacobian.columns.size();
 }

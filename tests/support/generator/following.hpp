@@ -39,8 +39,8 @@ class Following {
     }
   }
 
-  /// Follows each configuration of the first step: prints where it gets to, what it is there, and
-  /// how far it is from where it began when it comes back.
+  /// Follows each configuration of the first step to its branch's end and back: prints where it
+  /// ends, which listed configuration it is at each step, and how far from its start it comes back.
   template <typename NumbersOf>
   void print(const NumbersOf& numbers_of) const {
     const int count = static_cast<int>(listed_.front().size());
@@ -62,7 +62,7 @@ class Following {
         farthest = std::max(farthest, distance);
       }
       const int last = step - 1;
-      // What has ended does not go on.
+      // A branch that has ended does not go on.
       const bool stays =
           last == steps_ || Solver::track(at(step), branch, state).reached == way.reached;
       for (step = last - 1; step >= 0; --step) {
@@ -84,7 +84,7 @@ class Following {
     }
   }
 
-  /// The whole range at once, for each configuration: 1 where it is followed to the end.
+  /// Prints for each configuration 1 if one call over the whole range follows it to its end, or 0.
   void print_at_once() const {
     for (std::size_t configuration = 0; configuration < listed_.front().size(); ++configuration) {
       auto branch = Solver::branch(drivers_.front(), static_cast<int>(configuration));
@@ -99,7 +99,7 @@ class Following {
   [[nodiscard]] const Drivers& at(int step) const {
     return drivers_[static_cast<std::size_t>(step)];
   }
-  /// The largest difference of a number, lengths in parts of the largest.
+  /// The largest difference of a number, of lengths relative to the largest length.
   [[nodiscard]] double distance_between(const std::vector<double>& one,
                                         const std::vector<double>& other) const {
     double largest = 0;

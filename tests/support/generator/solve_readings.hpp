@@ -116,7 +116,7 @@ class ReadingList {
     }
   }
 
-  /// Where no parameter has a tolerance, the solver says nothing of what they come to.
+  /// Whether a parameter has a tolerance; otherwise the solver says nothing of tolerances.
   [[nodiscard]] bool has_tolerances() const {
     const Json parameters = json_.value("parameters", Json::object());
     return std::any_of(parameters.begin(), parameters.end(), [](const Json& parameter) {

@@ -10,7 +10,7 @@
 
 namespace assur::test {
 
-/// Relative to the largest number of its sort in the configuration.
+/// How far numbers may differ, relative to the largest of their sort in the configuration.
 inline constexpr double agreement = 1e-12;
 
 inline const std::string warnings_as_errors = " -Wall -Wextra -Wconversion -Wshadow -Werror ";
@@ -37,8 +37,8 @@ inline void emit_solver(const EmittedScene& scene, const TemporaryDirectory& dir
   ASSERT_EQ(emitted.status, 0) << emitted.messages;
 }
 
-/// Runs a compiler over a file of C++17 that includes solvers from the directory. What a solver
-/// leaves unset is not a number.
+/// Runs a compiler over a file of C++17 that includes solvers from the directory. Numbers
+/// that a solver leaves unset are NaN.
 inline void compile(const std::string& compiler, const std::string& options,
                     const std::filesystem::path& source, const TemporaryDirectory& directory) {
   const std::string root = directory.path().string();
@@ -71,7 +71,7 @@ inline void compile_program(const std::filesystem::path& source, const std::stri
   compile(compiler.command, "-O0 " + compiler.objects + "-o " + program, source, directory);
 }
 
-/// Has clang++, if there is one, read a file as well; of whole campaigns alone, unless it is short.
+/// Checks a file with clang++, too, if there is one: a short one always, others in whole campaigns.
 inline void check_by_clang(const std::filesystem::path& source, const TemporaryDirectory& directory,
                            bool is_short = false) {
   const bool asked = is_short || is_whole_campaign();
@@ -96,7 +96,7 @@ double sensitivity(const Matrix& matrix, const char* parameter, int row) {
 )";
 
 /// Prints, for each step, the number of configurations and then every reading of each. A solver
-/// with variable parameters gets these.
+/// with variable parameters gets the given values.
 inline std::string printing_function(const EmittedScene& scene, const SolveReadings& expected,
                                      const std::string& name,
                                      const std::map<std::string, double>& parameters = {}) {

@@ -14,7 +14,7 @@ using Json = SceneMaker::Json;
 using Values = std::map<std::string, double>;
 
 struct VariableScene {
-  std::string name;  ///< of the file; the solver's is like it
+  std::string name;  ///< of the file; the solver is named after it
   std::string solver;
   Json json;
   std::vector<Values> values;  ///< of all variable parameters
@@ -102,7 +102,7 @@ inline VariableScene platform() {
            {{"size", 0.5}, {"slant", 0.125}, {"leg", 3}, {"base", 4}}}};
 }
 
-/// The platform on three legs, one of whose pivots may come to any other one, or on any line.
+/// The platform on three legs, whose pivot P1 may be anywhere, even at P0 or P2.
 inline VariableScene meeting_pivots() {
   SceneMaker scene;
   scene.parameter("a", 1).parameter("b", 0.5);
@@ -141,7 +141,7 @@ inline VariableScene parallel_slides() {
            {{"distance", 2.5}, {"turn", 1.2}, {"place", 2}}}};
 }
 
-/// A link on three slides whose directions vary; they cross as the scene has them.
+/// A link on three slides whose directions vary; at the scene's own values they cross.
 inline VariableScene turning_slides() {
   SceneMaker scene;
   scene.parameter("turn", 0.3).parameter("other", 1.2).parameter("distance", 1.5);
@@ -163,8 +163,9 @@ inline VariableScene turning_slides() {
            values(0.3, 0), values(0.3, 0.3)}};
 }
 
-/// Its coupler is drawn far from the origin, its rocker, called like a root, has a tolerance below
-/// a root that does not vary.
+/// A four-bar whose coupler is drawn far from the origin. Its rocker is named like a root in
+/// emitted code, and has a coordinate that is the root of a parameter that has a tolerance and does
+/// not vary.
 inline VariableScene drawn_bars() {
   SceneMaker scene;
   scene.parameter("bx", 500)

@@ -39,7 +39,7 @@ struct Step {
   std::string first, second;
   double first_radius = 0, second_radius = 0;  ///< of a pin
   std::vector<std::string> members;            ///< of a pin: its two links
-  double along = 0, aside = 0;                 ///< of another point, in parts of first to second
+  double along = 0, aside = 0;                 ///< of another point, relative to first to second
 };
 
 inline Step pin(const std::string& name, const std::string& first, double first_radius,
@@ -52,8 +52,8 @@ inline Step beside(const std::string& name, const std::string& first, const std:
   return {name, first, second, 0, 0, {}, along, aside};
 }
 
-/// Adds what follows from some points by the steps from the one with an index on. What is known is
-/// rational or a square root of it: what rounding leaves of an exact tangency is far below 1e-13.
+/// Adds all that follows from the points so far by the steps from `index` on. The numbers are
+/// rational or square roots of such: rounding leaves far less than 1e-13 of an exact tangency.
 inline void complete(const KnownAssembly& so_far, const std::vector<Step>& steps, std::size_t index,
                      Known& known) {
   if (index == steps.size()) {

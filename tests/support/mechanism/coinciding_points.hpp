@@ -11,8 +11,8 @@
 
 namespace assur::test::coinciding_points {
 
-/// A feature `name` where it stands in the world, on a link that stands at `origin` and turned by
-/// quarter turns.
+/// A scene whose features are given by where they are in the world. Each link has its origin at a
+/// point of the lattice and is turned by quarter turns.
 // NOLINTNEXTLINE(bugprone-exception-escape): destroying JSON throws only where memory is short
 struct Lattice {
   SceneMaker scene;
@@ -49,7 +49,7 @@ class LatticeSource {
   std::uniform_int_distribution<int> turns_{0, 3};
 };
 
-/// Links of three points, the first of which coincides with another one; that is moved.
+/// Adds a link of three points, one of which coincides with another and is moved by parameters.
 inline void add_ternary(Lattice& lattice, LatticeSource& source, const std::string& link,
                         const std::array<std::string, 3>& names,
                         std::map<std::string, std::array<int, 2>>& world, const std::string& by_x,

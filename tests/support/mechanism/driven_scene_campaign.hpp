@@ -21,7 +21,7 @@ inline RandomDrivenScene driven_scene(unsigned seed, Places places, Ties ties = 
   return {seed, places, 1 + static_cast<int>((seed - first_driven_seed) % most_groups), ties};
 }
 
-/// Links that are one of a group are tied by drivers, or by groups that are solved before.
+/// Several links that form one link of a group are tied by drivers, or by groups solved before.
 class DrivenScenes : public testing::TestWithParam<Ties> {
  protected:
   /// Runs a check of many scenes: a refusal is a failure of one of them.
@@ -46,8 +46,8 @@ inline std::string name_of_ties(const testing::TestParamInfo<Ties>& ties) {
 }
 
 /// How near the constraints' Jacobian is to a singular one: the least pivot of orthogonal
-/// elimination as a part of the largest. Singular values tell it by a factor more closely, in a
-/// hundred times the time.
+/// elimination as a part of the largest. Singular values are more accurate by a factor, but
+/// take a hundred times as long.
 inline Real condition_of(const RigidScene& rigid, const RealVector& q) {
   const RealMatrix jacobian = rigid.jacobian(q);
   const RealVector pivots =
@@ -92,7 +92,7 @@ inline double pose_difference(const ::assur::Pose<double>& one, const ::assur::P
                    std::abs(turned(one.direction, reversed(two.direction)).sin)});
 }
 
-/// The same configurations, one by one, whatever the order of links, joints, drivers, parameters.
+/// Expects the same configurations, in order, whatever the order of links, joints and drivers.
 /// Those that meet others are known to `within_singular` alone.
 inline void expect_same_configurations(const Solved& one, const Solved& other,
                                        double within_singular = 1e-7) {

@@ -56,7 +56,7 @@ struct ChainJoint {
   std::array<std::size_t, 2> features;
 };
 
-/// A dyad by what holds it: two links, of which the first joint's comes first, or one and a block.
+/// A dyad and what holds it: two links, that of the first joint first, or one link and a block.
 struct ChainDyad {
   enum class Kind : unsigned char { rrr, rpr, rrp, prp, rpp };
   Kind kind;
@@ -162,8 +162,8 @@ class DyadChain {
     const int x = within(reach_);
     return {x, within(reach_)};
   }
-  /// A multiple of 90 degrees, and the angle of a Pythagorean triangle where they may be; with its
-  /// angle as an expression.
+  /// A turn by a multiple of 90 degrees and, where allowed, by the angle of a Pythagorean triangle;
+  /// `text` gets its angle as an expression.
   Gaussian turn(std::string* text = nullptr) {
     const unsigned quarters = draw(4);
     Gaussian result{1, 0};
@@ -282,7 +282,7 @@ class DyadChain {
     dyad.features[line] = {true, {0, 0}, {1, 0}};
     dyad.features[pin] = {false, {0, 0}, {1, 0}};
   }
-  /// A place on a link's line that the line passes a place by in the known configuration.
+  /// A place in a link's frame, on the line that passes `world` in the known configuration.
   Gaussian links_at(std::size_t link, const Gaussian& world, const ChainFeature& line) {
     const ChainPose<Gaussian>& pose = links_[link].known;
     return (world - pose.origin) / pose.turn + Gaussian{within(2)} * line.along;

@@ -26,7 +26,7 @@ struct ChainFaults {
   int called_regular = 0;   ///< that are singular in truth
   int called_singular = 0;  ///< that are regular in truth
   int no_family = 0;        ///< families that are not told
-  int false_family = 0;     ///< families that are none, or that are told twice
+  int false_family = 0;     ///< families that do not exist, or that are told twice
   int wrong_mobility = 0;
   int wrong_after = 0;  ///< families with other links placed than those that hold them
   int renumbered = 0;   ///< another listing or place has another order
@@ -83,8 +83,8 @@ struct ChainTally {
 
 class DyadChainRun {
  public:
-  /// Scenes that are answered wrongly are told to `out`, and written to a directory that has a
-  /// name.
+  /// Reports scenes that are answered wrongly to `out`, and writes them to the directory unless its
+  /// name is empty.
   DyadChainRun(std::ostream& out, std::string directory)
       : out_(out), directory_(std::move(directory)) {}
 
@@ -207,7 +207,7 @@ class DyadChainRun {
     if (as_made.size() != other.size()) {
       return false;
     }
-    // The directions of links against the first of them do not change, and tell configurations.
+    // The directions of links against the first of them do not change, and distinguish configurations.
     const auto ground = DyadChain::ground_of(listing);
     for (std::size_t index = 0; index < as_made.size(); ++index) {
       const std::complex<double> turned = as_made[index] * ground.turn;
@@ -221,8 +221,8 @@ class DyadChainRun {
     return true;
   }
 
-  /// On the lattice others are further apart; where two meet they are known to the root of
-  /// rounding.
+  /// Different configurations on the lattice are further apart; where two meet, they are known only
+  /// to the root of rounding.
   static constexpr double same_configuration = 5e-3;
 
   static double difference(const Poses& one, const Poses& other) {

@@ -19,7 +19,7 @@ struct DyadPosition {
   std::optional<std::array<ChainPose<Gaussian>, 2>> exact;
 };
 
-/// All that is known of a dyad where it is held.
+/// All that is known of a dyad whose bases stand still.
 struct DyadAnswer {
   int mobility = 0;           ///< of a dyad that moves
   bool inconsistent = false;  ///< its slides are parallel, and it does not close
@@ -172,7 +172,7 @@ class ExactDyad {
         break;
       }
       case ChainDyad::Kind::rpr: {
-        // A line that passes the pivots aside by what both links say, from one foot to the other.
+        // The line passes each pivot at the distance that its link gives, from foot to foot.
         const Number line = (far - base) / (root - i * given);
         stand(0, line / along[2], at[1], base);
         stand(1, line / along[3], at[4], far);
@@ -211,8 +211,8 @@ struct ChainConfiguration {
 
 /// The exact answer to a chain.
 struct ChainTruth {
-  /// Nothing is said of what depends on an irrational position, or on one that is known to the root
-  /// of rounding, nor of slides that are parallel and do not close.
+  /// False where the answer depends on an irrational position, or on one that is known only to the
+  /// root of rounding, or where slides are parallel and do not close.
   bool known = true;
   std::vector<ChainConfiguration> configurations;
   /// For each family the links that stand: the ground, the cranks, and the dyads that hold it.
@@ -247,8 +247,8 @@ class ExactChain {
   }
 
  private:
-  /// The links that stand where a dyad moves, which is named by its number and by the choices of
-  /// those that hold it.
+  /// The links that stand still in a family. The family is given by the number of the dyad that
+  /// moves and by the choices of the dyads that hold it.
   [[nodiscard]] std::set<std::string> placed_links(const std::vector<int>& family) const {
     std::set<std::string> placed;
     for (std::size_t link = 0; link < chain_.driven(); ++link) {

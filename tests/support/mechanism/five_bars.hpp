@@ -5,7 +5,7 @@
 
 namespace assur::test {
 
-/// A parallelogram with a third crank, which the other two would do without.
+/// A parallelogram with a third crank, which is redundant.
 inline Bars five_bars(double third_pivot, double third_length) {
   Bars bars;
   bars.json()["links"]["crank"]["B"] = {1.5, 0};

@@ -15,7 +15,7 @@ struct Jet {
   Jet(double given) : value(given) {}  // NOLINT(google-explicit-constructor): as numbers convert
   Jet(double given, double first, double next) : value(given), rate(first), second(next) {}
 
-  /// f of this, with its derivatives there.
+  /// A function of this number, by its value and its first two derivatives there.
   [[nodiscard]] Jet through(double f, double first, double next) const {
     return {f, first * rate, first * second + next * rate * rate};
   }

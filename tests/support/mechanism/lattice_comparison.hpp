@@ -36,7 +36,7 @@ struct LatticeAnswer {
 /// What is wrong with an answer.
 struct LatticeFaults {
   int lost = 0;             ///< isolated configurations that are not listed
-  int hidden = 0;           ///< likewise, where nothing is listed because there is a family, too
+  int hidden = 0;           ///< lost, where nothing is listed because there is a family, too
   int invented = 0;         ///< listed ones that are none, do not close or are listed twice
   int open = 0;             ///< of the invented the ones that do not close
   int twice = 0;            ///< of the invented the ones that are listed before
@@ -46,7 +46,7 @@ struct LatticeFaults {
   int false_family = 0;     ///< the answer tells of a family and there is none
   int wrong_mobility = 0;
   int renumbered = 0;  ///< another listing is answered otherwise
-  int exchanged = 0;   ///< likewise, where the two links of joints change places
+  int exchanged = 0;   ///< the same, where the two links of joints change places
   int refused = 0;     ///< the library throws
   int tolerated = 0;   ///< called near singular, regular in truth, badly conditioned: no fault
 
@@ -122,8 +122,8 @@ inline PlacedFeature placed_feature(const LatticeScene& scene, const LatticeJoin
   return {poses[index] * point, poses[index].linear() * along};
 }
 
-/// How far the joints are from closed, and how that follows from the links' velocities. A link
-/// moves by the velocity of what is at the origin of the ground, and by its rate of turning.
+/// How far the joints are from closed, and the derivatives of that by the links' velocities. A link
+/// has the velocity of its point at the origin of the ground, and a rate of turning.
 struct ClosureEquations {
   Eigen::VectorXd miss;
   Eigen::MatrixXd jacobian;
@@ -173,7 +173,7 @@ inline void examine(const LatticeScene& scene, ListedConfiguration& configuratio
   const ClosureEquations equations = closure_equations(scene, configuration.poses);
   configuration.residual = equations.miss.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   for (const Eigen::Isometry2d& pose : configuration.poses) {
-    // A direction of no length closes what it should not; what is far away closes by rounding.
+    // A direction has to be of length one, and what is far away closes only to its rounding.
     const double miss = std::max(std::abs(pose.linear().determinant() - 1),
                                  1e-16 * pose.translation().cwiseAbs().maxCoeff());
     configuration.residual = !(miss <= configuration.residual) ? miss : configuration.residual;
@@ -240,8 +240,8 @@ inline LatticeFaults lattice_faults(const LatticeTruth& truth, const LatticeAnsw
       good.push_back(&listed);
     }
   }
-  // The worst conditioned last. Where there is a family, those that are singular beyond the
-  // isolated ones that are so stand on it.
+  // The worst conditioned come last. If there is a family, the singular configurations in excess of
+  // the isolated singular ones are on it.
   std::sort(good.begin(), good.end(),
             [](const auto* a, const auto* b) { return a->smallest > b->smallest; });
   const auto conditioned = std::count_if(

@@ -25,7 +25,7 @@ struct LatticeTally {
 
 class LatticeRun {
  public:
-  /// Faulty scenes are told to `out`, and written as files to `directory` where it has a name.
+  /// Reports faulty scenes to `out`, and writes them as files to `directory` unless that is empty.
   LatticeRun(std::ostream& out, std::string directory)
       : out_(out), directory_(std::move(directory)), kinds_(lattice_kinds()) {}
 

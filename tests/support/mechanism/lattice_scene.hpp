@@ -171,7 +171,7 @@ class LatticeScene {
   static int within(int bound, std::mt19937& engine) {
     return static_cast<int>(engine() % static_cast<unsigned>(2 * bound + 1)) - bound;
   }
-  /// A multiple of 90 degrees, or every other time, where they may be, a Pythagorean angle.
+  /// A multiple of 90 degrees, plus a Pythagorean angle every other time where that is allowed.
   static Turn drawn_turn(bool pythagorean, std::mt19937& engine) {
     const bool drawn = engine() % 2 == 1;
     const bool longer = engine() % 2 == 1;
@@ -194,7 +194,7 @@ class LatticeScene {
     return link == base_link ? "ground" : links_[static_cast<std::size_t>(link)];
   }
 
-  /// A number over the size of a frame: a decimal number, or an expression where it is none.
+  /// A number over the size of a frame: an integer, or an expression where it is not one.
   static std::string number_text(int numerator, int size) {
     return numerator % size == 0
                ? std::to_string(numerator / size)

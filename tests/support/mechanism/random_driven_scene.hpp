@@ -22,12 +22,12 @@ namespace assur::test {
 /// where parts are equal and parallel and joints stand in singular positions.
 enum class Places : unsigned char { anywhere, lattice };
 
-/// What ties links together that are one link of a group: drivers alone, or other groups too.
+/// What ties several links together into one link of a group: drivers alone, or other groups too.
 enum class Ties : unsigned char { drivers, groups };
 
-/// Driven links, groups of links some of which are several that drivers tie together, and driven
-/// links behind them. Laws read joints that are placed before; parameters move, and with them
-/// lengths, directions and laws.
+/// Driven links, groups, and driven links behind them. A link of a group may consist of several
+/// links that are tied together. Laws read joints that are placed before; parameters move, and with
+/// them lengths, directions and laws.
 class RandomDrivenScene {
  public:
   using Json = nlohmann::ordered_json;
@@ -106,12 +106,12 @@ class RandomDrivenScene {
     std::string joint;
     double coordinate;
   };
-  /// A pin, none of whose links moves it by a driver, that a later link may join.
+  /// A pin without a driver, which a later link may join.
   struct OpenPin {
     std::string joint;
     Feature place;
   };
-  /// Links that drivers tie together; one alone as well.
+  /// Links that are tied together, or a single link.
   using Body = std::vector<std::string>;
 
   int below(int bound) { return static_cast<int>(engine_() % static_cast<unsigned>(bound)); }
@@ -243,7 +243,7 @@ class RandomDrivenScene {
     new_readable_.push_back({joint, coordinate});
   }
 
-  /// What may be read is told where the links are placed, and no law before them waits for it.
+  /// Lets later links and laws use the links of this stage, and the joints that it added.
   void conclude_stage(const std::vector<std::string>& links) {
     placed_.insert(placed_.end(), links.begin(), links.end());
     readable_.insert(readable_.end(), new_readable_.begin(), new_readable_.end());
@@ -269,7 +269,7 @@ class RandomDrivenScene {
   }
 
   const std::string& any_placed() {
-    // The latest ones more often, so that much hangs on what stands before.
+    // Later links are chosen more often, so that long chains arise.
     const int count = static_cast<int>(placed_.size());
     return placed_[static_cast<std::size_t>(std::max(below(count), below(count)))];
   }
@@ -282,14 +282,14 @@ class RandomDrivenScene {
     conclude_stage(add_group(which[static_cast<std::size_t>(below(10))], nullptr));
   }
 
-  /// The group of links that a body holds alone: they are a part of the body.
+  /// Adds a group that the body alone holds, so that its links become a part of the body.
   void add_group_to(Body& body) {
     const std::vector<std::string> added =
         add_group(chance(0.8) ? 0U : static_cast<std::size_t>(1 + below(2)), &body);
     body.insert(body.end(), added.begin(), added.end());
   }
 
-  /// The links of a group, one of those that are known, on a body or on what is placed.
+  /// Adds a known group, on a body or on links that are placed, and returns its links.
   std::vector<std::string> add_group(std::size_t which, const Body* base) {
     const auto& known = mechanism::known_groups();
     const mechanism::GroupModels& group = known[std::min(which, known.size() - 1)];
@@ -438,15 +438,14 @@ class RandomDrivenScene {
   std::mt19937 engine_;
   Places places_;
   Ties ties_;
-  const Body* base_ =
-      nullptr;  ///< that holds the group which is being added, if not what is placed
+  const Body* base_ = nullptr;  ///< holds the group that is being added; null where placed links do
   Json scene_;
   std::map<std::string, BodyPose> poses_;
   std::map<std::string, double> value_;
   std::vector<std::string> free_;
   std::vector<std::string> placed_;
   std::set<std::string> closed_;  ///< joints that are driven or read
-  std::set<std::string> joined_;  ///< pins that a link of this group joins: no second one may
+  std::set<std::string> joined_;  ///< pins that a link of this group joins: only one may
   std::vector<Readable> readable_, new_readable_;
   std::vector<OpenPin> pins_, new_pins_;
 };

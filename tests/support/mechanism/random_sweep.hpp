@@ -23,7 +23,7 @@ struct RandomSweep {
   BodyPose crank;             ///< as made, at p = 0
   mechanism::Scene scene;
 
-  /// The held feature of joint B at a value of the parameter.
+  /// Moves joint B on the ground, or changes the bar's length, to a value of the parameter.
   void set_parameter(Real p) {
     BodyPose pose = crank;
     if (swept == Swept::crank) {
@@ -60,7 +60,7 @@ inline Json feature_json(const BodyFeature& feature, bool line) {
   return {{"through", {x, y}}, {"along", {std::cos(angle), std::sin(angle)}}};
 }
 
-/// What a scene file keeps of a number.
+/// A feature with the digits that a scene file keeps.
 inline BodyFeature rounded(const BodyFeature& feature) {
   return {static_cast<double>(feature.x), static_cast<double>(feature.y),
           static_cast<double>(feature.angle)};

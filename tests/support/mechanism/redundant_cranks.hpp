@@ -13,14 +13,14 @@ struct Place {
   double x, y;
 };
 
-/// Cranks that hold one coupler, then others that hold another one; more than two hold it too well.
+/// Cranks that hold one coupler, then others that hold another; more than two over-constrain it.
 class RedundantCranks {
  public:
   using Json = nlohmann::ordered_json;  // lists what it holds as it was added
 
   explicit RedundantCranks(double length) : length_(length) {}
 
-  /// A crank, of which the coupler has the tip where it is in the direction of the x-axis.
+  /// Adds a crank; the coupler has its tip at the place that the ground has its pivot at.
   RedundantCranks& add(const std::string& name, Place pivot) {
     scene_["links"]["ground"][name] = {pivot.x, pivot.y};
     scene_["links"][coupler_][name] = {pivot.x, pivot.y};
@@ -33,7 +33,7 @@ class RedundantCranks {
     scene_["drivers"][crank] = {{"position", "phi"}, {"velocity", 1}};
     return *this;
   }
-  /// The cranks behind this hold a coupler of a name.
+  /// The cranks that are added after this hold the coupler of this name.
   RedundantCranks& begin(const std::string& coupler) {
     coupler_ = coupler;
     return *this;

@@ -113,7 +113,7 @@ class RigidScene {
   [[nodiscard]] RealVector values_of(const RealVector& q) const {
     return part_of(constraints(q, still(), still()), 0);
   }
-  /// What makes the constraints' first rates vanish; they are affine in it.
+  /// The coordinates' rates at which the constraints' first rates vanish; these are affine in them.
   [[nodiscard]] RealVector velocity(const RealVector& q) const {
     return root_of([&](const RealVector& v) { return part_of(constraints(q, v, still()), 1); });
   }
@@ -143,8 +143,8 @@ class RigidScene {
     return q;
   }
 
-  /// A column is the rate of the constraints along its coordinate; rates that are given beside a
-  /// law say nothing of that. A joint is at rest while links move that it does not connect.
+  /// A column is the rate of the constraints along its coordinate; laws have their own rates here,
+  /// not those given beside them. A joint is at rest while links move that it does not connect.
   [[nodiscard]] RealMatrix jacobian(const RealVector& q) const {
     std::vector<Pose> poses = moving_poses(q, still(), still());
     std::vector<RealMatrix> blocks;
@@ -188,8 +188,8 @@ class RigidScene {
   };
 
   static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
-  /// A function of time with its first two derivatives at t = 0, from nine of its values, the
-  /// closer the faster what it depends on moves.
+  /// A function of time with its first two derivatives at t = 0, from nine of its values. These
+  /// are closer together, the faster that moves on which it depends.
   template <typename Function>
   static Jet differentiated(const Function& f, Real speed = 1) {
     const Real h = 1 / (256 * speed);
@@ -207,7 +207,7 @@ class RigidScene {
     }
     return {here, rate, second_rate / 2, 0};
   }
-  /// A number of the mechanism while its parameters move, and joints that it reads.
+  /// A number of the mechanism at a time, while its parameters and the joints that it reads move.
   template <typename CoordinateOf>
   [[nodiscard]] Real at_time(mechanism::NumberIndex number, Real t,
                              const CoordinateOf& coordinate_of) const {
@@ -238,7 +238,7 @@ class RigidScene {
     }
     return displacement(poses, joint);
   }
-  /// What the law of a driver says; of a driven joint it reads what that one's law says.
+  /// The coordinate by a driver's law. Where the law reads a driven joint, it reads that one's law.
   [[nodiscard]] Jet wanted(const std::vector<Pose>& poses, const mechanism::Driver& driver,
                            Laws laws) const {
     const auto read = [&](mechanism::JointIndex joint) {
@@ -278,7 +278,7 @@ class RigidScene {
     angle.c0 += angle.c0 < 1e-9L - std::acos(-1.0L) ? 2 * std::acos(-1.0L) : 0;
     return angle;
   }
-  /// A difference of angles, brought to where its value is least.
+  /// A difference of angles, brought between -pi and pi.
   static Jet wrapped(Jet angle) {
     angle.c0 = std::remainder(angle.c0, 2 * std::acos(-1.0L));
     return angle;

@@ -34,8 +34,8 @@ struct TiedJoint {
   Vector along, on_first, on_second;
 };
 
-/// A group: its links are counted from one. Two pins on one link, or the ground's own two, are a
-/// bar between links that do not turn against each other.
+/// A group: its links are counted from one. A link with two pins, or the ground with
+/// two, is a bar between links that do not turn against each other.
 struct Group {
   int links = 0;
   std::vector<TiedJoint> joints;
@@ -69,8 +69,8 @@ struct Truth {
   int mobility = 0;
 };
 
-/// No link turns but for one bar, so that its neighbours move in parallel, each by a vector: a
-/// slide holds it across the line, a pin holds it. The bar keeps the distance of its pins.
+/// No link turns except one bar, so that every other link moves by a vector: a slide holds it
+/// across the slide's line, a pin in both directions. The bar keeps the distance of its pins.
 class ExactSolution {
  public:
   explicit ExactSolution(const Group& group) : group_(group), bar_(bar_of(group)) {
@@ -166,7 +166,7 @@ class ExactSolution {
     }
   }
 
-  /// Where a link moves if a free column is one, or, for no column, where all of these are zero.
+  /// How a link moves per unit of a free column, or, for no column, where all of these are zero.
   [[nodiscard]] Vector moved(int link, std::size_t free_column) const {
     const auto entry = [&](std::size_t column) {
       const auto pivot = std::ranges::find(pivots_, column);

@@ -96,7 +96,7 @@ inline Eigen::Vector4d closure(const Parameters& a, const Eigen::Matrix<double, 
   return f;
 }
 
-/// What is left as the paper prints it.
+/// Which slips are left as the paper prints them.
 struct AsPrinted {
   std::string name;
   bool entry_4_3 = false;  ///< -cos phi1 in (8)

@@ -1,4 +1,4 @@
-// Tells whether what the root finder leaves undecided is beyond the given precision indeed.
+// Tells whether roots that the root finder leaves undecided really are beyond the given precision.
 #pragma once
 
 #include <algorithm>

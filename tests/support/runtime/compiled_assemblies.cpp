@@ -50,7 +50,7 @@ struct AssembliesOf {
   static constexpr auto pointer = &assemblies<Model>;
 };
 using AllAssemblies = decltype(instances<AssembliesOf>(AllModelsTuple()));
-// A table that other files could see keeps its functions from being left out.
+// The table has external linkage, so that the compiler does not leave its functions out.
 extern const AllAssemblies all_assemblies;
 const AllAssemblies all_assemblies = instances<AssembliesOf>(AllModelsTuple());
 

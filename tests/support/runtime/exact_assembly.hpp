@@ -20,7 +20,7 @@ inline void add_to_length(Direction<Rational>& /*angle*/, const Rational& /*chan
 
 /// Changes as many lengths as there are equations until the loops close: the equations are linear
 /// in dimensions and inputs that are lengths; the inputs are changed before the dimensions. Returns
-/// false if they hold too few.
+/// false if these lengths are too few.
 template <typename Model>
 [[nodiscard]] bool close_loops(Assembly<Model, Rational>& at) {
   constexpr int rows = Model::equation_count;

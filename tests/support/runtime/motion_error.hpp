@@ -8,10 +8,10 @@
 
 namespace assur::test {
 
-/// The largest error of the rates, each in the size of what it moves by: its column of the
-/// Jacobian. It is taken against the largest term of J q' = -F_u u', or of its time derivative with
-/// the centripetal terms, so that a motion in which large terms cancel is held to what their digits
-/// allow. The worse of velocity and acceleration.
+/// The largest error of the rates, each weighted by the largest entry of its column of J. It is
+/// relative to the largest term of J q' = -F_u u', or of its time derivative with the centripetal
+/// terms: where large terms cancel, only their digits can be right. The worse of velocity and
+/// acceleration.
 template <typename Model>
 [[nodiscard]] double relative_error(const Assembly<Model, double>& at,
                                     const Vector<double, Model::input_count>& u1,

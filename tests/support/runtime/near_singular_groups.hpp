@@ -55,7 +55,7 @@ class NearSingularGroups {
     });
   }
 
-  /// The unknowns on the way from one group to another, whose inputs close the first one's loops.
+  /// The first group with its unknowns moved towards the second's and its inputs changed to close.
   Group<double> between(const Group<double>& from, const Group<double>& to, double part) {
     Group<double> group = from;
     Vector<double, Model::unknown_count> way;
@@ -81,7 +81,7 @@ class NearSingularGroups {
     return group;
   }
 
-  /// Where on that way the determinant vanishes; halfway if it has one sign at both ends.
+  /// Where on that way the determinant vanishes; almost 1 if no change of its sign is met.
   double singular_between(const Group<double>& from, const Group<double>& to) {
     const auto orientation = [&](double part) {
       const Group<double> group = between(from, to, part);

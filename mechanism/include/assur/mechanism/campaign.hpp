@@ -1,4 +1,4 @@
-// Turns very many values of a mechanism's parameters into rows of a table, the same in any parts.
+// Turns very many values of a mechanism's parameters into table rows, however split into parts.
 #pragma once
 
 #include <assur/mechanism/campaign_columns.hpp>
@@ -15,23 +15,23 @@ namespace assur::mechanism {
 
 /// Items that are numbered from 0, each with rows that depend only on its number.
 struct Campaign {
-  /// Adds the rows of an item to others, row by row: whole numbers and outcomes as they are, and
-  /// NaN for a number that does not exist. The first number of a row is that of the item.
+  /// Appends the rows of an item to a vector, one row after another. NaN stands for a number that
+  /// does not exist. The first number of a row is that of the item.
   using Worker = std::function<void(std::uint64_t, std::vector<double>&)>;
 
   std::vector<Column> columns;
   std::uint64_t items;
-  std::function<Worker()> worker;  ///< makes one, with memory of its own, for one thread
+  std::function<Worker()> worker;  ///< makes a worker with memory of its own, for one thread
 };
 
 /// The items from `first` up to but not including `last`.
 struct ItemRange {
   std::uint64_t first, last;
 };
-/// Part `number`, from 1, of `parts`: all parts together are all items, each of them once.
+/// Part `number` (from 1) of `parts` parts, which together contain each item exactly once.
 [[nodiscard]] ItemRange part_of(std::uint64_t items, std::uint64_t number, std::uint64_t parts);
 
-/// The rows of some items that follow one another.
+/// The rows of consecutive items.
 struct RowBlock {
   ItemRange items;
   std::vector<double> rows;
@@ -51,26 +51,26 @@ struct Deviation {
   double half_width;
 };
 
-/// An output at the nominal values, and what derivatives there say of its deviations. Parameters
-/// are independent and uniform within their half-widths t, with variances t^2/3.
+/// An output at the nominal values, and its deviations as the derivatives there predict them.
+/// Parameters are independent and uniform within their half-widths t, with variances t^2/3.
 struct NominalPoint {
   std::string name;
   Eigen::Vector2d position;
   /// Absent where the derivatives are not known there.
   std::optional<Eigen::Vector2d> worst_case, rss;
-  /// Absent there as well, and where a mechanism has too many parameters for second derivatives.
+  /// Absent in that case, too, and where there are too many parameters for second derivatives.
   std::optional<PointSpread> spread;
 };
 
 /// Outputs under random deviations within the tolerances. Sample k takes its deviations from a
-/// generator that is a function of the seed, k and the parameter's place: each parameter is its
-/// formula's value, with the other parameters as they deviate, and a deviation of its own, uniform
-/// in (-t, t). Of its configurations the one is taken that stands nearest to the nominal one, by
-/// the angles of the links that no driver places.
+/// generator that is a function of the seed, k and the parameter's place. Each parameter is the
+/// value of its formula for the deviating other parameters, plus a deviation of its own, uniform in
+/// (-t, t). The sample takes the configuration that is nearest to the nominal one, by the angles of
+/// the links that no driver places.
 class Sampling {
  public:
   /// `branch`: the number of the nominal configuration, from 1 as `Plan::solve` counts; zero for
-  /// the one nearest to the request's reference, or where there is none the first. Throws
+  /// the one nearest to the request's reference, or without a reference the first. Throws
   /// MechanismError where nothing deviates, nothing is an output, or there is no such
   /// configuration.
   Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
@@ -82,7 +82,7 @@ class Sampling {
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
   /// The values of the deviating parameters in a sample, in the order of `deviations()`.
   [[nodiscard]] std::vector<double> parameters_of(std::uint64_t sample) const;
-  /// What the solver says of a sample that has no configuration.
+  /// The solver's reason why a sample has no configuration.
   [[nodiscard]] std::string reason_of(std::uint64_t sample) const;
 
  private:

@@ -1,4 +1,4 @@
-// Turns what may become of a set of parameters' values into columns and words of a table.
+// Turns the outcomes of solving sets of parameter values into columns and words of a table.
 #pragma once
 
 #include <array>
@@ -7,11 +7,11 @@
 
 namespace assur::mechanism {
 
-/// What becomes of one set of values.
+/// The outcome of solving one set of values.
 enum class Outcome : unsigned char {
   regular,
   near_singular,  ///< there is a configuration; the loop Jacobian is nearly singular
-  ambiguous,      ///< of a sample: the next configuration is less than three times as far
+  ambiguous,      ///< samples only: the runner-up is less than three times as far from the nominal
   beyond_limits,  ///< there are configurations, and none within the limits of joints
   no_assembly,    ///< the links cannot reach
   degenerate,     ///< there are families only
@@ -22,7 +22,7 @@ inline constexpr std::array<std::string_view, 7> outcome_words = {
     "regular",     "near-singular", "ambiguous", "beyond-limits",
     "no-assembly", "degenerate",    "refused"};
 
-/// A column of a campaign's table: what its numbers are.
+/// A column of a campaign's table: its name, and the kind of its numbers.
 struct Column {
   enum class Kind : unsigned char { whole, outcome, real };
   std::string name;

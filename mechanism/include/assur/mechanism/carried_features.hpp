@@ -51,8 +51,8 @@ template <typename Scalar>
 }
 
 /// A feature of a carried link in the frame of the link that carries it. `feature_of(feature,
-/// is_line)` is a feature in its own link's frame, `position` where the driver's law puts the
-/// joint.
+/// is_line)` is a feature in its own link's frame, `position` the joint's coordinate by the
+/// driver's law.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] LinkFeature<Scalar> moved_feature(const LinkFeature<Scalar>& feature,
                                                 const Structure& structure, const CarriedLink& link,
@@ -64,7 +64,7 @@ template <typename Scalar, typename FeatureOf>
                        joint.first == link.from ? position : Scalar(-position));
 }
 
-/// A feature of a link, given in `frame`, in the outer frame of that frame.
+/// Transforms a feature that is given in `frame` into the outer frame, in which `frame` is given.
 template <typename Scalar>
 [[nodiscard]] LinkFeature<Scalar> placed_feature(const LinkFeature<Scalar>& feature,
                                                  const Pose<Scalar>& frame) {

@@ -86,19 +86,19 @@ inline constexpr std::size_t most_drawn = 24;
                                  const DrawingChoice& choice = {});
 
 /// One branch of the request's sweep in motion, by its number in the sweep, or for 0 the one
-/// nearest to the reference, or else the first. It goes round where it ends as it begins, and
-/// otherwise to and fro. Throws MechanismError as `drawing_of` does, and where the request has no
-/// sweep.
+/// nearest to the reference, or else the first. The motion is closed if the branch ends as it
+/// begins, and otherwise goes to and fro. Throws MechanismError as `drawing_of` does, and where the
+/// request has no sweep.
 [[nodiscard]] Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request,
                                         int branch = 0);
 
-/// A picture 80 mm wide, in one file that needs no other. It shows itself light or dark as the
-/// reader prefers. The root's `data-x`, `data-y` and `data-scale` say how its coordinates (u, v)
+/// A picture 80 mm wide, in one file that needs no other. It is light or dark as the reader's
+/// viewer prefers. The root's `data-x`, `data-y` and `data-scale` say how its coordinates (u, v)
 /// come from the scene's: u = data-scale (x - data-x), v = data-scale (data-y - y).
 [[nodiscard]] std::string drawing_svg(const Drawing& drawing);
 
 /// A drawing for CAD in the ASCII form of DXF R12, in the scene's unit: a layer for each link of
-/// each configuration, for its pins, for each output's way, and for dead centres.
+/// each configuration, for its pins, for each output's path, and for dead centres.
 [[nodiscard]] std::string drawing_dxf(const Drawing& drawing);
 
 /// A scene file that a page can solve anew.

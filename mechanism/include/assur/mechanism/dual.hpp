@@ -149,8 +149,8 @@ inline Dual atan2(const Dual& y, const Dual& x) {
       std::atan2(y.value(), x.value()), y, x,
       {c / radius, -s / radius, -curvature, (s - c) * (s + c) / radius / radius, curvature});
 }
-/// A constant power of any base. Where the exponent has taken the factor to zero, the power of
-/// the base does not matter: 0^(n - 2) is infinite.
+/// A constant power of any base. Where the factor that comes from the exponent is zero, so is the
+/// term, although the power of the base may be infinite, as 0^(n - 2) is.
 inline Dual pow(const Dual& a, double exponent) {
   const auto term = [&](double factor, double power) {
     return factor == 0 ? 0.0 : factor * std::pow(a.value(), power);

@@ -6,7 +6,7 @@
 namespace assur::mechanism {
 
 /// Eigen allocates matrices by the instruction set that a file is compiled for: with AVX it aligns
-/// them to 32 bytes, and frees what it takes to be allocated so. The library exists for one
+/// them to 32 bytes, and expects the same alignment when it frees them. The library exists for one
 /// alignment; a program compiled for another fails to link with an undefined reference to this.
 /// Compile both for the same instruction set (`-march`, `-mavx`).
 template <int Bytes>
@@ -16,8 +16,8 @@ struct LibraryForEigenAlignment {
 template <>
 const bool LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
 
-/// Refers to it from every file that includes a header of the library. Some compilers would leave
-/// out a variable that nothing uses, and with it the reference.
+/// Refers to `exists` from every file that includes a header of the library. Without the attribute,
+/// some compilers would leave out an unused variable, and with it the reference.
 [[gnu::used]] inline const bool eigen_alignments_agree =
     LibraryForEigenAlignment<EIGEN_DEFAULT_ALIGN_BYTES>::exists;
 

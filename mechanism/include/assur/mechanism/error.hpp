@@ -21,8 +21,8 @@ class MechanismError : public InputError {
       : InputError(text::on_one_line(part.empty() ? what : part + ": " + what)) {}
 };
 
-/// What is said of the number of a configuration that is higher than all (`highest`; zero if there
-/// is no configuration).
+/// The message for the number of a configuration above `highest`, the highest number that exists
+/// (zero if there is no configuration).
 [[nodiscard]] inline std::string no_configuration(std::size_t number, std::size_t highest) {
   return highest == 0 ? "there is no configuration"
                       : "there is no configuration " + std::to_string(number) +
@@ -36,9 +36,9 @@ class OverConstrained : public MechanismError {
                   std::vector<std::string> at, int free_elsewhere = 0)
       : MechanismError(part, what), surplus(by), lack(free_elsewhere), joints(std::move(at)) {}
 
-  int surplus;                      ///< constraints that are too many
+  int surplus;                      ///< the number of excess constraints
   int lack;                         ///< freedoms that other links keep
-  std::vector<std::string> joints;  ///< the joints among which they are
+  std::vector<std::string> joints;  ///< the joints among which the excess is
   /// The least gap by which these constraints fail to hold, where the mechanism without them can be
   /// assembled.
   double gap = std::numeric_limits<double>::infinity();

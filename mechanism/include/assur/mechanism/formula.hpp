@@ -30,7 +30,7 @@ class Formula {
   /// A constant.
   Formula(double number = 0)
       : steps_{{Step::Kind::number, text::Operation::other, number, {}, {}}} {}
-  /// What an expression says, its names resolved.
+  /// The formula of an expression, with its names resolved.
   Formula(const text::Expression& expression, const Names& names);
 
   [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
@@ -85,7 +85,7 @@ class Formula {
   static void apply(const Step& step, const ValueOf& value_of, std::vector<Scalar>& stack) {
     using std::pow;
     switch (step.kind) {
-      case Step::Kind::joint:  // is a coordinate, which `evaluate` has put on the stack
+      case Step::Kind::joint:  // a coordinate, which `evaluate` has put on the stack
         break;
       case Step::Kind::number:
         stack.push_back(Scalar(step.number));

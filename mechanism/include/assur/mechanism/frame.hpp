@@ -1,4 +1,4 @@
-// Turns frames that stand in one another into the frames and points that they carry.
+// Turns nested frames into the frames and points that they carry.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +9,7 @@
 
 namespace assur::mechanism {
 
-/// A row per coordinate, a column per parameter; what is done to all parameters runs along rows.
+/// One row per coordinate, one column per parameter; operations on all parameters run along rows.
 template <int Coordinates>
 using ParameterRows = Eigen::Matrix<double, Coordinates, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -35,12 +35,12 @@ struct Frame {
 
   /// A frame at rest in the outer frame, with a pose.
   [[nodiscard]] static Frame at(const Pose<Dual>& pose);
-  /// Takes over the rates of a pose that is a function of time (one derivative, one second one).
+  /// Takes over the rates of a pose that is a function of time (its first and second derivative).
   void move(const Pose<Dual>& in_time);
   /// The pose with its derivatives to the parameters, and as a function of time.
   [[nodiscard]] Pose<Dual> to_parameters() const;
   [[nodiscard]] Pose<Dual> in_time() const;
-  /// The frame on the axes of the outer frame.
+  /// The frame that coincides with the outer frame.
   [[nodiscard]] static Frame identity(Eigen::Index parameters, bool with_second);
 };
 
@@ -52,13 +52,13 @@ struct Point {
   Derivatives<2> follows;
 };
 
-/// The frame `inner`, which is given in `frame`, in the frame in which `frame` is given. `result`
-/// may not be one of the two.
+/// Transforms `inner`, which is given in `frame`, into the frame in which `frame` is given.
+/// `result` may not be one of the two.
 void compose(const Frame& frame, const Frame& inner, Frame& result);
 /// Does the same and returns the result.
 [[nodiscard]] Frame composed(const Frame& frame, const Frame& inner);
 
-/// The origin of `inner`, in the same frame.
+/// Finds the origin of `inner`, in the frame in which `frame` is given.
 void carry(const Frame& frame, const Frame& inner, Point& result);
 
 /// The pose of the outer frame, seen from a frame.

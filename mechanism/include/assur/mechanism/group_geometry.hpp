@@ -16,14 +16,14 @@ namespace assur::mechanism {
 template <typename Scalar>
 struct GroupGeometry {
   const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
-  std::string obstacle;                   ///< then: which link has none, and why
-  std::string flaw;                       ///< which link has no length, if one has none
+  std::string obstacle;                   ///< in that case: which link has none, and why
+  std::string flaw;                       ///< the link that has no length, if there is one
   std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
   std::vector<HeldAxis<Scalar>> held_axes;
-  /// How well the links' features define their frames, from zero to one. A held axis is firm.
+  /// How well the features define the links' frames, from zero to one. A held axis counts as firm.
   double firmness = 0;
-  /// The lengths by which the lines that hold some external slides of a degenerate model are to be
-  /// moved back across themselves, each with the joint.
+  /// Some external slides of a degenerate model, each with the length by which the base's line has
+  /// to be moved back across itself.
   std::vector<std::pair<int, Scalar>> held_offsets;
 
   /// Returns that length for an external joint of the model; zero if it has none.
@@ -56,7 +56,7 @@ struct SlideMeasure {
 
 /// The group in normal form under the first assignment of roles that defines its links' frames
 /// well, or else the best. `feature_of(joint, link)` is a joint's feature in the frame of a link
-/// (`carried_feature`), `zero` depends on nothing. The value of a number is `value()`.
+/// (`carried_feature`), `zero` depends on nothing. A `Scalar` gives its plain value by `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,

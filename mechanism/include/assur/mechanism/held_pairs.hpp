@@ -9,7 +9,7 @@
 namespace assur::mechanism {
 
 /// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-/// are held; a driver may prescribe one of them. Of a pin and a line the line is the first.
+/// are held; a driver may prescribe one of them. For a pin on a line, the line is the first.
 struct HeldPair {
   FeatureIndex first, second;
   std::array<bool, 3> holds;

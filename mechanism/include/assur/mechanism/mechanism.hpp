@@ -48,14 +48,14 @@ struct Link {
   std::vector<FeatureIndex> features;
 };
 
-/// What a joint holds of the features between which it stands.
+/// The constraint that a joint puts on its features.
 enum class JointType : unsigned char {
   revolute,    ///< the points coincide; k links at one pin are k - 1 joints
   prismatic,   ///< the two lines coincide and point the same way
   pin_in_slot  ///< the point lies on the line
 };
 
-/// What holds features of links together.
+/// A connection of features of links.
 struct Joint {
   std::string name;
   JointType type = JointType::revolute;
@@ -77,7 +77,7 @@ struct Output {
   FeatureIndex point;
 };
 
-/// One planar mechanism: its parts, without what is wanted of it. Every function that adds a part
+/// One planar mechanism: its parts, without a request for results. Every function that adds a part
 /// throws MechanismError if the part does not fit the others, and then leaves the mechanism as it
 /// was.
 ///
@@ -95,7 +95,7 @@ struct Output {
 /// declared (docs/guide/scenes.md).
 class Mechanism {
  public:
-  /// A number as the caller has it: a number, or the text of an expression.
+  /// A number as a caller gives it: a number, or the text of an expression.
   class Given {
    public:
     Given(double number) : number_(number) {}
@@ -164,7 +164,7 @@ class Mechanism {
   /// they are.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
-  /// The mechanism with all its drivers moved on: angles by `by`, displacements by as many lengths.
+  /// The mechanism with all its drivers moved on: angles by `by`, displacements by `by * length`.
   [[nodiscard]] Mechanism driven_on(double by, double length) const;
   /// The mechanism in which a joint no longer holds one of its links, the one with this feature.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;

@@ -17,10 +17,10 @@
 
 namespace assur::mechanism {
 
-/// A link of points alone, the first two of which coincide or nearly do: the way from one to the
-/// other has no direction there, or one that turns too fast to be differentiated. The x-axis of the
-/// link's normal frame then stands at a fixed angle on the link. Features may move the second point
-/// across it, which no dimension of the model says.
+/// A link with points alone, the first two of which coincide or nearly do, so that the line from
+/// one to the other has no direction, or one that turns too fast to be differentiated. The x-axis
+/// of the link's normal frame is then held at a fixed angle on the link. The second point may move
+/// across this axis, for which the model has no dimension.
 template <typename Scalar>
 struct HeldAxis {
   int link;               ///< of the model
@@ -39,7 +39,7 @@ namespace values {
   return static_cast<std::size_t>(std::find(joints.begin(), joints.end(), joint) - joints.begin());
 }
 
-/// The joint, and the link, that play those of the model.
+/// The joint, or the link, of the mechanism that plays the given one of the model.
 [[nodiscard]] inline const ElementaryJoint& played_joint(const Structure& structure,
                                                          const RoleAssignment& roles, int joint) {
   return structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
@@ -53,8 +53,8 @@ inline constexpr double parallel = 1e-3;
 inline constexpr double well = 0.05;  ///< above this firmness, frames are well defined
 
 /// Points closer to one another than this part of their distance from the third point do not define
-/// an axis, but have it held. A number with a formula is held only where the square of its length
-/// is nothing, since an emitted solver does not follow points across an axis.
+/// an axis, so that it is held. With formulas as scalars it is held only where the square of this
+/// part is negligible, too, since an emitted solver does not follow points across an axis.
 template <typename Scalar>
 inline constexpr double close = 1e-150;
 template <>
@@ -78,9 +78,9 @@ template <typename Scalar>
 /// Brings the links of a group into normal form under one assignment of roles.
 ///
 /// A link whose features are lines alone has its origin where the first two cross. Where these may
-/// be parallel, the origin is anywhere on one of them, and the other's offset from it is given to
-/// the link that slides there: its line is moved back by as much. The closures do not change. Where
-/// all slides of a degenerate model are parallel, what holds the group takes the last offsets.
+/// be parallel, the origin is anywhere on one of them, and the other's offset from it is passed on
+/// to the link that slides there: that link's line is moved back by the offset. The closures do not
+/// change. Where all slides of a degenerate model are parallel, the base takes the last offsets.
 template <typename Scalar>
 class NormalForms {
  public:
@@ -103,8 +103,8 @@ class NormalForms {
     }
   }
 
-  /// Links of parallel lines come first, and of these the ones with so many joints, as each gives
-  /// an offset to one that comes later. False if a link has no form: then `obstacle` says which.
+  /// Links of parallel lines come first, and among these the ones with `first_size` joints, as each
+  /// passes an offset on to a later one. False if a link has no form: then `obstacle` says which.
   bool run(std::size_t first_size) {
     std::vector<std::size_t> links;
     const auto add = [&](auto belongs) {
@@ -126,7 +126,7 @@ class NormalForms {
 
   [[nodiscard]] const std::string& obstacle() const { return obstacle_; }
 
-  /// Which link has no length, if one has none.
+  /// Names the link that has no length; empty if there is none.
   [[nodiscard]] std::string flaw() const {
     for (std::size_t link = 0; link < forms_.size(); ++link) {
       const std::size_t count = joints_of(*group_.model, link).size();
@@ -158,8 +158,8 @@ class NormalForms {
   [[nodiscard]] std::vector<std::pair<int, Scalar>>& held_offsets() { return held_offsets_; }
 
   /// How well features define the frames, from zero to one: the sine between two lines, or the
-  /// distance of two points in parts of the link's size; not well if that may vary. A held axis
-  /// counts as firm unless it is asked about, too.
+  /// distance of two points in parts of the link's size, but at most `well` if that may vary. A
+  /// held axis counts as firm unless `with_held_axes` is set.
   [[nodiscard]] double firmness(bool with_held_axes) const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -215,8 +215,8 @@ class NormalForms {
     return brought;
   }
 
-  /// Brings a link of three points whose first two nearly coincide into a form with an axis that
-  /// stands at a fixed angle on it; whether it is such a link.
+  /// Brings a link of three points, the first two of which nearly coincide and do not vary, into a
+  /// form with an axis at a fixed angle on it. Returns false for any other link.
   bool hold_axis(std::size_t link) {
     const auto& features = features_[link];
     const bool has_three_points =
@@ -259,7 +259,8 @@ class NormalForms {
     return static_cast<std::size_t>(other);
   }
 
-  /// Nothing follows the neighbours of a degenerate group, so that these can take an offset.
+  /// Whether the base can take an offset at a joint: it must be an external joint of a degenerate
+  /// group, of which no derivatives are computed.
   [[nodiscard]] bool is_held_at(int joint) const {
     const ModelJoint& at = group_.model->group->joints[static_cast<std::size_t>(joint)];
     return !group_.model->rigid && (at.first == base_link || at.second == base_link);

@@ -1,4 +1,4 @@
-// Turns a mechanism and a request, once, into a plan by which any number of values is solved.
+// Turns a mechanism and a request, once, into a plan that solves any number of sets of values.
 #pragma once
 
 #include <assur/mechanism/request.hpp>
@@ -26,7 +26,7 @@ class Plan {
   /// that holds a group that is not known, or whose parameters depend on themselves. Redundant
   /// constraints are left out if that leaves known groups; `solve` checks whether they hold.
   explicit Plan(const Mechanism& mechanism, const Request& request = {});
-  /// Throws InputError: the name of the scene's file, and then what a MechanismError says.
+  /// Throws InputError, with the name of the scene's file before the text of a MechanismError.
   explicit Plan(const Scene& scene);
 
   /// The mechanism's numbers, with values in place of some parameters' formulas.
@@ -77,8 +77,8 @@ class Plan {
   [[nodiscard]] bool is_stand_in(JointIndex joint) const;
   /// Whether a number depends on a parameter that has rates in time.
   [[nodiscard]] bool has_rates(NumberIndex number) const;
-  /// Throws MechanismError for values of another plan, or that were left by a refused
-  /// `Values::set`.
+  /// Throws MechanismError for values of another plan, and for values that a refused `Values::set`
+  /// has left.
   void expect_usable(const Values& values) const;
 
   [[nodiscard]] const Mechanism& mechanism() const;

@@ -7,7 +7,7 @@
 
 namespace assur::mechanism {
 
-/// A solution, and what it is the solution of.
+/// A solution, with the plan and the values that were solved.
 struct Report {
   const Plan& plan;
   const Values& values;

@@ -7,7 +7,7 @@
 namespace assur::mechanism {
 
 /// The configuration with NaN in place of rates and derivatives that are not known. Those of links
-/// that drivers place are always known. Both flags are then true.
+/// that drivers place are always known. In the result, `rates_known` and `derivatives_known` hold.
 [[nodiscard]] Configuration without_unknown(const Plan& plan, Configuration configuration);
 
 /// The links that are reported, in the mechanism's order.

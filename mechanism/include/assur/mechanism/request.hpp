@@ -31,8 +31,8 @@ struct Covariance {
 };
 
 /// What is reported beside the outputs: links, and slides by their joints. A list that is left out
-/// means all. A group on which nothing reported depends is not solved; a plan's mechanism is the
-/// part that is left.
+/// means all. A group on which nothing reported depends is not solved, and a plan's mechanism does
+/// not contain it.
 struct Reported {
   std::optional<std::vector<LinkIndex>> links;
   std::optional<std::vector<JointIndex>> joints;  ///< prismatic ones, and pins in slots
@@ -60,8 +60,8 @@ struct Request {
   Reported reported;
   std::optional<Sweep> sweep;
   std::optional<Covariance> covariance;
-  /// The length by which redundant constraints may fail to hold; if it does not exist, they may by
-  /// rounding only.
+  /// The length by which redundant constraints may fail to hold; if it does not exist, they must
+  /// hold up to rounding.
   NumberIndex redundancy_tolerance;
   std::vector<ReferenceAngle> reference;  ///< by which one configuration is chosen
   /// The parameters that stay arguments of an emitted solver; the others become numbers there.

@@ -1,4 +1,4 @@
-// Turns what was solved into configurations of links, slides and output points.
+// Turns the results of solving into configurations of links, slides and output points.
 #pragma once
 
 #include <assur/mechanism/frame.hpp>
@@ -13,7 +13,7 @@ namespace assur::mechanism {
 
 struct PlanData;
 
-/// What solving has found at one set of values.
+/// The result of solving at one set of values.
 enum class SolutionStatus : unsigned char {
   ok,           ///< there are configurations; there may be families beside them
   no_assembly,  ///< the links cannot reach, as `reason` says: there are no configurations
@@ -30,8 +30,8 @@ struct SlideState {
   Derivatives<1> follows;
 };
 
-/// The angle of a joint that a law reads where groups place it, with the whole turns that are
-/// counted along a branch.
+/// The angle of a joint that groups place and the law of a driver reads, with the whole turns that
+/// are counted along a branch.
 struct CountedAngle {
   JointIndex joint;
   double angle;
@@ -52,8 +52,8 @@ struct Configuration {
   /// Whether derivatives (with a sweep, those with respect to the swept parameter) are known to one
   /// digit, so that the branch can be followed.
   bool path_known = true;
-  /// At a crossing, through which several motions go: this configuration in each of them, with
-  /// known rates.
+  /// At a crossing, through which several motions go: this configuration once for each motion, with
+  /// its rates.
   std::vector<Configuration> branches;
   double residual = 0;  ///< the largest of the closures
   /// Whether the redundant constraints hold, and continue to hold as the mechanism moves.
@@ -76,8 +76,8 @@ struct Configuration {
   void expect_solved() const;
 };
 
-/// A group that moves freely, or cannot be assembled for lack of independent closures, where the
-/// groups that hold it stand in one of their configurations.
+/// A group that moves freely, or cannot be assembled for lack of independent closures, for one
+/// choice of configurations of the groups that hold it.
 struct Family {
   GroupIndex group;
   int mobility = 0;                  ///< where it was found assembled; zero if it was not
@@ -94,7 +94,7 @@ struct LimitBreach {
   double least;
 };
 
-/// Adds a breach to a list, and joins it with a breach of the same joint.
+/// Adds a breach to a list, or merges it with the breach of the same joint there.
 void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches);
 /// The text of breaches: `B by 3.5 deg at least, S by 0.2 at least`.
 [[nodiscard]] std::string breaches_text(const Mechanism& mechanism,
@@ -112,7 +112,7 @@ struct Solution {
   /// be counted.
   std::optional<std::size_t> left_out = 0;
   /// How many choices of configurations of earlier groups leave the law of a driver without a
-  /// value, and why. Nothing is placed behind such a choice.
+  /// value, and why. Nothing is placed after such a choice.
   std::size_t dropped = 0;
   std::string drop_reason;
   std::vector<LimitBreach> breaches;  ///< by configurations that were left out or are beyond limits

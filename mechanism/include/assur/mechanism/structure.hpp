@@ -43,7 +43,7 @@ struct SharedPin {
 };
 
 /// A mechanism of elementary joints. A pin in a slot has become a block, a link of no size with a
-/// revolute and a prismatic joint, which stands behind the mechanism's own links.
+/// revolute and a prismatic joint, which comes after the mechanism's own links.
 struct Linkage {
   Table<LinkIndex, std::string> links;  ///< their names
   LinkIndex ground;
@@ -56,15 +56,15 @@ struct Linkage {
 
 using GroupIndex = Index<struct FoundGroup>;
 
-/// A link whose place relative to another one is known before that one is placed: a driver moves
-/// it, or it belongs to a group that is solved relative to that link.
+/// A link `to` whose place relative to the link `from` is known before `from` is placed: a driver
+/// moves it, or it belongs to a group that is solved relative to `from`.
 struct CarriedLink {
   DriverIndex driver;          ///< does not exist where a group places it
   ElementaryJointIndex joint;  ///< with the driver
   LinkIndex from, to;
   GroupIndex group;  ///< the one solved relative to `from`; does not exist with a driver
-  std::size_t groups_before = 0;  ///< how many groups are placed before; none where it is the
-                                  ///< ground that carries it
+  std::size_t groups_before = 0;  ///< how many groups are placed before: up to those of `from` and
+                                  ///< of the links that the law reads
 };
 
 /// A redundant joint, which must hold where the other ones do: two features of one sort that

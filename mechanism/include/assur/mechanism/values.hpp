@@ -78,8 +78,8 @@ class Values {
   /// placed.
   [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
   /// Evaluates a law that reads joints without drivers, and what depends on it, from their
-  /// coordinates. Throws as the constructor does, except for derivatives, which may be as far from
-  /// finite as those of the joints.
+  /// coordinates. Throws as the constructor does, except that derivatives may be infinite or NaN
+  /// where those of the joints are.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
   /// Takes over the frames of a group's links in the frame of the link relative to which it is
   /// solved, and evaluates the groups that they shape.

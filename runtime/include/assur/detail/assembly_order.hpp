@@ -19,15 +19,15 @@
 
 namespace assur::detail {
 
-/// Whether whoever asks for a model's configurations puts them in an order of his own, as solvers
-/// of whole mechanisms do.
+/// Whether a model's configurations may come in any order, because the caller sorts them, as
+/// solvers of whole mechanisms do.
 template <typename Model, typename = void>
 inline constexpr bool comes_in_any_order = false;
 template <typename Model>
 inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
     Model::in_any_order;
 
-/// The variables of one of several groups or configurations that stand side by side.
+/// The variables of one of the groups or configurations whose numbers stand side by side in pairs.
 template <typename To, typename From>
 [[nodiscard]] To lane_of(const From& from, std::size_t index) {
   To result;
@@ -37,7 +37,7 @@ template <typename To, typename From>
   return result;
 }
 
-/// So many numbers of one and of other variables, each two as a pair.
+/// Joins the first `count` numbers of two lists of variables, place by place, into pairs.
 template <typename Scalar>
 void pair_numbers(const void* one, const void* other, std::size_t count, void* pairs) {
   for (std::size_t place = 0; place < count; ++place) {
@@ -67,9 +67,9 @@ template <typename Scalar>
   return one.cos * other.sin - one.sin * other.cos;
 }
 
-/// Calls `use` with what puts two configurations in order, its place from 0 and whether it is a
-/// length: the cosines, then the sines, of the angles between each two links; then the lengths
-/// among the unknowns. The cosines do not change under rigid motion and reflection.
+/// Calls `use` with every key by which configurations are ordered, its place from 0, and whether it
+/// is a length: first the cosines, then the sines, of the angles between each two links; then the
+/// lengths among the unknowns. The cosines do not change under rigid motion and reflection.
 template <typename Both, std::size_t Links, typename Use>
 void for_each_key_of(const std::array<Pose<Both>, Links>& links, Use& use, int& place) {
   using Link = Pose<Both>;
@@ -142,8 +142,7 @@ template <typename Model, int Place, typename Both>
   }
 }
 
-/// Whether the first of two configurations comes before the second, by all that may tell them
-/// apart.
+/// Whether the first of two configurations comes before the second, by all keys.
 template <typename Model, typename Scalar>
 [[nodiscard, gnu::noinline, gnu::cold]] bool comes_before_by_keys(
     const typename Model::template Dimensions<numeric::PairOf<Scalar>>& d,
@@ -160,8 +159,9 @@ template <typename Model, typename Scalar>
   return numeric::comes_before(first, second, turning, std::sqrt(square));
 }
 
-/// Whether the first of two configurations comes before the second. `square` is that of the unit of
-/// lengths. The key by which the roots of a formula differ tells them apart however close they are.
+/// Whether the first of two configurations comes before the second. `square` is the square of the
+/// unit of lengths. Where a formula vouches for the roots, one key tells them apart, however close
+/// they are.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool comes_before(
     const typename Model::template Dimensions<numeric::PairOf<Scalar>>& d,
@@ -203,8 +203,8 @@ void put_in_order(const typename Model::template Dimensions<Scalar>& dimensions,
       });
 }
 
-/// Puts the configurations of a group whose lengths are near one in order, and gives them in the
-/// unit of which these lengths are multiples.
+/// Sorts the configurations of a group whose lengths are near one, and multiplies their lengths by
+/// `unit`.
 template <typename Model, typename Scalar>
 void list_in(const typename Model::template Dimensions<Scalar>& d,
              const typename Model::template Inputs<Scalar>& u, Scalar unit,

@@ -1,4 +1,4 @@
-// Turns a point of a branch into the next, or into a refusal where that may be of another branch.
+// Turns a point of a branch into the next, or into a refusal where that may lie on another branch.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace assur::detail {
 
-/// The largest entry, or NaN if there is one; lengths count in parts of the group's size.
+/// The largest entry of a step, or NaN if there is one; lengths count in parts of the group's size.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar turn_of(const Vector<Scalar, Model::unknown_count>& step,
                              Scalar inverse_size) {
@@ -29,9 +29,9 @@ template <typename Model, typename Scalar>
   return largest;
 }
 
-/// A turn of at most 0.4 radians by the first terms of its sine and cosine. Their squares' sum is
-/// off by at most 1e-5; normalising leaves the square of that, and after the next, small turn
-/// nothing.
+/// A turn of at most 0.4 radians by the first terms of its sine and cosine. The sum of their
+/// squares is off by at most 1e-5. Normalising leaves about the square of that error, and
+/// normalising again after the next, small turn leaves none.
 template <typename Scalar>
 inline void turn_slightly(Direction<Scalar>& direction, Scalar angle) {
   const Scalar square = angle * angle;
@@ -52,21 +52,21 @@ void move_slightly(typename Model::template Configuration<Scalar>& q,
   });
 }
 
-/// What a step may be for its end to be taken for the same branch.
+/// The limits within which the end of a step is taken for a point of the same branch.
 template <typename Scalar>
 struct StepLimits {
   using Limits = std::numeric_limits<Scalar>;
-  Scalar prediction = Scalar(0.4);   ///< of the way, radians
-  Scalar correction = Scalar(0.2);   ///< the first, of the prediction, radians
-  Scalar contraction = Scalar(0.3);  ///< of a correction to the one before
-  Scalar defect = Scalar(0.03);      ///< of the way against both ends' derivatives, radians
-  /// The last correction; its square is left, which is a rounding.
+  Scalar prediction = Scalar(0.4);   ///< the largest turn that is predicted, radians
+  Scalar correction = Scalar(0.2);   ///< the largest first correction of the prediction, radians
+  Scalar contraction = Scalar(0.3);  ///< the largest ratio of a correction to the one before
+  Scalar defect = Scalar(0.03);      ///< how far both ends' derivatives may miss the way, radians
+  /// A last correction: about its square is left, which is a rounding.
   Scalar settled = (std::max)(Scalar(1e-7), numeric::half_of_digits<Scalar>);
-  /// A correction whose inverse does for the last, too: its cube is left.
+  /// A correction whose inverse serves for the last one, too: about its cube is left.
   Scalar nearly_settled =
       (std::max)(Scalar(2e-5), numeric::power_of_two<Scalar>(-Limits::digits / 3));
-  /// A step, as a part of the way asked for. The last step that is refused is at most two of these,
-  /// and a branch has ended within twice that step wherever it was measured: within 0.2%.
+  /// The shortest step, as a part of the way asked for. The last step that is refused is at most
+  /// twice as long, and in all measurements the branch ended within twice that step: within 0.2%.
   Scalar shortest = Scalar(5e-4);
 };
 

@@ -25,7 +25,7 @@ inline constexpr bool has_closed_form = Model::polynomial_degree == 1 ||
 using support::Discriminants;
 using support::discriminants_of;
 
-/// With r = sqrt(discriminant): c1 cos x + s1 sin x = -c0 and s1 cos x - c1 sin x = -+r.
+/// The roots, with r = sqrt(discriminant): c1 cos x + s1 sin x = -c0, s1 cos x - c1 sin x = -+r.
 template <typename Scalar>
 [[nodiscard]] Direction<numeric::PairOf<Scalar>> roots_of(
     const TrigonometricPolynomial<Scalar, 1>& T, const Discriminants<Scalar>& found) {
@@ -45,7 +45,7 @@ template <typename Scalar>
                                                const Discriminants<Scalar>& found) {
   using Pair = numeric::PairOf<Scalar>;
   const Scalar larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
-  // Both roots are zero only where the discriminant is.
+  // Both roots are zero only where the discriminant is zero.
   return Pair(larger, T(0)) / Pair(T(2), larger);
 }
 
@@ -56,12 +56,12 @@ using FinalPolynomial =
                        TrigonometricPolynomial<Scalar, Model::polynomial_degree>,
                        Vector<Scalar, static_cast<int>(Model::polynomial_degree) + 1>>;
 
-/// What holds an unknown of all configurations, which are computed at once.
+/// The type of one unknown of all configurations, which are computed at once.
 template <typename Model, typename Scalar>
 using AllRoots =
     std::conditional_t<Model::max_configurations == 2, numeric::PairOf<Scalar>, Scalar>;
 
-/// Coefficients that may be off by more: `error` is a number without a value.
+/// Adds an error, a number of value zero with a bound, to every coefficient.
 template <typename Scalar, std::size_t Degree>
 void widen(TrigonometricPolynomial<Scalar, Degree>& T, const Scalar& error) {
   for (std::size_t k = 0; k <= Degree; ++k) {
@@ -76,20 +76,20 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
   }
 }
 
-/// The length up to which what is said of a model, or of a specialised group, holds.
+/// The longest length for which the bounds of a model, or of a specialised group, hold.
 template <typename Model, typename Scalar>
 inline constexpr Scalar most_length = Model::dimension_count == 0
                                           ? static_cast<Scalar>(support::most_length_of_numbers)
                                           : Scalar(1);
 
-/// Tells whether a discriminant of a model has a certain sign. It is homogeneous in the lengths; of
-/// a specialised group it counts as of degree zero.
+/// Tells whether a discriminant of a model has a certain sign. The discriminant is homogeneous in
+/// the lengths; that of a specialised group counts as of degree zero.
 template <typename Scalar>
 struct Certainty {
   Scalar firmness = 0;  ///< one over the largest error where the longest length is `most_length`
   int degree = 0;       ///< of the discriminant in the lengths
 
-  /// A length to the discriminant's degree, by the length's square.
+  /// A length to the power of the discriminant's degree; `square` is the length's square.
   template <typename Number>
   [[nodiscard]] Number power(const Number& square) const {
     using std::sqrt;
@@ -103,9 +103,9 @@ struct Certainty {
     return result;
   }
 
-  /// The largest error, times `firmness`, by the square of the longest length. Where rounding has
-  /// displaced the inputs, errors grow as this has grown beyond the rounding that is taken for
-  /// granted; where that is not a number, neither is what is certain.
+  /// The largest error, times `firmness`; `square` is the square of the longest length. Where
+  /// rounding has displaced the inputs, the error grows by the displacement over the rounding that
+  /// is taken for granted. A displacement that is NaN makes it NaN.
   [[nodiscard]] Scalar error(Scalar square,
                              const support::DisplacementOf<Scalar>& displaced) const {
     const Scalar error = power(square);
@@ -119,7 +119,7 @@ struct Certainty {
   }
 };
 
-/// How certain what the generator has derived for double is, with an error in units of it.
+/// How certain a quantity is, from the largest error that the generator has derived for double.
 template <typename Scalar>
 [[nodiscard]] constexpr Certainty<Scalar> certainty(double error, int degree) {
   return {static_cast<Scalar>(1 / error) / numeric::roundings_of_double<Scalar>, degree};
@@ -133,27 +133,27 @@ struct ClosedForm {
   /// Whether no unknown is loose where the discriminant is not zero: det J is a multiple of it.
   static constexpr bool determines = Model::regular_discriminant > 0;
   /// Whether a large discriminant vouches for configurations that are regular, that differ by
-  /// Model::first_key, and that close. In float what would vouch for all groups is larger than the
-  /// discriminants of most: each group is looked at there.
+  /// Model::first_key, and that close. In float the bound that vouches for all groups exceeds the
+  /// discriminants of most groups, so each group is checked by itself.
   static constexpr bool vouches = determines && std::is_same_v<Scalar, double>;
-  /// One over a discriminant that has a certain sign and, if any does, vouches.
+  /// One over the least discriminant that has a certain sign and, if any does, vouches.
   static constexpr Scalar firmness =
       vouches ? 1 / (std::max)(static_cast<Scalar>(Model::discriminant_error),
                                static_cast<Scalar>(Model::regular_discriminant))
               : discriminant.firmness;
   /// The leading coefficient of a trigonometric polynomial is no less than the discriminant, and
-  /// that of a linear one is the root of it.
+  /// that of a linear one is the discriminant's root.
   static constexpr bool has_leading_coefficient =
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
   static constexpr bool is_scaled = Model::dimension_count > 0;
-  /// The discriminant of lengths of this power of two, and of its inverse, is far from overflow and
-  /// underflow.
+  /// The discriminant is far from overflow and underflow if the lengths are between two to this
+  /// power and its inverse.
   static constexpr int most_power =
       (std::min)(32, std::numeric_limits<Scalar>::max_exponent * 7 / 16 /
                          (std::max)(1, Model::discriminant_degree));
 
-  /// Whether products of several lengths neither overflow nor underflow, by the sum of the squares
-  /// of all lengths.
+  /// Whether products of several lengths neither overflow nor underflow; `square` is the sum of the
+  /// squares of all lengths.
   template <typename Number>
   [[nodiscard]] static auto is_in_range(const Number& square) {
     constexpr auto longest = numeric::power_of_two<Scalar>(most_power);
@@ -167,7 +167,8 @@ struct ClosedForm {
   }
 };
 
-/// Whether there is a formula for a model's configurations of which that is said.
+/// Whether there is a formula for a model's configurations, and a large discriminant vouches for
+/// them.
 template <typename Model, typename Scalar>
 inline constexpr bool vouches_for_roots = [] {
   if constexpr (has_closed_form<Model>) {

@@ -32,8 +32,8 @@ class ClosedSearch {
   using Displacement = support::DisplacementOf<Number>;
 
  public:
-  /// Searches most groups as they are. False if a closer look is needed; the list is undefined
-  /// then.
+  /// Searches a group without scaling it, which suffices for most. False if a closer look is
+  /// needed; the list is undefined then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                const Displacement& displaced,
                                                Assemblies<Model, Number>& result) {
@@ -62,7 +62,8 @@ class ClosedSearch {
     typename Model::template Configuration<Scalar> q;
     first_of<Model>(q) = roots_of(T, found);
     const auto unsure = [&] {
-      // What is near the origin is as unsure as its lengths, which every verdict counts.
+      // Near the origin this is no larger than the rounding of the lengths, which every verdict
+      // counts.
       const bool counts =
           displaced.moved > 0 || displaced.turned > 0 || square > 256 * of_dimensions;
       return counts ? support::unsure_jacobian<Model, Number>(dimensions, inputs, displaced) : 0;
@@ -82,13 +83,13 @@ class ClosedSearch {
     return true;
   }
 
-  /// A closer look: with the bounds of these very dimensions and inputs, which are much closer
-  /// where many lengths are multiplied, and polished. False if it cannot vouch for its list.
+  /// A closer look: with bounds for these very dimensions and inputs, which are much tighter where
+  /// many lengths are multiplied, and polished. False if it cannot vouch for its list.
   [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
       const Dimensions& dimensions, const Inputs& inputs, const Displacement& displaced,
       Assemblies<Model, Number>& result) {
     const Number longest = (std::max)(longest_length(inputs), longest_length(dimensions));
-    // What is scaled may have any unit of which the scale is a number.
+    // A group that is scaled may have any unit whose scale is representable.
     constexpr auto most = numeric::power_of_two<Number>(most_power_of_scale);
     const bool is_in_range = Form::is_scaled ? longest * most > 1 && longest < most
                                              : longest <= most_length<Model, Number>;
@@ -134,16 +135,18 @@ class ClosedSearch {
 
  private:
   using Form = ClosedForm<Model, Number>;
-  /// Any length of this power of two, and of its inverse, can be scaled.
+  /// Lengths between two to this power and its inverse can be scaled.
   static constexpr int most_power_of_scale =
       std::numeric_limits<Number>::max_exponent * 500 / std::numeric_limits<double>::max_exponent;
 
-  /// Completes the configurations at the roots; whether they close to a few roundings and are
-  /// regular, where the Jacobian is `unsure` by so much. A discriminant that vouches counts that.
+  /// Completes the configurations at the roots. Returns whether they close to a few roundings and
+  /// are regular for a Jacobian that is off by `unsure`. Where a discriminant vouches, they are
+  /// regular.
   template <typename ScalarDimensions, typename ScalarInputs, typename Roots, typename Unsure>
   [[nodiscard]] static bool completes(const ScalarDimensions& d, const ScalarInputs& u, Roots& q,
                                       Number square, const Unsure& unsure) {
-    // What the longest length is for the closures: at most 1.8 times as long as it is.
+    // `square / 2` stands for the square of the longest length; its root is at most 1.8 times as
+    // long.
     const auto holds = [&] { return closes<Model, Scalar>(d, u, q, square / 2); };
     if constexpr (Form::vouches) {
       const Scalar miss = complete_root<Model, Scalar>(d, u, q);
@@ -151,7 +154,7 @@ class ClosedSearch {
              static_cast<bool>(miss <= Scalar(settled_direction<Number>)) ||
              static_cast<bool>(holds());
     } else {
-      // Compilers are free to compute the operands of `&` in any order.
+      // `holds` reads what this completes, and the operands of `&` may be evaluated in any order.
       const auto is_complete = complete_simple<Model, Scalar>(d, u, q);
       return static_cast<bool>(is_complete & holds()) &&
              is_regular<Model, Scalar>(d, u, q, unsure());

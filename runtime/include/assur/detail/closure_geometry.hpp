@@ -17,24 +17,25 @@ using numeric::Matrix4;
 using numeric::Vector4;
 using support::FlatVariables;
 
-/// A configuration with a longer displacement, among lengths near one, has run to infinity as far
-/// as rounding lets tell.
+/// A configuration with a longer displacement, among lengths near one, counts as having run to
+/// infinity.
 template <typename Scalar>
 inline constexpr Scalar farthest_configuration =
     numeric::power_of_two<Scalar>(std::numeric_limits<Scalar>::digits / 2 - 2);
 
-/// The loop closures f(q) of one group in double precision, on flat unknowns: four in four unknowns
-/// at most. Where a group has fewer, the rest are those of the identity, which change nothing.
+/// The loop closures f(q) of one group in double precision, on flat unknowns: at most four closures
+/// in four unknowns. Where a group has fewer, J is filled up with the identity, which changes
+/// nothing.
 struct Closures {
   void (*evaluate)(const void* group, const FlatVariables<double>& q, Vector4& f);
   void (*differentiate)(const void* group, const FlatVariables<double>& q, Matrix4& jacobian);
   const void* group;
   const ModelUnknown* unknowns;
   int size;
-  double farthest;   ///< coordinate among the inputs
-  double displaced;  ///< by rounding, the inputs, at most
-  /// Length of the group, the unit of what follows. Of a specialised one it may be much less than
-  /// one.
+  double farthest;   ///< the largest coordinate among the inputs
+  double displaced;  ///< how far rounding may have displaced the inputs
+  /// The longest length of the group, the unit of what follows. It may be much less than one in a
+  /// specialised group.
   double longest = 1;
 
   [[nodiscard]] Vector4 at(const FlatVariables<double>& q) const {
@@ -42,7 +43,7 @@ struct Closures {
     evaluate(group, q, f);
     return 1 / longest * f;
   }
-  /// Against steps as `advance` takes them.
+  /// The Jacobian with respect to the steps of `advance`.
   [[nodiscard]] Matrix4 jacobian(const FlatVariables<double>& q) const {
     Matrix4 result = Matrix4::identity();
     differentiate(group, q, result);
@@ -58,7 +59,7 @@ struct Closures {
     }
     return result;
   }
-  /// A displacement far beyond the longest length is measured in itself.
+  /// A displacement beyond the longest length is measured in parts of itself.
   [[nodiscard]] double unit_of(double displacement) const {
     return (std::max)(longest, std::abs(displacement));
   }
@@ -69,7 +70,7 @@ struct Closures {
     for (int unknown = 0; unknown < size; ++unknown) {
       const double by = step(unknown);
       if (unknowns[unknown].is_angle) {
-        // The half angle's tangent by/2 turns by nearly `by`.
+        // A turn whose half angle has the tangent by/2 is nearly `by`.
         const double half = by / 2;
         const double norm = 1 + half * half;
         const double c = (1 - half * half) / norm;
@@ -86,7 +87,7 @@ struct Closures {
       }
     }
   }
-  /// Pairs that are no directions yet become some.
+  /// Scales pairs to directions.
   void straighten(FlatVariables<double>& q) const { advance(Vector4(), q); }
 };
 
@@ -113,7 +114,8 @@ struct Closures {
          4 * closures.displaced / closures.longest;
 }
 
-/// The largest difference of two lists of unknowns; of long displacements in parts of them.
+/// The largest difference of two lists of unknowns; long displacements count in parts of
+/// themselves.
 [[nodiscard]] inline double distance(const Closures& closures, const FlatVariables<double>& one,
                                      const FlatVariables<double>& other) {
   double largest = 0;
@@ -129,7 +131,7 @@ struct Closures {
   return largest;
 }
 
-/// Below this part of the largest a pivot is rounding.
+/// A pivot below this part of the largest one is rounding.
 inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilon();
 
 /// Newton's step.
@@ -139,7 +141,8 @@ inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilo
 
 /// Levenberg's step, the least |J s + f|^2 + damping^2 |s|^2, from the normal equations. With the
 /// residual as damping it leads from any side onto singular assemblies and onto curves of
-/// assemblies; what is below rounding of J^2 stays where it is, so that it does not move along.
+/// assemblies; it has no part along directions that are below the rounding of J^2, along which it
+/// would drift.
 [[nodiscard]] inline Vector4 damped_step(const Matrix4& jacobian, const Vector4& f,
                                          double damping) {
   Matrix4 normal;
@@ -150,8 +153,8 @@ inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilo
   return -1 * Elimination(normal, pivot_rounding).solve(transposed_product(jacobian, f));
 }
 
-/// Moves a point so that those closures hold again that hold firmly. Near an assembly of high
-/// multiplicity all of them nearly hold in a narrow bent valley: this leads back into it.
+/// Moves a point so that the closures that hold it firmly are satisfied again. Near an assembly of
+/// high multiplicity all closures nearly hold in a narrow bent valley: this leads back into it.
 inline void restore(const Closures& closures, FlatVariables<double>& q) {
   constexpr double firm = 0.01;
   constexpr int most_steps = 3;
@@ -225,19 +228,19 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 200;
   Closing closing(closures, q);
   if (closing.miss() < rounding(closures, q) / 8) {
-    return closing.miss();  // where it comes from more digits, steps in fewer would only move it
+    return closing.miss();  // steps in fewer digits than the point has would only move it
   }
   for (int step = 0; step < most_steps && closing.miss() > 0 && closing.step(); ++step) {
   }
-  // Rounding is left: as little as two more steps can make it.
+  // What is left is rounding; two more steps make it as small as they can.
   for (int step = 0; step < 2 && closing.polish(); ++step) {
   }
   q = closing.point();
   return closing.miss();
 }
 
-/// The least norm of the closures near a point, where that is no assembly: far from one, steps of
-/// Gauss and Newton are too long unless they are damped, by as much as the last one needed.
+/// The least norm of the closures near a point from which no assembly is reached: far from one,
+/// Gauss-Newton steps are too long unless they are damped, by about as much as the last one needed.
 [[nodiscard]] inline double least_miss_near(const Closures& closures, FlatVariables<double> q) {
   constexpr int most_steps = 1000;
   constexpr double stiffest = 1e8;
@@ -261,8 +264,8 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   return norm(f);
 }
 
-/// Whether two assemblies are one that rounding keeps apart, as it does a multiple one: then the
-/// closures hold between them, too.
+/// Whether two assemblies are one that rounding keeps apart, as it does a multiple assembly: then
+/// the closures hold between the two as well.
 [[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
                                   const FlatVariables<double>& other) {
   constexpr double close_by = 1e-2;  // a quadruple assembly is known to 1e-3
@@ -279,7 +282,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     closures.straighten(point);
     return point;
   };
-  // Not in the middle alone: there may stand a third.
+  // The middle alone does not tell: a third assembly may stand there.
   for (const double part : {0.3, 0.5, 0.6}) {
     FlatVariables<double> point = between(part);
     restore(closures, point);
@@ -293,11 +296,11 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
 /// Directions in which the closures do not change to first order.
 struct FreeDirections {
   int count = 0;
-  Matrix4 basis;  ///< a column each; orthonormal
+  Matrix4 basis;  ///< one per column; orthonormal
 };
 
-/// The null space of a matrix by Gauss's elimination with full pivoting: what is below `threshold`
-/// of the largest pivot counts as zero.
+/// The null space of a matrix by Gauss's elimination with full pivoting: pivots below `threshold`
+/// times the largest count as zero.
 [[nodiscard]] inline FreeDirections null_space(const Matrix4& matrix, double threshold) {
   const Elimination factors(matrix, threshold);
   FreeDirections result;

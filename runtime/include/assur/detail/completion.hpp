@@ -17,8 +17,8 @@ template <typename Model, typename Configuration>
   return std::get<size(Model::first_unknown)>(q.members());
 }
 
-/// Brings a direction back to the unit circle, to first order, as `normalised` does it: what its
-/// square was off by.
+/// Brings a direction back to the unit circle, to first order, as `normalised` does. Returns what
+/// its square was off by.
 template <typename Scalar>
 Scalar put_on_circle(Direction<Scalar>& direction) {
   const Scalar off = direction.cos * direction.cos + direction.sin * direction.sin - Scalar(1);
@@ -27,9 +27,9 @@ Scalar put_on_circle(Direction<Scalar>& direction) {
   return off;
 }
 
-/// The unknowns that follow where those of the reduced equations are known. False where what should
-/// be a direction is none: between ends that coincide a bar has no direction, whatever its length.
-/// What is not finite is left to those who close it.
+/// Computes the unknowns that follow from those of the reduced equations. False where a computed
+/// direction is not a unit vector: a bar whose ends coincide has no direction, whatever its length.
+/// Displacements that are not finite are found when the closures are checked.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto complete_rest(const typename Model::template Dimensions<Scalar>& d,
                                  const typename Model::template Inputs<Scalar>& u,
@@ -55,13 +55,13 @@ inline constexpr bool completes_angles = [] {
   return any;
 }();
 
-/// What a direction that was computed may be off by for its link to close: the closures miss by the
-/// link's length, times half of what the direction's square is off by.
+/// How far the square of a computed direction may be off for its link to close: the closures miss
+/// by the link's length times half of that.
 template <typename Scalar>
 inline constexpr Scalar settled_direction = 8 * std::numeric_limits<Scalar>::epsilon();
 
-/// The unknowns that follow at a root that is a direction to a few roundings: what the squares of
-/// the others' directions are off by at most.
+/// Computes the unknowns that follow at a root that is a direction to a few roundings. Returns what
+/// the squares of the other directions are off by at most.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar complete_root(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,
@@ -79,8 +79,8 @@ template <typename Model, typename Scalar>
   return miss;
 }
 
-/// The other unknowns at a simple root of the final polynomial, where one second value fits. False
-/// where none does.
+/// Computes the other unknowns at a simple root of the final polynomial, with the second value that
+/// fits best. False if there is none, or if what follows is not a configuration.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool complete(const typename Model::template Dimensions<Scalar>& d,
                             const typename Model::template Inputs<Scalar>& u,
@@ -98,8 +98,8 @@ template <typename Model, typename Scalar>
   return complete_rest<Model, Scalar>(d, u, q);
 }
 
-/// Completes in the same way where the two reduced equations tell the second unknown well: what
-/// comes of it must be seen to close.
+/// The same where the two reduced equations together determine the second unknown well. The caller
+/// has to check that the result closes.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto complete_simple(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,

@@ -21,7 +21,7 @@ struct FirstValue {
 struct FirstValues {
   std::array<FirstValue, 6> list;
   std::size_t count = 0;
-  /// No coefficient exceeds its error: the first unknown is free, or nothing is said of it.
+  /// No coefficient exceeds its error: the first unknown is free, or nothing is known of it.
   bool vanishing = false;
   /// No root has run to infinity.
   bool finite = true;
@@ -40,8 +40,8 @@ struct FirstValues {
   }
 };
 
-/// The values of T = c0 + c1 cos x + s1 sin x that vanish, by formula. Where it may touch zero or
-/// miss it, the place where it comes nearest.
+/// The values x at which T = c0 + c1 cos x + s1 sin x vanishes, by formula. Where T may touch zero
+/// or miss it, the value at which it comes nearest.
 [[nodiscard]] inline FirstValues first_values_of_first_degree(
     const TrigonometricPolynomial<numeric::Bounded<numeric::DoubleDouble>, 1>& T) {
   using numeric::DoubleDouble;

@@ -32,8 +32,8 @@ class GeneralSearch {
   using Configuration = typename Model::template Configuration<Scalar>;
 
  public:
-  /// Rounding has `displaced` the inputs by so much as counts for the list, and by so much that
-  /// they are `off` as counts for verdicts: in float that is the same.
+  /// `displaced` is how far rounding has moved the inputs, as it counts for the list; `off` is the
+  /// same, as it counts for the verdicts. In float `displaced` counts for both.
   GeneralSearch(const Dimensions& d, const Inputs& u, Scalar displaced, Scalar off,
                 Assemblies<Model, Scalar>& result)
       : d_(d),
@@ -59,7 +59,8 @@ class GeneralSearch {
       return false;
     }
     const Scalar longest = (std::max)(Scalar(1), longest_length(u_));
-    // The Jacobian is as unsure as the places are; a length of one is among those of the group.
+    // The Jacobian is as unsure as the coordinates are, in parts of the group's length, which is
+    // near one.
     const Scalar unsure = (std::max)(off_, std::numeric_limits<Scalar>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
       if (!accept({Scalar(roots.roots[root].cosine), Scalar(roots.roots[root].sine)}, longest,
@@ -71,8 +72,8 @@ class GeneralSearch {
   }
 
  private:
-  /// Completes the configuration at a simple root, where one second value fits, polishes it on the
-  /// loop equations if need be and lists it; false if it does not close.
+  /// Completes the configuration at a simple root, polishes it on the loop equations if need be and
+  /// lists it; false if it does not close.
   [[nodiscard]] bool accept(const Direction<Scalar>& first, Scalar longest, Scalar unsure) {
     if (result_.count == Model::max_configurations) {
       return false;

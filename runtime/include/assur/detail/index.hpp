@@ -1,4 +1,4 @@
-// Turns an index as the generated tables count, which is an int, into the entry that it names.
+// Turns an int, by which generated tables count, into the entry of a table that it names.
 #pragma once
 
 #include <cstddef>

@@ -8,9 +8,10 @@
 
 namespace assur::detail {
 
-/// Shortens a Newton step that turns a link too far for its linearisation: as a whole, so that an
-/// angle moves by at most half a radian, where short levers count less. The turn of a link with
-/// short levers moves no joint far and need not hold back the others; it is cut alone.
+/// Shortens a Newton step that turns a link too far for its linearisation. The whole step is scaled
+/// so that angles move by at most half a radian, where angles with short levers count less. The
+/// turn of a link with short levers moves no joint far and need not hold back the others; it is cut
+/// alone.
 template <typename Model, typename Scalar>
 void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,
                  Vector<Scalar, Model::unknown_count>& step) {

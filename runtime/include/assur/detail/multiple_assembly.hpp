@@ -1,4 +1,4 @@
-// Turns an assembly in which several meet, known to a root of rounding, into where they meet.
+// Turns an assembly in which several meet, known to a root of rounding, into the point of meeting.
 #pragma once
 
 #include <algorithm>
@@ -11,10 +11,10 @@
 namespace assur::detail {
 
 /// The curve through a singular assembly along which all closures hold but one: with n the one free
-/// direction and w the part of the closures that is free of first order, f(q(t)) = g(t) w, where t
-/// is the way along n. As many assemblies meet as the order of the zero of g. Rounding of f leaves
-/// a zero of order m known to the m-th root of rounding; derivatives of f are known to rounding,
-/// and a derivative of g has a simple zero there.
+/// direction and w the part of the closures that does not change to first order, f(q(t)) = g(t) w,
+/// where t is the way along n. As many assemblies meet as the order of the zero of g. Rounding of f
+/// leaves a zero of order m known to the m-th root of rounding; derivatives of f are known to
+/// rounding, and a derivative of g has a simple zero there.
 class FreeCurve {
  public:
   /// Requires one free direction, and one such part.
@@ -25,7 +25,7 @@ class FreeCurve {
         along_(directions.basis.column(0)),
         part_(parts.basis.column(0)) {}
 
-  /// A point of the curve. What else holds firmly is restored by Newton's steps across it.
+  /// A point of the curve. Newton's steps across the curve restore the other closures.
   [[nodiscard]] FlatVariables<double> at(double t) const {
     constexpr int steps = 4;
     FlatVariables<double> q = origin_;
@@ -39,7 +39,7 @@ class FreeCurve {
     return q;
   }
 
-  /// dg/dt there, times a smooth function that is positive.
+  /// dg/dt at a point of the curve, times a smooth function that is positive.
   [[nodiscard]] double slope(const FlatVariables<double>& q) const {
     return 1 / dot(along_, bordered(q).solve(part_)) - 1;
   }
@@ -91,8 +91,8 @@ template <std::size_t Count>
   return coefficients;
 }
 
-/// How far along its curve the place is where as many assemblies meet as can be, if rounding may
-/// change g by so much: with m of them g is c t^m there, as long as rounding keeps them apart.
+/// The way along the curve to the place where most assemblies meet, if rounding may change g by
+/// `unsure`: where m meet, g is c t^m over the distance at which rounding keeps them apart.
 [[nodiscard]] inline double way_to_meeting(const FreeCurve& curve, double unsure) {
   constexpr std::size_t count = 9;
   constexpr double reach = 0.06;

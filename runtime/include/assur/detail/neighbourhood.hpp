@@ -1,4 +1,4 @@
-// Turns a singular assembly into how many freedoms it has: none where it stands alone.
+// Turns a singular assembly into the number of its freedoms, which is zero where it stands alone.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ namespace assur::detail {
 /// What surrounds a singular assembly: the directions in which others lie close by.
 class Neighbourhood {
  public:
-  /// Looks `reach` away, of the longest length or in radians.
+  /// Looks for assemblies at the distance `reach`, in parts of the longest length or in radians.
   Neighbourhood(const Closures& closures, const FlatVariables<double>& q, double reach)
       : closures_(closures), reach_(reach), free_(free_directions(closures, q, singular_pivot)) {
     for (int one = 0; one < free_.count; ++one) {
@@ -57,8 +57,9 @@ class Neighbourhood {
   [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
 
  private:
-  /// Directions in the plane of two free ones: those in which a part of the closures that is free
-  /// of first order does not bend either, A c^2 + B c s + C s^2 = 0, and some between.
+  /// Tries directions in the plane of two free ones: those in which a part of the closures that
+  /// does not change to first order does not bend either, A c^2 + B c s + C s^2 = 0, and some
+  /// between.
   void try_plane(const FlatVariables<double>& q, const Vector4& one, const Vector4& other) {
     const auto at_angle = [&](double angle) {
       try_both_ways(q, std::cos(angle) * one + std::sin(angle) * other);
@@ -91,8 +92,8 @@ class Neighbourhood {
     for (const double way : {reach_, -reach_}) {
       FlatVariables<double> to = q;
       closures_.advance(way * along, to);
-      // Where neighbours are displaced, a family closes to within rounding everywhere and exactly
-      // in a few places; steps that lessen what is below rounding would lead there.
+      // If the group is displaced, a family closes to within rounding everywhere and exactly in a
+      // few places; steps that lessen what is below rounding would lead to these.
       restore(closures_, to);
       double miss = norm(closures_.at(to));
       if (!(miss < rounding(closures_, to))) {
@@ -108,7 +109,7 @@ class Neighbourhood {
         const Vector4& tangent = tangents_.column(known);
         step = step - dot(tangent, step) * tangent;
       }
-      // A curve bends by less.
+      // A single curve bends by less than that.
       if (dimension_ < free_.count && norm(step) > 0.35 * length) {
         neighbour_ = to;
         tangents_.column(dimension_) = normalised(step);
@@ -125,10 +126,10 @@ class Neighbourhood {
   int dimension_ = 0;
 };
 
-/// How many freedoms a singular assembly has; zero for one that stands alone. Where families cross,
-/// the freedoms of the one that is left first; so a neighbour is asked, not the assembly itself. It
-/// is asked at another distance, at which it does not see where it was reached from: two assemblies
-/// that stand alone are no family.
+/// The number of freedoms of a singular assembly; zero for one that stands alone. They are counted
+/// at a neighbour, because where families cross the assembly itself has the free directions of all
+/// of them. They are counted at another distance, at which the assembly itself is not found again:
+/// two assemblies that stand alone are no family.
 [[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
   const Neighbourhood here(closures, q, 0.02);
   return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour(), 0.05).dimension();

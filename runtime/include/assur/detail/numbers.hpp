@@ -1,4 +1,4 @@
-// Turns a model's variables into numbers where they stand, one after the other: a loop over their
+// Turns a model's variables into the numbers of which they consist in memory: a loop over their
 // members would be compiled anew for every model.
 #pragma once
 
@@ -64,7 +64,7 @@ void put_number(void* variables, std::size_t place, const Scalar& number) {
   std::memcpy(static_cast<std::byte*>(variables) + place * sizeof(Scalar), &number, sizeof(Scalar));
 }
 
-/// Whether none of so many numbers is NaN or infinite.
+/// Whether none of `count` numbers is NaN or infinite.
 template <typename Scalar>
 [[nodiscard]] bool are_finite(const void* variables, std::size_t count) {
   bool finite = true;
@@ -86,7 +86,7 @@ template <typename Scalar, std::size_t Count>
   return largest;
 }
 
-/// The largest difference of so many numbers of one and of other variables.
+/// The largest difference of `count` numbers of two lists of variables.
 template <typename Scalar>
 [[nodiscard]] Scalar farthest_apart(const void* one, const void* other, std::size_t count) {
   Scalar largest = 0;

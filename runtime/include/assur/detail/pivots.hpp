@@ -65,8 +65,8 @@ template <typename Model, typename Scalar>
   return result;
 }
 
-/// `rounding`: the relative error of what the pivots are computed from, with all constants. Of the
-/// core's pivots the product counts, of the others the smallest.
+/// `rounding` is the relative error of what the pivots are computed from, with all constants. The
+/// product of the core's pivots counts, and the smallest of the others.
 template <typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity_of(const Firmness<Scalar>& pivots,
                                                const Scalar& rounding) {
@@ -85,7 +85,7 @@ template <typename Scalar>
   return result;
 }
 
-/// Whether `regularity_of` says ok, without a division: with every pivot as the weakest.
+/// Whether `regularity_of` says ok, without a division: every other pivot is tried as the smallest.
 template <typename Model, typename Scalar, typename Rounding>
 [[nodiscard]] auto are_regular(const Pivots<Model, Scalar>& pivots, const Rounding& rounding) {
   auto core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
@@ -102,15 +102,15 @@ template <typename Model, typename Scalar, typename Rounding>
   return regular;
 }
 
-/// Finds the same for all numbers of a pack at once.
+/// Whether the above holds for all numbers of a pack.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const Pivots<Model, Scalar>& pivots,
                               typename numeric::PartOf<Scalar>::Type rounding) {
   return static_cast<bool>(are_regular<Model>(pivots, rounding));
 }
 
-/// Whether second rates keep as many digits too, whatever moves: they divide by the firmness once
-/// more (see `second_rate_error`). Without a division, as above.
+/// Whether second rates keep as many digits, too, whichever inputs move: they divide by the
+/// firmness once more (see `second_rate_error`). Without a division, as above.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto is_firm(const Pivots<Model, Scalar>& pivots, const Scalar& rounding) {
   using std::abs;

@@ -1,5 +1,5 @@
 // Turns small matrices into products and inverses, without the checks at run time that Eigen's
-// have: a check that can fail links what ends a program.
+// have: a check that can fail links the functions that end a program.
 #pragma once
 
 #include <assur/model.hpp>

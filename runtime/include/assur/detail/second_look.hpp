@@ -1,8 +1,9 @@
 // Turns a configuration that its pivots call near-singular into how far rounding moves its
 // derivatives.
 //
-// The margin of pivots multiplies the firmness of parts that need not fail together: of larger
-// groups it is a hundred times too cautious. In double there are digits to spare, in float none.
+// The margin of the pivots multiplies the firmness of parts that need not fail together, so for
+// larger groups it is a hundred times too cautious. Double has digits to spare for that, float has
+// none.
 #pragma once
 
 #include <algorithm>
@@ -20,20 +21,20 @@
 
 namespace assur::detail {
 
-/// What polishing leaves of the closures where the longest number among them is so long.
+/// What polishing may leave of closures whose longest number is `longest`.
 template <typename Scalar>
 [[nodiscard]] Scalar polished_rounding(Scalar longest) {
   return 18 * std::numeric_limits<Scalar>::epsilon() * longest;
 }
 
-/// What is left of a closure f_i, of some epsilons, moves the configuration by dq = J^-1 df and the
-/// derivatives J^-1 c by J^-1 (J_q dq) J^-1 c; rounding of J moves them by |J^-1| |J| |J^-1|.
-/// The elimination knows the unknowns of the core to a few epsilons over what its determinant keeps
-/// of its terms; the others are differences of these over pivots outside the core, of which the
-/// smallest counts. This is what the margin, too, has of both once, beside their firmness.
-/// Lengths count in parts of the group's longest, and the changes of all closures add up, in parts
-/// of the largest entry of J^-1 among unknowns of one unit. `displaced` as `regularity` has it.
-/// Sets the status, and what `error` and the firmness tell.
+/// A residual of some epsilons in a closure f_i moves the configuration by dq = J^-1 df and the
+/// derivatives J^-1 c by J^-1 (J_q dq) J^-1 c; rounding of J moves them by |J^-1| |J| |J^-1|. The
+/// elimination knows the unknowns of the core to a few epsilons over what its determinant keeps of
+/// its terms; the others are differences of these over pivots outside the core, of which the
+/// smallest counts. The margin, too, has each of these two factors, beside the firmness. Lengths
+/// count in parts of the group's longest. The changes by all closures add up, in parts of the
+/// largest entry of J^-1 among unknowns of one unit. `displaced` has its meaning in `regularity`.
+/// Sets the status, the firmness, and the rounding from which `error` follows.
 template <typename Model, typename Scalar>
 void look_again(const typename Model::template Dimensions<Scalar>& d,
                 const typename Model::template Inputs<Scalar>& u,
@@ -60,7 +61,7 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
   Square inverse;
   Model::inverse_jacobian(d, u, q, inverse);
   Square sizes;  // of the entries of J^-1
-  Square terms;  // of those of J
+  Square terms;  // of the entries of J
   for (int column = 0; column < size; ++column) {
     for (int row = 0; row < size; ++row) {
       inverse(row, column) *= longest / unit(row);
@@ -68,7 +69,7 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
       terms(row, column) = std::abs(J(row, column));
     }
   }
-  // A displacement may be longer than the group, and is rounded as it is long.
+  // A displacement may be longer than the group, and its rounding grows with it.
   const Scalar of_closures = polished_rounding((std::max)(Scalar(1), longest_length(q) / longest));
   constexpr Scalar of_entries = 4 * epsilon;
   constexpr Scalar of_elimination = 4 * epsilon;
@@ -108,7 +109,7 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
         Scalar sum(0);
         for (int column = 0; column < size; ++column) {
           largest = (std::max)(largest, sizes(row, column));
-          // What is no number is an error of any size.
+          // NaN is an error of any size.
           farthest = !(change(row, column) <= farthest) ? change(row, column) : farthest;
           sum += sizes(row, column);
         }
@@ -125,8 +126,8 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
   }
 }
 
-/// Whether the closures of a model are those of a group's loops, which are lengths. Those that a
-/// user types may be of any unit.
+/// Whether the closures of a model are those of a group's loops, which are lengths. Closures that a
+/// user types may have any unit.
 template <typename Model, typename = void>
 inline constexpr bool closes_loops = false;
 template <typename Model>

@@ -1,4 +1,4 @@
-// Turns a model into what the search in special position asks of it.
+// Turns a model into the functions that the search in special position calls.
 #pragma once
 
 #include <assur/assemblies.hpp>
@@ -27,8 +27,8 @@ using CertifiedVariables = FlatVariables<numeric::Bounded<numeric::DoubleDouble>
   return result;
 }
 
-/// Lists a completion, if it is finite. A bar of no length has any direction, and along parallel
-/// slides any place will do to start from.
+/// Lists a completion, if it is finite. Where a direction or a displacement is not determined, for
+/// a bar of no length or between parallel slides, the search may start from any.
 inline void add_completion(const PreciseVariables& q, const ModelUnknown* unknowns, int count,
                            Completions& completions) {
   FlatVariables<double>& found = completions.list[completions.count];
@@ -82,7 +82,7 @@ class SpecialGroupOf {
   }
 
  private:
-  /// A specialised group is in a unit that may be much longer than it is.
+  /// The unit of a specialised group may be much longer than the group.
   [[nodiscard]] static constexpr double longest() {
     if constexpr (Model::dimension_count == 0) {
       return (std::min)(1.0, Model::own_length);
@@ -189,9 +189,9 @@ class SpecialGroupOf {
   PreciseVariables flat_d_{}, flat_u_{};
 };
 
-/// Lists the assemblies of a group that may be in special position. One at which the closures are
-/// singular is marked near_singular, where the Jacobian is `unsure` by so much beforehand; a family
-/// of them sets the mobility.
+/// Lists the assemblies of a group that may be in special position. An assembly is marked
+/// near_singular where the closures are singular, or where it is not regular for a Jacobian that is
+/// already off by `unsure`; a family of assemblies sets the mobility.
 template <typename Model>
 void search_in_special_position(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u, double displaced,

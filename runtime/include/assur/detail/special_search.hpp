@@ -1,13 +1,13 @@
-// Turns a group in special position into its assemblies: those that stand, and that it moves.
+// Turns a group in special position into its isolated assemblies and the mobility of its families.
 //
 // Where the final polynomial has multiple roots, a root at infinity, or no coefficient at all, its
 // roots do not tell the assemblies: several may share a root, and a root may belong to none. But
-// every regular assembly stays when dimensions and inputs are moved a little, and in general
+// every regular assembly persists when dimensions and inputs are moved a little, and in general
 // position the polynomial tells them all. So the group is moved a little in several directions and
 // back and forth, each neighbour is solved in double-double, and what is found is closed again on
 // the equations of the group itself. What does not close there has run to infinity. Where the
-// closures are singular, a fold opens on one side of each direction at least; what then closes
-// along a curve moves freely.
+// closures are singular, a fold opens on at least one side of each direction; an assembly that
+// closes along a curve moves freely.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ namespace assur::detail {
 
 using PreciseVariables = FlatVariables<numeric::DoubleDouble>;
 
-/// Assemblies that one value of the first unknown completes to, by the closeness of the second.
+/// Assemblies that one value of the first unknown completes to; the best second value comes first.
 struct Completions {
   std::array<FlatVariables<double>, 4> list;
   std::size_t count = 0;
@@ -39,7 +39,7 @@ struct SpecialGroup {
   const bool* dimensions;
   const bool* inputs;
   std::size_t dimension_count, input_count;
-  /// Dimensions that are numbers in the functions cannot be moved.
+  /// Whether dimensions are numbers in the functions, which cannot be moved.
   bool is_specialised;
   double rounding_of_inputs;
   bool first_is_angle;
@@ -73,8 +73,8 @@ class SpecialSearch {
  private:
   static constexpr int directions = 5;
 
-  /// Whether double-double tells all: every root is simple, however the variables were rounded, and
-  /// its best completion closes.
+  /// Whether double-double determines all assemblies: every root is simple, however the variables
+  /// were rounded, and its best completion closes.
   [[nodiscard]] bool is_general(const FirstValues& values) {
     if (!values.certain()) {
       return false;
@@ -103,8 +103,8 @@ class SpecialSearch {
     return true;
   }
 
-  /// At every root first the second value that fits best: what it completes to is known to more
-  /// digits than what others lead to.
+  /// Tries the second value that fits best at every root before the others: its completion is known
+  /// to more digits than theirs.
   void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
     std::array<Completions, 6> found;
     for (std::size_t index = 0; index < values.count; ++index) {
@@ -141,7 +141,7 @@ class SpecialSearch {
     }
   }
 
-  /// Starts from places all over, which do not depend on the elimination.
+  /// Calls `use` with random unknowns, which do not depend on the elimination.
   template <typename Use>
   void for_each_place(const Use& use) {
     constexpr int starts = 48;
@@ -185,7 +185,7 @@ class SpecialSearch {
     }
   }
 
-  /// Between -1 and 1, the same on every machine.
+  /// A random number between -1 and 1, the same on every machine.
   [[nodiscard]] double next_random() {
     random_ = random_ * 1664525U + 1013904223U;
     return static_cast<double>(random_ >> 8U) / 0x1p23 - 1;
@@ -197,7 +197,7 @@ class SpecialSearch {
     if (!(longest_displacement(closures, q) < farthest_configuration<double>)) {
       return;
     }
-    // A second value that does not fit completes to directions that are none.
+    // A second value that does not fit completes to pairs that are no unit vectors.
     closures.straighten(q);
     const double miss = close(closures, q);
     const double displacement = longest_displacement(closures, q);
@@ -246,7 +246,7 @@ SpecialAssemblies SpecialSearch<Group>::run() {
   result_ = {};
   const FirstValues exact = group_.first_values(d_, u_, 0);
   try_all(d_, u_, exact);
-  // A multiple root that rounding has made complex leaves no root behind.
+  // Rounding may make a multiple root complex, and then no root is found there.
   for_each_sample([this](const FlatVariables<double>& start) { add(start); });
   // Where the final polynomial vanishes, its unknown may be the one that is free, which tells
   // nothing of the others.
@@ -279,7 +279,7 @@ double SpecialSearch<Group>::least_miss() {
     }
   };
   for_each_sample(try_near);
-  // No sample is completed where a link has no length, or slides are parallel.
+  // No sample can be completed where a link has no length, or slides are parallel.
   if (!std::isfinite(least)) {
     for_each_place(try_near);
   }

@@ -13,8 +13,9 @@
 
 namespace assur::detail {
 
-/// The variables in double, exactly, but for directions: these are unit vectors to the digits of
-/// float and become such to the digits of double. Two steps do, as each squares what is missing.
+/// The variables in double. Lengths are converted exactly; directions are unit vectors to the
+/// digits of float and become unit vectors to those of double, by two steps that square the error
+/// each.
 template <typename Wide, typename Variables>
 [[nodiscard]] Wide widened(const Variables& variables) {
   Wide result;
@@ -30,7 +31,7 @@ template <typename Wide, typename Variables>
   return result;
 }
 
-/// The variables rounded.
+/// The variables, rounded to a narrower scalar.
 template <typename Narrow, typename Variables>
 [[nodiscard]] Narrow narrowed(const Variables& variables) {
   using Scalar = typename ScalarOf<Narrow>::Type;
@@ -45,8 +46,8 @@ template <typename Narrow, typename Variables>
   return result;
 }
 
-/// What double has found, rounded. Its verdicts are those of the narrower scalar, as all that is
-/// computed from the configurations is: the Jacobian is `unsure` by so much beforehand.
+/// Rounds what double has found. The verdicts are those of the narrower scalar, because all that
+/// follows is computed in it; the Jacobian is already off by `unsure`.
 template <typename Model, typename Scalar>
 void round_answer(const typename Model::template Dimensions<Scalar>& d,
                   const typename Model::template Inputs<Scalar>& u, Scalar unsure,

@@ -1,4 +1,4 @@
-// Turns the arithmetic that a program was compiled with, and runs on, into whether bounds hold.
+// Turns the arithmetic of the compiler and of the processor into whether error bounds hold.
 #pragma once
 
 #include <assur/numeric/double_double.hpp>
@@ -6,7 +6,7 @@
 
 namespace assur::numeric {
 
-/// Whether comparisons tell NaN and infinity from numbers, which -ffinite-math-only ends.
+/// Whether comparisons tell NaN and infinity from numbers; under -ffinite-math-only they do not.
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
 inline constexpr bool tells_nan = false;
 #else
@@ -30,15 +30,16 @@ inline constexpr bool rounds_as_written = tells_nan&& std::numeric_limits<Scalar
                                           );
 #endif
 
-/// Whether error-free sums and products are so. Not every compiler tells what it rearranges, and
-/// none how the processor rounds, so some are computed from a number that it does not know.
+/// Whether error-free sums and products are exact. Not every compiler tells what it rearranges, and
+/// none tells how the processor rounds, so some are computed here, at run time.
 template <typename Scalar>
 [[nodiscard]] bool sums_are_exact() {
   constexpr int digits = std::numeric_limits<Scalar>::digits;
   constexpr auto power = [](int exponent) { return power_of_two<Scalar>(exponent); };
   const volatile Scalar unknown = 1;
   const Scalar one = unknown;
-  // Rounding twice, or towards zero, misses the first; rounding upwards the second.
+  // Rounding twice or towards zero gives the first of these a wrong sum, rounding upwards the
+  // second.
   constexpr Scalar ulp = power(1 - digits);
   constexpr Scalar above_half = ulp / 2 + power(-digits - digits / 3);
   constexpr Scalar below_half = ulp / 4;
@@ -51,7 +52,7 @@ template <typename Scalar>
          (square.low == little * little);
 }
 
-/// Whether numbers are told from zero that are too small to have all their digits.
+/// Whether subnormal numbers are told from zero.
 template <typename Scalar>
 [[nodiscard]] bool keeps_subnormals() {
   const volatile Scalar least = (std::numeric_limits<Scalar>::min)();

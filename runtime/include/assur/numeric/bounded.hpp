@@ -58,7 +58,7 @@ struct Bounded {
     return {product, (a.size() + a.bound) * b.bound + b.size() * a.bound +
                          unit() * std::abs(static_cast<Bound>(product))};
   }
-  /// Only constants of generated code divide, which are exact in double.
+  /// Only constants of generated code are divisors, and these are exact in double.
   friend Bounded operator/(const Bounded& a, const Bounded& b) {
     const Scalar quotient = a.value / b.value;
     const Bound size = std::abs(static_cast<Bound>(quotient));

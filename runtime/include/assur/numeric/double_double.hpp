@@ -95,7 +95,7 @@ struct DoubleWord {
   constexpr DoubleWord(Part value) : high(value) {}
   constexpr DoubleWord(int value) : high(static_cast<Part>(value)) {}
   constexpr DoubleWord(Part high_part, Part low_part) : high(high_part), low(low_part) {}
-  /// A constant of generated code, to the digits that there are.
+  /// A constant of generated code, to the digits that two parts hold.
   template <
       typename Number,
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Part, double>, int> = 0>
@@ -135,7 +135,7 @@ struct DoubleWord {
     const Part root = std::sqrt(a.high);
     if (root == Part(0)) return {root, Part(0)};  // the correction below would divide by zero
     const DoubleWord square = two_prod(root, root);
-    const Part rest = (a.high - square.high) - square.low;  // exact, both of it
+    const Part rest = (a.high - square.high) - square.low;  // both differences are exact
     return fast_two_sum(root, (rest + a.low) / (Part(2) * root));
   }
 

@@ -56,8 +56,8 @@ void set_row(Matrix<Scalar, Rows, Columns>& matrix, int index,
   }
 }
 
-/// Adds `Sign` times a product to a matrix: column by column, whose entries stand side by side, so
-/// that compilers compute several at once.
+/// Adds `Sign` times a product to a matrix, column by column: the entries of a column are adjacent,
+/// so that compilers compute several at once.
 template <int Sign = 1, typename Scalar, int Rows, int Inner, int Columns>
 void add_product(Matrix<Scalar, Rows, Columns>& sum, const Matrix<Scalar, Rows, Inner>& left,
                  const Matrix<Scalar, Inner, Columns>& right) {

@@ -13,12 +13,12 @@ struct Magnitude {
   double units = 0;
 
   Magnitude() = default;
-  /// A number of the text, which may have been rounded.
+  /// A number in generated code, which may have been rounded.
   explicit Magnitude(double number) : size(std::abs(number)), units(std::abs(number)) {}
   explicit Magnitude(int number) : size(std::abs(number)) {}
   Magnitude(double most, double error) : size(most), units(error) {}
 
-  /// Nothing but an error.
+  /// An error alone, of a number that is zero.
   static Magnitude error(double most) {
     return {0, most / (std::numeric_limits<double>::epsilon() / 2)};
   }
@@ -42,7 +42,7 @@ struct Magnitude {
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
     return {a.size * b.size, a.size * b.units + a.units * b.size + a.size * b.size};
   }
-  /// Only constants of generated code divide; what else would has no least size.
+  /// Only constants of generated code are divisors; any other divisor has no least size.
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
     if (b.units > b.size) {
       constexpr double none = std::numeric_limits<double>::infinity();

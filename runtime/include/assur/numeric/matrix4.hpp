@@ -116,7 +116,8 @@ class Elimination {
   }
 
  private:
-  /// Exchanges rows and columns so that the largest number left is the next pivot: its size.
+  /// Exchanges rows and columns so that the largest number left is the next pivot. Returns its
+  /// size.
   double bring_pivot(int step) {
     int row = step;
     int column = step;

@@ -8,8 +8,8 @@
 
 namespace assur::numeric {
 
-/// A difference of two entries of keys above this counts, relative to the larger of the entry and
-/// its unit: 1e-6 of double, 1e-3 of float. Rounding moves a double configuration by the root of
+/// A difference of two entries of keys counts above this, relative to the larger of the entry and
+/// its unit: 1e-6 in double, 1e-3 in float. Rounding moves a double configuration by the root of
 /// epsilon.
 template <typename Scalar>
 inline constexpr Scalar key_rounding = static_cast<Scalar>(last_regular_digit<Scalar>);
@@ -20,12 +20,12 @@ template <typename Scalar>
   return std::abs(left - right) > key_rounding<Scalar> * (one + std::abs(left));
 }
 
-/// Whether one key comes before another of its size: by the first entry, of those from `from` on,
-/// by which they differ; those before are the same. From `lengths_from` on entries count in the
-/// unit `one`. A difference is relative to the larger of the entry and its unit, and counts above
+/// Whether one key comes before another of its size, by the first entry from `from` on that
+/// differs; the entries before are the same. From `lengths_from` on, entries count in the unit
+/// `one`. A difference is relative to the larger of the entry and its unit, and counts above
 /// `key_rounding`. Two keys that are close together as a whole belong to configurations that meet.
-/// There every entry falls with the distance, so each counts in parts of the largest: the first by
-/// which they differ stays the first.
+/// There every difference falls with the distance, so each counts in parts of the largest: the
+/// first entry by which the keys differ stays the first.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right, std::size_t lengths_from,
                                 typename Key::value_type one, std::size_t from = 0) {

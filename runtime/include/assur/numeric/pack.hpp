@@ -12,12 +12,12 @@
 
 namespace assur::numeric {
 
-/// Numbers as compilers have them side by side, with or without a unit for them in the processor,
-/// and as many integers of their size.
+/// The type of numbers side by side that compilers have, whether or not the processor has a unit
+/// for it, and the type of as many integers of their size.
 template <typename Scalar, std::size_t Lanes>
 struct SideBySide {
-  /// What Eigen's matrices give their entries: 16 bytes without AVX, however many lanes there are.
-  /// A compiler may rely on what a type asks for, and one that asks for more is misread there.
+  /// The alignment of entries in Eigen's matrices: 16 bytes without AVX, however many lanes there
+  /// are. Compilers rely on the alignment that a type asks for, so it must not ask for more.
   static constexpr std::size_t alignment = Lanes * sizeof(Scalar) < EIGEN_MAX_ALIGN_BYTES
                                                ? Lanes * sizeof(Scalar)
                                                : EIGEN_MAX_ALIGN_BYTES;
@@ -47,9 +47,9 @@ class PackTruth {
     }
     return bits() == (1U << Lanes) - 1;
   }
-  /// Whether it holds of one of them at least.
+  /// Whether it holds for at least one of them.
   [[nodiscard]] bool any() const { return bits() != 0; }
-  /// A bit for each of them, that of the first the lowest.
+  /// A bit for each of them; that of the first is the lowest.
   [[nodiscard]] unsigned bits() const {
 #if defined(__AVX512DQ__)
     if constexpr (sizeof(Scalar) == 8 && Lanes == 8) {
@@ -101,8 +101,8 @@ struct HalvesInFront {
 };
 inline constexpr HalvesInFront halves_in_front;
 
-/// Several numbers, for what is computed alike of all. A comparison does not hold where one of them
-/// is no number.
+/// Several numbers on which the same is computed at once. A comparison does not hold where one of
+/// its operands is NaN.
 template <typename Scalar, std::size_t Lanes>
 class PackOf {
   using Numbers = typename SideBySide<Scalar, Lanes>::Type;
@@ -159,8 +159,8 @@ class PackOf {
   }
   void store(Scalar* to) const { reinterpret_cast<Anywhere*>(to)->numbers = numbers_; }
 
-  /// Stores some of them, a bit for each, next to each other; behind them as many more numbers as
-  /// there are others are overwritten.
+  /// Stores the numbers whose bits are set next to each other. Up to `Lanes` numbers from `to` on
+  /// are overwritten.
   void store_some(unsigned which, Scalar* to) const {
 #if defined(__AVX512VL__) && defined(__AVX512F__)
     if constexpr (sizeof(Scalar) == 8 && Lanes == 8) {
@@ -205,7 +205,7 @@ class PackOf {
   PackOf& operator+=(const PackOf& other) { return *this = *this + other; }
   PackOf& operator*=(const PackOf& other) { return *this = *this * other; }
 
-  // Without a branch: which of them it is differs from lane to lane.
+  // There is no branch, because the choice differs from lane to lane.
   friend PackOf select(const Truth& holds, const PackOf& then, const PackOf& otherwise) {
     return PackOf(holds.integers() ? then.numbers_ : otherwise.numbers_);
   }
@@ -226,7 +226,7 @@ class PackOf {
     roots = roots.sqrt().eval();
     return load(roots.data());
   }
-  /// 2^-e of 2^e m, 1 <= m < 2, where both have all their digits.
+  /// 2^-e of 2^e m, 1 <= m < 2, where both are normal numbers.
   friend PackOf inverse_power_of_two(const PackOf& a) {
     using Limits = std::numeric_limits<Scalar>;
     constexpr int below_exponent = Limits::digits - 1;
@@ -234,7 +234,7 @@ class PackOf {
     return PackOf(
         reinterpret_cast<Numbers>((2 * (Limits::max_exponent - 1) - exponent) << below_exponent));
   }
-  // One after the other, as they come to one number.
+  // These are computed lane by lane.
   friend PackOf ceil(const PackOf& a) {
     return by_lanes(a, [](Scalar number) { return std::ceil(number); });
   }
@@ -277,7 +277,7 @@ inline constexpr std::size_t native_lanes = 4;
 inline constexpr std::size_t native_lanes = 2;
 #endif
 
-/// No pack has more.
+/// No pack has more lanes.
 inline constexpr std::size_t most_lanes = 8;
 
 }  // namespace assur::numeric

@@ -8,12 +8,12 @@
 
 namespace assur::numeric {
 
-/// Two numbers, for what is computed alike of both.
+/// Two numbers on which the same is computed at once.
 template <typename Scalar>
 using PairOf = PackOf<Scalar, 2>;
 using Pair = PairOf<double>;
 
-/// One number of a pair, or a number that is one.
+/// One number of a pair; a number that is no pair is the same for both.
 template <typename Scalar>
 [[nodiscard]] Scalar lane(const PairOf<Scalar>& pair, std::size_t index) {
   return pair[index];

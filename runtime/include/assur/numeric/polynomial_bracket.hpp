@@ -55,7 +55,7 @@ inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, S
   const bool exact = Scalar(512) * abs(step) * step * step * (square + bend * bend) <= u * square;
   const bool lost = abs(value) <= noise;
   b.done = iteration > 1 && (exact | lost) && (slope > Scalar(0)) == b.negative_left;
-  // Past a few steps every other one bisects: the bracket closes whatever the others do.
+  // Later every second step bisects, so that the bracket closes in any case.
   const bool follow = inside && (b.done || iteration < 8 || iteration % 2 == 0);
   b.t = follow ? next : b.done ? b.t : (b.left + b.right) / Scalar(2);
 }

@@ -6,14 +6,14 @@
 
 namespace assur::numeric {
 
-/// The scalar of which a compound one is made, in which bounds and sizes are told.
+/// The scalar of which a compound one is made, in which bounds and sizes are given.
 template <typename Scalar>
 struct PartOf {
   using Type = Scalar;
 };
 
-/// 2^exponent, where the scalar has it. Only for constants: Clang 14 calls it wherever it stands
-/// otherwise.
+/// 2^exponent, where the scalar has it. It is for constants only: elsewhere Clang 14 calls it at
+/// run time.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar power_of_two(int exponent) {
   Scalar power(1);
@@ -26,18 +26,19 @@ template <typename Scalar>
   return power;
 }
 
-/// Half of the digits: the square of this is about epsilon. A double root is known to so much.
+/// Half of the digits: the square of this is about epsilon. A double root is known to this
+/// accuracy.
 template <typename Scalar>
 inline constexpr Scalar half_of_digits =
     power_of_two<Scalar>(-(std::numeric_limits<Scalar>::digits / 2));
 
-/// What is so many roundings in double, in roundings of another scalar.
+/// The factor from a number of roundings in double to as many roundings of another scalar.
 template <typename Scalar>
 inline constexpr Scalar roundings_of_double =
     power_of_two<Scalar>(std::numeric_limits<double>::digits - std::numeric_limits<Scalar>::digits);
 
 /// What a sum of products of a few numbers near one may lose where products of small ones are
-/// flushed to zero. Of double it is less than anything that it could be added to.
+/// flushed to zero. In double it is less than anything that it could be added to.
 template <typename Scalar>
 inline constexpr Scalar lost_in_underflow = std::numeric_limits<Scalar>::max_exponent < 1024
                                                 ? power_of_two<Scalar>(12) *
@@ -45,13 +46,13 @@ inline constexpr Scalar lost_in_underflow = std::numeric_limits<Scalar>::max_exp
                                                 : Scalar(0);
 
 /// The digits that derivatives of a regular configuration keep: half of those that the scalar has,
-/// and six at most. Of double six, of float three.
+/// and six at most. These are six in double and three in float.
 template <typename Scalar>
 inline constexpr int regular_digits = std::numeric_limits<Scalar>::is_specialized
                                           ? (std::min)(6, std::numeric_limits<Scalar>::digits10 / 2)
                                           : 6;
 
-/// One in the last of these digits: 1e-6 of double, 1e-3 of float.
+/// One in the last of these digits: 1e-6 in double, 1e-3 in float.
 template <typename Scalar>
 inline constexpr double last_regular_digit = [] {
   double power = 1;

@@ -17,7 +17,7 @@ template <typename Scalar>
 [[nodiscard]] typename PartOf<Scalar>::Type size_of(const Scalar& value) {
   return std::abs(static_cast<typename PartOf<Scalar>::Type>(value));
 }
-/// The scalar in which what fits badly is told of an unknown.
+/// The scalar that tells how badly a value of an unknown fits.
 template <typename Unknown>
 struct MissOf {
   using Type = typename PartOf<Unknown>::Type;
@@ -68,7 +68,7 @@ void add_candidate(const Matrix<Scalar, 2, 3>& e, const Unknown& z,
 }
 
 /// a cos z + b sin z + c = 0: the foot of the perpendicular from the origin on the line, and from
-/// there to both sides; a line that rounding keeps off the circle touches it.
+/// there to both sides. A line that rounding keeps off the circle counts as touching it.
 template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
                SecondCandidates<Direction<Scalar>>& candidates) {
@@ -111,7 +111,7 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>&
   }
 }
 
-/// How well a row determines an angle: the sine squared at which its line cuts the circle.
+/// How well a row determines an angle: the square of the sine at which its line cuts the circle.
 template <typename Scalar>
 [[nodiscard]] typename PartOf<Scalar>::Type sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
   using Part = typename PartOf<Scalar>::Type;
@@ -146,8 +146,8 @@ template <typename Unknown, typename Scalar>
   return candidates;
 }
 
-/// The root that both equations have, from both at once: they are linear in the cosine and the
-/// sine, or in the displacement and its square. Not a number where they do not tell it.
+/// The root that both equations have in common: they are linear in the cosine and the sine, or in
+/// the displacement and its square. It is NaN where they do not determine it.
 template <typename Unknown, typename Scalar>
 [[nodiscard]] Unknown common_root(const Matrix<Scalar, 2, 3>& e) {
   const Scalar determinant = e(0, 0) * e(1, 1) - e(0, 1) * e(1, 0);

@@ -77,7 +77,7 @@ class TrigonometricRootSearch {
   static constexpr int max_depth = 128;  ///< two levels at least halve an arc
   using Angle = AngleOf<Scalar>;
   static constexpr Angle two_pi = static_cast<Angle>(6.28318530717958647693);
-  // Sums between the inverse of this and this are far from overflow and underflow.
+  // Sums between two to this power and its inverse are far from overflow and underflow.
   static constexpr int most_power =
       200 * std::numeric_limits<Scalar>::max_exponent / std::numeric_limits<double>::max_exponent;
   using Polynomial = std::array<Scalar, D + 1>;

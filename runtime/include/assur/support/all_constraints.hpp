@@ -1,4 +1,4 @@
-// Turns links that a mechanism without its redundant constraints places into where all of its
+// Turns the places that links have without a mechanism's redundant constraints into those where all
 // constraints together hold them, with their rates.
 #pragma once
 
@@ -18,8 +18,8 @@
 namespace assur::support {
 
 /// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-/// vanish. Each stands on a link that moves, by its place among these, or, with no such place, on
-/// one that drivers place, in the ground's frame.
+/// vanish. `first` and `second` are the places of their links among those that move; a feature with
+/// a negative place is on a link that drivers place, and in the ground's frame.
 template <typename Frame>
 struct HeldPair {
   int first, second;
@@ -27,9 +27,9 @@ struct HeldPair {
   std::array<bool, 3> holds;
 };
 
-/// The constraints f(q) = 0 of a whole mechanism, body by body: q has three rows for each link that
-/// moves, two for the shift of a feature on it, in parts of the mechanism's size, and its turn
-/// about that feature. There are as many `Rows` of f as coordinates that pairs hold.
+/// The constraints f(q) = 0 of a whole mechanism, body by body. q has three rows for each link that
+/// moves: two for the shift of a feature on it, in parts of the mechanism's size, and one for its
+/// turn about that feature. f has a row for each coordinate that a pair holds.
 template <int Rows, typename Scalar, int Order, int Parameters, std::size_t Links,
           std::size_t Pairs>
 class AllConstraints {
@@ -38,7 +38,7 @@ class AllConstraints {
   using Open = Vector<Scalar, Rows>;
   using Step = Vector<Scalar, columns>;
   using Jacobian = Matrix<Scalar, Rows, columns>;
-  /// Its solutions leave out what is below the threshold, which those of a QR decomposition do not.
+  /// Its solutions leave out what is below the threshold; those of a plain QR decomposition do not.
   using Factors = Eigen::CompleteOrthogonalDecomposition<Jacobian>;
   using Plane = Vector<Scalar, 2>;
 
@@ -49,9 +49,9 @@ class AllConstraints {
     measure();
   }
 
-  /// Closes all constraints as far as they can be closed from nearby, by Gauss's and Newton's steps
-  /// J^+ f. Where J has full column rank to rounding, rates and regularity are those that all
-  /// constraints tell. Whether the constraints hold, and their rates where these are known.
+  /// Closes all constraints as far as they can be closed from nearby, by Gauss-Newton steps J^+ f.
+  /// Where J has full column rank to rounding, rates and regularity follow from all constraints.
+  /// Returns whether the constraints hold, and agree in the rates where these are known.
   [[nodiscard]] bool settle(Status& regularity) {
     close();
     const bool goes_on = find_rates(regularity);
@@ -60,7 +60,7 @@ class AllConstraints {
 
  private:
   static constexpr bool is_fine = std::numeric_limits<Scalar>::epsilon() < 1e-12;
-  /// Below this part of the largest a singular value is one of rounding.
+  /// A singular value below this part of the largest is rounding.
   static constexpr Scalar least_firmness = static_cast<Scalar>(is_fine ? 1e-9 : 1e-4);
 
   [[nodiscard]] Frame placed(int link, const Frame& feature) const {
@@ -82,7 +82,7 @@ class AllConstraints {
     }
   }
 
-  /// The first feature of each link is what it turns about; the longest arm is the size.
+  /// Each link turns about its first feature; the longest arm is the size.
   void measure() {
     std::array<bool, Links> has_pivot{};
     Scalar longest = 0;
@@ -199,8 +199,8 @@ class AllConstraints {
     }
   }
 
-  /// The least singular value to the largest, from the triangle of the factors by inverse
-  /// iteration.
+  /// The ratio of the least singular value to the largest, from the triangle of the factors by
+  /// inverse iteration.
   [[nodiscard]] static Scalar firmness_of(const Factors& factors) {
     if (factors.rank() < columns) {
       return 0;
@@ -219,8 +219,8 @@ class AllConstraints {
     return least / factors.maxPivot();
   }
 
-  /// The derivatives of f in a column of the links' rates or gradients; `twice` adds to those of
-  /// second order what the rates of first order make.
+  /// The derivatives of f in a column of the links' rates or gradients; `twice` adds what the rates
+  /// of first order contribute to derivatives of second order.
   template <typename Column>
   [[nodiscard]] Open slopes(const Column& column, bool twice) const {
     Open result;
@@ -246,7 +246,7 @@ class AllConstraints {
     return result;
   }
 
-  /// A link's (x, y, theta) by its rows of q.
+  /// The rates of a link's (x, y, theta) from those of its rows of q.
   [[nodiscard]] Vector<Scalar, 3> moved(int link, const Step& rates) const {
     const Pose<Scalar>& pose = links_[static_cast<std::size_t>(link)]->pose;
     const Scalar turning = rates(3 * link + 2);
@@ -255,7 +255,8 @@ class AllConstraints {
     return {origin(0), origin(1), turning};
   }
 
-  /// Solves for a column of all links, which is zero before. Whether the constraints agree.
+  /// Solves for a column of all links, which has to be zero before. Returns whether the constraints
+  /// agree.
   template <typename Column>
   [[nodiscard]] bool solve_column(const Factors& factors, const Jacobian& J, const Column& column,
                                   bool twice, Scalar least, Scalar agreement) {
@@ -267,7 +268,7 @@ class AllConstraints {
     return !((J * rates + open).norm() > agreement * (open.norm() + least));
   }
 
-  /// What the rest alone tells of rates is no more than one of its motions.
+  /// Sets the rates to NaN: the groups alone give those of only one of several motions.
   void forget_rates() {
     for (Frame* link : links_) {
       link->rates.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -275,7 +276,7 @@ class AllConstraints {
     }
   }
 
-  /// Whether the constraints agree in what their rates are, where these are known.
+  /// Finds the rates. Returns whether the constraints agree in them, where they are known.
   [[nodiscard]] bool find_rates(Status& regularity) {
     const Jacobian J = jacobian();
     Factors factors;
@@ -317,7 +318,7 @@ class AllConstraints {
     if constexpr (Parameters > 0) {
       for (int parameter = 0; parameter < Parameters; ++parameter) {
         const auto gradient = [parameter](auto& frame) { return frame.gradient.col(parameter); };
-        // What constraints contradict that do not have the parameter is not known.
+        // A gradient is not known where constraints without the parameter contradict it.
         if (!solve_column(factors, J, gradient, false, 0, Scalar(is_fine ? 1e-8 : 1e-3))) {
           for (Frame* link : links_) {
             gradient(*link).setConstant(std::numeric_limits<Scalar>::quiet_NaN());

@@ -1,5 +1,5 @@
-// Turns the coordinates of joints of several mechanisms and their limits into which of them keep
-// these, and of which that is certain.
+// Turns the coordinates of joints of several mechanisms and their limits into the mechanisms that
+// keep these, and into those of which that is certain.
 #pragma once
 
 #include <assur/numeric/pack.hpp>
@@ -8,8 +8,8 @@
 
 namespace assur::support {
 
-/// Where limits are kept, and where that is certain, rounding of regular configurations counted:
-/// they keep six digits.
+/// The lanes in which limits are kept, and those in which that is certain in spite of rounding;
+/// regular configurations keep six digits.
 template <typename Truth>
 struct KeptLimits {
   Truth kept;
@@ -29,7 +29,7 @@ template <typename Scalar, std::size_t Lanes>
   return Pack(1e-6) * larger(Pack(1), larger(abs(lowest), abs(highest)));
 }
 
-/// Tells lane by lane what `is_between` tells of one.
+/// Tells lane by lane what `is_between` tells for one.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                               const numeric::PackOf<Scalar, Lanes>& displacement,
@@ -40,7 +40,7 @@ template <typename Scalar, std::size_t Lanes>
   return KeptLimits<numeric::PackTruth<Scalar, Lanes>>{inside, inside | outside};
 }
 
-/// Tells lane by lane what `is_turned_between` tells of one.
+/// Tells lane by lane what `is_turned_between` tells for one.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_turned_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                                      const numeric::PackOf<Scalar, Lanes>& angle,

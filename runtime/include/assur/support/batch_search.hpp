@@ -27,7 +27,7 @@ struct BatchGroups<std::tuple<Group...>> {
 /// The search of `Search` for several packs of instances, one instance per lane. An instance stays
 /// in it as long as everything is certain: each of its groups has no configuration, or isolated and
 /// regular ones only. `List` gets every configuration by list(pack, placed, lanes), with a bit of
-/// `lanes` for each lane that has it, and returns the lanes in which the configuration is uncertain.
+/// `lanes` for each lane that has it, and returns the lanes in which it is uncertain.
 template <typename Solver, std::size_t Lanes, typename List>
 class BatchSearch {
   using Pack = numeric::PackOf<double, Lanes>;
@@ -38,14 +38,15 @@ class BatchSearch {
   static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
 
  public:
-  /// Arcs of many groups are isolated together; formulas need no others beside them.
+  /// Arcs are isolated for many groups together; formulas need no more than one pack.
   static constexpr std::size_t packs = BatchGroups<Groups>::are_closed ? 1 : 32 / Lanes;
   using Given = std::array<typename Own::Given, packs>;
-  using Sets = std::array<unsigned, packs>;  ///< of the lanes of each pack, a bit each
+  using Sets = std::array<unsigned, packs>;  ///< a bit for each lane of each pack
 
   explicit BatchSearch(List& list) : list_(list) {}
 
-  /// Searches the instances in the first packs, once. Returns those that need a closer look.
+  /// Searches the instances in the first `count` packs, once. Returns those that need a closer
+  /// look.
   [[nodiscard, gnu::flatten]] Sets run(const Given& given, std::size_t count) {
     Sets lanes{};
     for (std::size_t pack = 0; pack < count; ++pack) {
@@ -62,7 +63,7 @@ class BatchSearch {
   template <std::size_t Place>
   using HeldAt = HeldJoints<GroupAt<Place>, Pack, Solver::order, Solver::parameter_count>;
 
-  /// The groups from one on; beyond the last, configurations are listed.
+  /// Searches the groups from `Place` on; beyond the last, configurations are listed.
   template <std::size_t Place>
   void proceed(const Sets& lanes) {
     if (std::all_of(lanes.begin(), lanes.end(), [](unsigned set) { return set == 0; })) {
@@ -138,7 +139,7 @@ class BatchSearch {
       proceed<Place + 1>(next);
     }
   }
-  /// This is a function of its own, so that what it takes of the stack is free below.
+  /// This is a function of its own, so that its part of the stack is free during the deeper search.
   template <std::size_t Place, typename Held, typename Found, typename Having>
   [[gnu::noinline]] void isolate(const Sets& lanes, Held& held, Found& found, Having& having) {
     using Model = Specialised<GroupAt<Place>>;
@@ -176,7 +177,7 @@ class BatchSearch {
     }
   }
 
-  /// Places a group in a pack. Returns the lanes in which it is certain what it is.
+  /// Places a group in some lanes of a pack. Returns those in which the result is certain.
   template <std::size_t Place, typename Held, typename Configuration>
   [[nodiscard]] unsigned place(std::size_t pack, unsigned lanes, const Held& held,
                                const Configuration& q) {

@@ -10,17 +10,17 @@
 
 namespace assur::support {
 
-/// The number of entries of `turning_key` for so many links.
+/// The number of entries of `turning_key` for a number of links.
 [[nodiscard]] constexpr std::size_t turning_key_size(std::size_t links) {
   return links < 2 ? 4 : 2 + 2 * links;
 }
 
-/// Sums over all pairs of moving links, of the cosines of the angles between them, of the cosines'
-/// squares and cubes, and of the sines; then every further link's angle against the first, as
-/// cosine and sine. They do not depend on where the mechanism stands, the cosines not on
-/// reflection. So the links must come in an order that does not depend on how they are listed, as
-/// that of their names. `directions` is a range of directions, `key` one with room for
-/// turning_key_size entries, of which those before the place `From` are not set where it is 3.
+/// Computes sums over all pairs of moving links: of the cosines of the angles between them, of the
+/// cosines' squares and cubes, and of the sines; then every further link's angle against the first,
+/// as cosine and sine. They do not depend on where the mechanism stands, and the cosines do not
+/// change under reflection. The links must come in an order that does not depend on how they are
+/// listed, such as that of their names. `directions` is a range of directions, `key` one with room
+/// for turning_key_size entries. If `From` is 3, the entries before that place are not set.
 template <std::size_t From = 0, typename Directions, typename Key>
 void turning_key(const Directions& directions, Key& key) {
   static_assert(From == 0 || From == 3, "the sums of the cosines are set together");
@@ -50,10 +50,10 @@ void turning_key(const Directions& directions, Key& key) {
   key[3] = sines;
 }
 
-/// Puts the first `count` configurations in the order of their keys, which are exchanged with what
-/// `exchange` exchanges at two places; equal keys keep their places. A key is the turning key, then
-/// from the place `lengths_from` on the displacements of the slides, which count in parts of the
-/// longest of all. What comes before the place `from` is the same in all keys.
+/// Sorts the first `count` configurations by their keys; `exchange` exchanges the configurations at
+/// two places. Equal keys keep their places. A key is the turning key, then from the place
+/// `lengths_from` on the displacements of the slides, which count in parts of the longest of all.
+/// The entries before the place `from` are the same in all keys.
 template <typename Keys, typename Exchange>
 void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange,
                   std::size_t from = 0) {

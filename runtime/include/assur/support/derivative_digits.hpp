@@ -13,8 +13,8 @@ template <typename Scalar>
   return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
 }
 
-/// What a regular configuration promises of its derivatives, relative: 5e-7 in double, which is six
-/// digits; 5e-4 in float, three.
+/// The relative error that a regular configuration promises of its derivatives: 5e-7 in double,
+/// which is six digits; 5e-4 in float, three.
 template <typename Scalar>
 inline constexpr double regular_error = numeric::last_regular_digit<Scalar> / 2;
 inline constexpr double six_digits = regular_error<double>;

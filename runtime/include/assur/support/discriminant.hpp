@@ -31,10 +31,10 @@ template <typename Scalar>
   return {T(1) * T(1) - Scalar(4) * T(2) * T(0), T(2)};
 }
 
-/// The length up to which what is said of a specialised group holds: it has a unit of its own, as
-/// its dimensions are numbers. Of a model it is said of a longest length of one.
+/// The longest length for which the bounds of a specialised group hold, in the group's own unit, as
+/// its dimensions are numbers. Those of a model hold for a longest length of one.
 inline constexpr double most_length_of_numbers = 8;
-/// The highest degree in the lengths of a discriminant of which errors are known.
+/// The highest degree in the lengths of a discriminant whose errors are known.
 inline constexpr int highest_discriminant_degree = 7;
 
 }  // namespace assur::support

@@ -9,16 +9,16 @@
 
 namespace assur::support {
 
-/// The larger of two numbers, or of those of two packs.
+/// The larger of two numbers, or lane by lane of two packs.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar larger(const Scalar& one, const Scalar& other) {
   using std::max;
   return max EIGEN_NOT_A_MACRO(one, other);
 }
 
-/// The amounts by which rounding may have moved what stands in a frame up to `extent` from its
-/// origin, and turned the frame, at most. What is computed from lengths that cancel is not known to
-/// a rounding of its own value, but to one of theirs: `reach` is the longest of them.
+/// The largest amounts by which rounding may have moved what stands in a frame, up to `extent` from
+/// its origin, and turned the frame. What is computed from lengths that cancel is not known to a
+/// rounding of its own value, but to one of theirs: `reach` is the longest of them.
 template <typename Scalar>
 struct DisplacementOf {
   static constexpr auto epsilon =
@@ -28,7 +28,7 @@ struct DisplacementOf {
   Scalar reach = 0;
   Scalar extent = 0;
 
-  /// The amounts where they are finite. What is not bounds nothing: all may be off by any amount.
+  /// The amounts where both are finite, else infinity: an amount that is not finite bounds nothing.
   [[nodiscard]] DisplacementOf bounded() const {
     constexpr Scalar any = std::numeric_limits<Scalar>::infinity();
     const bool is_bound = std::isfinite(moved) && std::isfinite(turned);
@@ -46,15 +46,15 @@ struct DisplacementOf {
     const Scalar length = abs(displacement);
     return {Scalar(epsilon) * length, Scalar(0), length};
   }
-  /// A feature whose coordinates are computed with an error, and its direction with another.
+  /// A feature whose coordinates have one error and whose direction has another.
   [[nodiscard]] static DisplacementOf of_rounding(Scalar error, Scalar turn) {
     return {error, turn, error / Scalar(epsilon)};
   }
-  /// The larger of each, of two that may not add up.
+  /// The larger of each amount of two displacements, which may not add up.
   [[nodiscard]] DisplacementOf worst_of(const DisplacementOf& other) const {
     return {larger(moved, other.moved), larger(turned, other.turned), larger(reach, other.reach)};
   }
-  /// Lengths in another unit.
+  /// The amounts with lengths in another unit.
   [[nodiscard]] DisplacementOf scaled(Scalar scale) const {
     return {moved * scale, turned, reach * scale, extent * scale};
   }

@@ -24,8 +24,8 @@ class DisplacedGroup {
   using Inverse = Matrix<Scalar, Model::unknown_count, Model::equation_count>;
 
  public:
-  /// `displaced`: how far what holds the group may be from where exact arithmetic has it. That is
-  /// known to a rounding of its coordinates at best.
+  /// `displaced` is how far rounding may have displaced the neighbours that hold the group. Their
+  /// places are known to a rounding of their coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
       : size_(is_exact ? own_size<Model, Scalar>(d, u)
                        : 1 / unit_scale<Model, Scalar>(d, u, displaced)),
@@ -41,7 +41,7 @@ class DisplacedGroup {
     return assur::regularity<Model, Scalar>(d, u, q, unsure_);
   }
 
-  /// The regularity where second rates count, too: in float the pivots' firmness is never enough.
+  /// The regularity where second rates count, too: in float the pivots alone do not suffice.
   [[nodiscard]] Regularity<Scalar> regularity_in_motion(const Dimensions& d, const Inputs& u,
                                                         const Configuration& q) const {
     Regularity<Scalar> result = regularity(d, u, q);
@@ -54,9 +54,9 @@ class DisplacedGroup {
     return result;
   }
 
-  /// How far the group's own links may be off: both ends of a closure move, slides turn, its own
-  /// rounding is added, J^-1 makes of it turns and slides, and a turn moves points by the group's
-  /// size.
+  /// How far the group's own links may be off: both ends of a closure move, slides turn, and the
+  /// group's own rounding is added; J^-1 turns this into turns and displacements, and a turn moves
+  /// points by the group's size.
   [[nodiscard]] Displacement displaced(const Configuration& q, const Inverse& J_inverse) const {
     const Scalar reach = (std::max)(reach_, size_);
     constexpr auto half_turn =
@@ -72,7 +72,7 @@ class DisplacedGroup {
       largest = (std::max)(largest, (is_angle ? size_ : 1) * sum);
       turn = (std::max)(turn, is_angle ? sum : 0);
     }
-    // What holds pins has carried its turn to them already.
+    // The turn of what holds pins is part of their displacement already.
     const Scalar held_turn = is_exact && !has_slides ? Scalar(0) : turned_;
     const Scalar open =
         2 * (moved_ + held_turn * (std::max)(size_, longest_length(q))) + epsilon * size_;
@@ -81,14 +81,14 @@ class DisplacedGroup {
             size_};
   }
 
-  /// What one radian moves points by.
+  /// The length by which a turn of one radian moves points.
   [[nodiscard]] Scalar size() const { return size_; }
-  /// How far what holds the group may be from where exact arithmetic has it.
+  /// How far rounding may have displaced the neighbours that hold the group.
   [[nodiscard]] Scalar held() const { return (std::max)(held_, turned_ * size_); }
 
  private:
-  /// The amount by which an unknown follows loops that are open by one: in any direction, a loop
-  /// has two rows; or, where digits are to spare, in both at once.
+  /// The amount by which an unknown follows loops that are open by one: in any one direction of the
+  /// plane; or, where digits are to spare, along both axes at once.
   [[nodiscard]] static Scalar loosened_by(const Inverse& J_inverse, int row) {
     if constexpr (!is_exact || Model::equation_count % 2 != 0) {
       return J_inverse.row(row).cwiseAbs().sum();
@@ -99,7 +99,7 @@ class DisplacedGroup {
     }
     return sum;
   }
-  /// In float, no digit is to be given away: a chain of groups would soon have none.
+  /// Float has no digit to give away: a chain of groups would soon have none.
   static constexpr bool is_exact = std::is_same_v<Scalar, float>;
   /// Whether any neighbour holds a slide.
   static constexpr bool has_slides = [] {
@@ -112,7 +112,7 @@ class DisplacedGroup {
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Scalar size_;
   Scalar held_;
-  Scalar moved_;  ///< and by its own rounding once more, for what stands behind
+  Scalar moved_;  ///< with the rounding of the inputs once more, for the groups behind
   Scalar turned_;
   Scalar unsure_;
   Scalar reach_;

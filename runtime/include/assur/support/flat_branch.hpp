@@ -11,8 +11,8 @@
 
 namespace assur::support {
 
-/// Copies between a branch and numbers, always in the same order: where drivers and parameters
-/// stand, then of each group u, q, J^-1 and the sign of det J.
+/// Copies between a branch and numbers, always in the same order: the positions of drivers and
+/// parameters, then for each group u, q, J^-1 and the sign of det J.
 template <typename Solver>
 class FlatBranch {
   using Branch = support::Branch<Solver, double>;

@@ -31,8 +31,8 @@ template <typename Variables, typename Scalar>
   return result;
 }
 
-/// The variables that stand in `flat` as numbers of another scalar; `convert` turns those into
-/// theirs.
+/// The variables that stand in `flat` as numbers of another scalar, which `convert` turns into that
+/// of the variables.
 template <typename Variables, typename Scalar, typename Convert>
 [[nodiscard]] Variables unflattened(const FlatVariables<Scalar>& flat, const Convert& convert) {
   using Own = std::decay_t<decltype(convert(flat[0]))>;

@@ -18,7 +18,7 @@ template <typename Group, typename Scalar>
 inline constexpr auto own_length =
     static_cast<typename numeric::PartOf<Scalar>::Type>(Group::own_length);
 
-/// A slide: its displacement and the first `Order` time derivatives of it.
+/// A slide: its displacement and the first `Order` time derivatives of the displacement.
 template <typename Scalar, int Order>
 struct Slide {
   Scalar displacement = 0;
@@ -32,9 +32,9 @@ struct HeldJoints {
   typename Group::template Inputs<Scalar> u;
   Matrix<Scalar, Group::input_count, Order> rates;
   Matrix<Scalar, Group::input_count, Parameters> gradient;
-  DisplacementOf<Scalar> displaced;  ///< by rounding, the joints, at most
+  DisplacementOf<Scalar> displaced;  ///< how far rounding may have displaced the joints
 
-  /// A revolute joint, whose inputs (x, y) stand from `First` on.
+  /// Holds a revolute joint, whose inputs (x, y) begin at `First`.
   template <int First>
   void hold_point(const Point<Scalar, Order, Parameters>& point) {
     std::get<First>(u.members()) = point.x / unit_of<Group, Scalar>;
@@ -51,7 +51,8 @@ struct HeldJoints {
     displaced.moved = larger(displaced.moved, point.displaced.moved / unit_of<Group, Scalar>);
     displaced.reach = larger(displaced.reach, point.displaced.reach / unit_of<Group, Scalar>);
   }
-  /// A prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) stand from `First` on.
+  /// Holds a prismatic joint along the x-axis of a frame, whose inputs (x, y, phi) begin at
+  /// `First`.
   template <int First>
   void hold_line(const Frame<Scalar, Order, Parameters>& frame) {
     hold_point<First>(origin_of(frame));
@@ -66,7 +67,7 @@ struct HeldJoints {
   }
   using ParameterRow = Matrix<Scalar, 1, Parameters>;
   using RateRow = Matrix<Scalar, 1, Order>;
-  /// A length of the group that the solver's parameters or drivers change, whose input stands at
+  /// Holds a length of the group that the solver's parameters or drivers change, whose input is at
   /// `Place`.
   template <int Place>
   void hold_length(Scalar length,
@@ -76,7 +77,7 @@ struct HeldJoints {
     numeric::set_row(rates, Place, in_time, Scalar(1 / unit_of<Group, Scalar>));
     numeric::set_row(gradient, Place, of_parameters, Scalar(1 / unit_of<Group, Scalar>));
   }
-  /// An angle, likewise.
+  /// Holds an angle in the same way.
   template <int Place>
   void hold_angle(const Direction<Scalar>& angle,
                   const ParameterRow& of_parameters = numeric::zeros<ParameterRow>(),
@@ -119,7 +120,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return rates;
 }
 
-/// Sets where the links stand in the configuration that is placed.
+/// Sets the places of the links in the configuration that is placed.
 template <typename Group, typename Scalar, int Order, int Parameters>
 void place_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                  PlacedGroup<Group, Scalar, Order, Parameters>& placed) {
@@ -137,7 +138,7 @@ void place_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
   }
 }
 
-/// Sets how they move, by the rates of the unknowns.
+/// Sets the motion of the links, from the rates of the unknowns.
 template <typename Group, typename Scalar, int Order, int Parameters>
 void move_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                 const UnknownRates<Group, Scalar>& q_rates,
@@ -172,7 +173,7 @@ void move_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
   }
 }
 
-/// Sets the derivatives of their frames to the parameters, by J^-1:
+/// Sets the derivatives of the links' frames to the parameters, by J^-1:
 /// J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
 template <typename Group, typename Scalar, int Order, int Parameters>
 void differentiate_links(

@@ -1,5 +1,5 @@
 // Turns a specialised group with held external joints into the motion of its links and slides, with
-// a verdict on what is known of it.
+// a verdict on how well it is known.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
          Scalar(two_digits);
 }
 
-/// Whether accelerations of a regular configuration keep its digits whatever moves.
+/// Whether accelerations of a regular configuration keep its digits, whichever inputs move.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] bool is_firm(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                            const typename Group::template Configuration<Scalar>& q) {
@@ -51,8 +51,8 @@ template <typename Group, typename Scalar, int Order, int Parameters>
                          derivative_rounding<Scalar>() + displaced);
 }
 
-/// The regularity of a configuration in motion, which counts its second rates. Rates that keep no
-/// two digits become NaN.
+/// The regularity of a configuration in motion, which counts its second rates. Rates that do not
+/// keep two digits become NaN.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline, gnu::cold]] Status regularity_in_motion(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -75,7 +75,8 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return second_error < Scalar(regular_error<Scalar>) ? regularity : Status::near_singular;
 }
 
-/// Whether places are so long beside a group that a rounding of theirs is more than a few of its.
+/// Whether the joints' coordinates are so long that their rounding exceeds a few of the group's
+/// own.
 template <typename Group, typename Scalar>
 [[nodiscard]] bool is_small_where_held(const typename Group::template Inputs<Scalar>& u) {
   constexpr Scalar most = 16 * own_length<Group, Scalar>;
@@ -83,7 +84,7 @@ template <typename Group, typename Scalar>
 }
 
 /// Places a group's links in a configuration of known regularity. Rates and gradients that do not
-/// exist, or keep no two digits, are NaN.
+/// exist, or do not keep two digits, are NaN.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Scalar, Order, Parameters> place_group(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -94,7 +95,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   PlacedGroup<Group, Scalar, Order, Parameters> placed;
   placed.q = q;
   placed.regularity = regularity;
-  // Less is little beside the rounding that every verdict counts.
+  // Less than this is little beside the rounding that every verdict counts.
   constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
   if (held.displaced.moved > rounding * own_length<Group, Scalar> ||
       held.displaced.turned > rounding || is_small_where_held<Group, Scalar>(held.u)) {

@@ -14,8 +14,8 @@
 
 namespace assur::support {
 
-/// A frame in another: its pose (x, y, theta), the first `Order` time derivatives of these, one a
-/// column, and their derivatives to `Parameters` parameters, one a column.
+/// A frame in another: its pose (x, y, theta), the first `Order` time derivatives of these, one per
+/// column, and their derivatives to `Parameters` parameters, one per column.
 template <typename Scalar, int Order, int Parameters>
 struct Frame {
   Pose<Scalar> pose{};
@@ -24,7 +24,7 @@ struct Frame {
   DisplacementOf<Scalar> displaced{};  ///< by rounding
 };
 
-/// A point in a frame, likewise.
+/// The same for a point in a frame.
 template <typename Scalar, int Order, int Parameters>
 struct Point {
   Scalar x{};
@@ -116,7 +116,7 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// A frame that is given in a moving frame, in the frame in which that one moves; likewise.
+/// A frame that is given in a moving frame, in the frame in which that one moves.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
@@ -160,8 +160,8 @@ struct Coordinate {
   Matrix<Scalar, 1, Parameters> gradient = numeric::zeros<Matrix<Scalar, 1, Parameters>>();
 };
 
-/// The angle from one frame to another, theta_other - theta_one. It is above -pi by more than what
-/// rounding leaves of half a turn, so that a law that reads it says the same for both.
+/// The angle from one frame to another, theta_other - theta_one. Half a turn is +pi even where
+/// rounding makes it -pi, so that a law that reads the angle says the same for both.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Coordinate<Scalar, Order, Parameters> angle_between(
     const Frame<Scalar, Order, Parameters>& one, const Frame<Scalar, Order, Parameters>& other) {
@@ -180,7 +180,7 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// How far along the x-axis of one frame, on which it lies, the origin of another is: with r from
+/// How far along the x-axis of one frame the origin of another is, which lies on it: with r from
 /// one to the other and c along the axis, s = c.r, s' = c.r', s'' = c.r'' + omega^2 s.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Coordinate<Scalar, Order, Parameters> displacement_along(
@@ -220,7 +220,7 @@ template <typename Scalar, int Order, int Parameters>
   return frame;
 }
 
-/// Turns a prismatic joint along the x-axis into the same, for its displacement.
+/// The same for a prismatic joint along the x-axis and its displacement.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> sliding(
     Scalar displacement,
@@ -251,7 +251,7 @@ template <typename Scalar, int Parameters>
   return {sum[0], sum[1]};
 }
 
-/// The root of the sum of the squares of derivative x tolerance, likewise.
+/// The root of the sum of the squares of derivative x tolerance, of each coordinate.
 template <typename Scalar, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> root_sum_square(
     const Matrix<Scalar, 2, Parameters>& gradient,

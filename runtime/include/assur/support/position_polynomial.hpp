@@ -17,9 +17,9 @@ struct PositionPolynomial {
   typename numeric::PartOf<Scalar>::Type error = 0;
 };
 
-/// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, that is
+/// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, which is
 /// double or DoubleDouble, or float or DoubleFloat for variables in float. In all but DoubleDouble
-/// the error counts what rounding may have changed of the variables, among neighbours that it has
+/// the error includes that of the variables, which are rounded and whose neighbours are
 /// `displaced`. It is NaN or infinite where a coefficient is.
 template <typename Model, typename Work, typename Scalar = double>
 [[nodiscard]] PositionPolynomial<Work, Model::polynomial_degree> position_polynomial(

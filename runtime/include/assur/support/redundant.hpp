@@ -30,8 +30,8 @@ template <typename Scalar, std::size_t Count>
   return largest;
 }
 
-/// How far apart rounding may leave features in a mechanism of a size, where its configuration is
-/// regular and where it is not.
+/// How far apart rounding may leave features in a mechanism of the given size, where its
+/// configuration is regular and where it is not.
 template <typename Scalar>
 [[nodiscard]] Scalar redundancy_slack(Scalar size, Status regularity) {
   constexpr bool is_fine = std::numeric_limits<Scalar>::epsilon() < 1e-12;
@@ -55,7 +55,7 @@ template <typename Scalar>
 
 /// How far lines, each a frame's x-axis, are apart: the larger of the second one's distance from
 /// the first, and of how far they part over a mechanism's size. Lines that point in opposite ways
-/// do so by twice that size.
+/// part by twice that size.
 template <typename Scalar>
 [[nodiscard]] Scalar lines_apart(const Pose<Scalar>& one, const Pose<Scalar>& other, Scalar size) {
   const Direction<Scalar> turn = turned(other.direction, reversed(one.direction));

@@ -56,8 +56,8 @@ template <typename To, typename From>
   return result;
 }
 
-/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a number that has them all; where it has
-/// not, at most the largest power that there is.
+/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a normal number; of any other, at most the
+/// largest power that there is.
 template <typename Scalar>
 [[nodiscard]] Scalar inverse_power_of_two(Scalar length) {
   using Limits = std::numeric_limits<Scalar>;
@@ -82,8 +82,8 @@ template <typename Scalar>
 inline constexpr Scalar rounding_of_one = 2 * std::numeric_limits<Scalar>::epsilon();
 
 /// In a chain of groups the bound of a displacement grows much faster than the displacement itself.
-/// A bound beyond some part of the longest length would make one of two configurations that are
-/// close together, so it counts as this much.
+/// A bound beyond some part of the longest length would merge two configurations that are close
+/// together, so a larger bound counts as that part.
 template <typename Scalar>
 [[nodiscard]] Scalar counted_displacement(Scalar displaced, Scalar longest) {
   return (std::min)(displaced, 64 * std::numeric_limits<Scalar>::epsilon() * longest);
@@ -117,7 +117,7 @@ template <typename To, typename From, typename Scalar = typename ScalarOf<From>:
   return result;
 }
 
-/// What rounding of its dimensions may have done to a coefficient of a specialised group, whose
+/// How far rounding of the dimensions may have moved a coefficient of a specialised group, whose
 /// functions hold them as numbers: lengths are at most one there, and few of them meet in a term.
 inline constexpr double rounding_of_named_numbers = 32 * std::numeric_limits<double>::epsilon();
 template <typename Model, typename Scalar>
@@ -138,8 +138,8 @@ template <typename Model, typename Scalar = double>
   return (std::max)(longest_length(d), f.cwiseAbs().maxCoeff());
 }
 
-/// The longest length of a group in the unit of its inputs; a specialised one tells it, as it has
-/// its lengths in its functions.
+/// The longest length of a group in the unit of its inputs; a specialised group states it, because
+/// its lengths are in its functions.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar own_size(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u) {
@@ -150,10 +150,11 @@ template <typename Model, typename Scalar = double>
   }
 }
 
-/// The amount by which the loop Jacobian of a group may be off, in parts of what it is made of: a
-/// place far away is rounded as it is long, and what rounding has `displaced` is not known better.
-/// Where nothing turns J depends on directions alone. In float a displacement counts no more than
-/// in `counted_displacement`: the bound would leave no digit behind three groups.
+/// The amount by which the loop Jacobian of a group may be off, in parts of the group's length: a
+/// coordinate far from the origin is rounded in proportion to itself, and what rounding has
+/// `displaced` is not known better. Where nothing turns, J depends on directions alone. In float a
+/// displacement counts no more than in `counted_displacement`: the full bound would leave no digit
+/// behind three groups.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar unsure_jacobian(const typename Model::template Dimensions<Scalar>& d,
                                      const typename Model::template Inputs<Scalar>& u,
@@ -175,14 +176,14 @@ template <typename Model, typename Scalar = double>
   }
 }
 
-/// The longest length of a group that counts. A length that is no longer than the rounding of the
-/// external joints' places, or than these are `displaced`, does not: then the group is measured by
-/// the length of which that is a rounding.
+/// The length by which a group is measured: its longest one, unless that is no longer than the
+/// rounding of the external joints' places, or than they are `displaced`; then the length of which
+/// that is a rounding.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar size_among(const typename Model::template Dimensions<Scalar>& d,
                                 const typename Model::template Inputs<Scalar>& u,
                                 const DisplacementOf<Scalar>& displaced = {}) {
-  if constexpr (Model::dimension_count == 0) {  // folded, and in units of the longest already
+  if constexpr (Model::dimension_count == 0) {  // specialised: lengths are in such a unit already
     return 1;
   }
   constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
@@ -195,8 +196,8 @@ template <typename Model, typename Scalar = double>
   return (std::max)(own, tells ? 256 * std::numeric_limits<Scalar>::epsilon() * places : untold);
 }
 
-/// In a group of a smaller size, lengths that are too small to have all their digits count: 2^-960
-/// of double, 2^-93 of float.
+/// In a group that is smaller than this, lengths count that are too small to have all their digits:
+/// 2^-960 in double, 2^-93 in float.
 template <typename Scalar>
 inline constexpr Scalar least_size =
     (std::numeric_limits<Scalar>::min)() * numeric::power_of_two<Scalar>(

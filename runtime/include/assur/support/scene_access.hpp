@@ -1,4 +1,5 @@
-// Turns an emitted solver into what its search and its tracking ask of it, and what they answer.
+// Turns an emitted solver into the functions that its search and tracking use, and into their
+// answers.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +22,9 @@ struct Solution {
   /// that moves freely without them.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< the number of configurations
-  /// Choices of the groups that hold a group, directly or through others, for which it moves freely
-  /// or is inconsistent, if what does not depend on it can be assembled.
+  /// The number of choices of configurations of the groups that hold a group, directly or through
+  /// others, for which it moves freely or is inconsistent, if all that does not depend on it can be
+  /// assembled.
   int families = 0;
   int mobility = 0;  ///< the greatest mobility of these families
 };
@@ -71,12 +73,11 @@ struct Access {
   using Parts = typename Solver::template Parts<Scalar>;
   using Placed = typename Parts::Placed;
   static constexpr std::size_t lengths_from = turning_key_size(Solver::keyed_links);
-  static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< the first ones
-  static constexpr std::size_t first_key = Solver::first_key;  ///< the first that may differ
+  static constexpr std::size_t turning_drivers = Solver::turning_drivers;  ///< they come first
+  static constexpr std::size_t first_key = Solver::first_key;  ///< the first entry that may differ
   using Key = std::array<Scalar, lengths_from + Solver::keyed_slides>;
   static constexpr bool in_packs = Solver::in_packs;  ///< whether a pack may be the scalar
-  /// Whether the search has to check that arguments are numbers; groups check positions
-  /// themselves.
+  /// Whether the search has to check that arguments are finite; groups check positions themselves.
   static constexpr bool is_looked_at = has_parameters<Solver> || Solver::order > 0;
   static constexpr bool has_limits = std::is_same_v<typename Solver::Solution, LimitedSolution>;
   template <typename Those>
@@ -90,7 +91,8 @@ struct Access {
   static auto settles_of(int) -> decltype(Those::settle(std::declval<Placed&>()), std::true_type());
   template <typename Those>
   static std::false_type settles_of(...);
-  /// Whether it closes all constraints together where the others are nearly singular.
+  /// Whether it closes all constraints together where it is nearly singular without the redundant
+  /// ones.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
   /// For each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
@@ -130,7 +132,7 @@ struct Access {
     }
     return finite;
   }
-  /// Where a group's external joints are held.
+  /// Sets where a group's external joints are held.
   template <typename Held>
   static void hold(const Placed& placed, Held& held) {
     Parts::hold(placed, held);
@@ -148,11 +150,12 @@ struct Access {
   [[nodiscard]] static auto keeps_limits(const Placed& placed) {
     return Parts::keeps_limits(placed);
   }
-  /// The amount by which constraints that are too many miss, in parts of the largest coordinate.
+  /// The amount by which the redundant constraints miss, in parts of the largest coordinate.
   [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
-  /// Whether all constraints together hold where everything is placed, and go on to.
+  /// Closes all constraints together. Returns whether they hold, and agree in the rates that are
+  /// known.
   [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }
-  /// What tells one state from another, and puts them in order.
+  /// The key that tells one state from another and puts them in order.
   static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
 };
 

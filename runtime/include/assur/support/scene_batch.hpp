@@ -15,24 +15,24 @@
 
 namespace assur::support {
 
-/// Drivers, or variable parameters, of many instances of a solver: of instance i, number p by
-/// `column_numbers` is data[p * stride + i].
+/// Drivers, or variable parameters, of many instances of a solver: data[p * stride + i] is number
+/// p, by `column_numbers`, of instance i.
 struct GivenColumns {
   const double* data = nullptr;
   std::size_t stride = 0;
 };
 
-/// The caller's arrays to which the configurations of many instances go. What stands of instance i
-/// in the first ones is what `Solution` holds of it.
+/// The caller's arrays to which the configurations of many instances go. Entry i of the first ones
+/// is what `Solution` holds for instance i.
 template <typename Solver>
 struct BatchSolutions {
   AssemblyStatus* status = nullptr;
   int* count = nullptr;
   int* families = nullptr;
   int* mobility = nullptr;
-  int* left_out = nullptr;  ///< of the solver of a scene with limits
-  /// Configuration k of instance i stands at [k * stride + i]. What stands beyond the count of an
-  /// instance means nothing.
+  int* left_out = nullptr;  ///< for the solver of a scene with limits
+  /// The regularity of configuration k of instance i is at [k * stride + i]. Entries beyond an
+  /// instance's count have no meaning.
   Status* regularity = nullptr;
   /// Number p, by `column_numbers`, of configuration k of instance i is at
   /// [(k * column_count<Solver::State<double>> + p) * stride + i].
@@ -53,7 +53,7 @@ struct LoneInstances {
   GivenColumns parameters;
   BatchSolutions<Solver> result;
 
-  /// What is given of the instances from one on: `load` makes a scalar of where a number stands.
+  /// The arguments of instances from `instance` on; `load` reads a scalar at a number's address.
   template <typename Scalar, typename Load>
   [[nodiscard]] typename Access<Solver, Scalar>::Given given_at(std::size_t instance,
                                                                 const Load& load) const {
@@ -109,11 +109,12 @@ class SceneBatch {
  public:
   explicit SceneBatch(const LoneInstances<Solver>& lone) : lone_(lone), result_(lone.result) {}
 
-  /// Solves so many, which fill a pack at least. Returns how many were solved by themselves.
+  /// Solves `count` instances, which fill at least a pack. Returns how many were solved by
+  /// themselves.
   [[nodiscard]] std::size_t run(std::size_t count) {
     std::size_t alone = 0;
     for (std::size_t solved = 0; solved < count;) {
-      // What does not fill its packs overlaps with what was solved before, if there is enough.
+      // Instances that do not fill their packs overlap with those before, if there are enough.
       const std::size_t most = (std::min)(count - solved, packs * Lanes);
       const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
       const std::size_t filled = (left + Lanes - 1) / Lanes;
@@ -130,7 +131,7 @@ class SceneBatch {
     return alone;
   }
 
-  /// Lists one configuration of several instances of a pack. Returns those of which it is not
+  /// Lists one configuration of several instances of a pack. Returns those for which it is not
   /// certain whether they keep the limits of joints.
   [[nodiscard]] unsigned operator()(std::size_t pack, const typename Own::Placed& placed,
                                     unsigned lanes) {
@@ -157,8 +158,8 @@ class SceneBatch {
   }
 
  private:
-  /// So many instances from one on, which fill packs. Returns those that are to be solved by
-  /// themselves, a bit for each lane of each pack.
+  /// Solves the instances from `first` on that fill `filled` packs. Returns those that are to be
+  /// solved by themselves, a bit for each lane of each pack.
   [[nodiscard]] Sets solve_together(std::size_t first, std::size_t filled) {
     first_ = first;
     most_ = {};
@@ -185,7 +186,7 @@ class SceneBatch {
     return unsure;
   }
 
-  /// Puts a configuration behind those that the lanes have.
+  /// Puts a configuration behind those that the lanes have already.
   void put(std::size_t pack, unsigned lanes, State<Pack>& state, const typename Own::Key& key) {
     const std::size_t at = first_ + pack * Lanes;
     auto& having = having_[pack];
@@ -194,7 +195,7 @@ class SceneBatch {
       return index == 0 ? all_lanes : having[index - 1];
     };
     if ((lanes & ~reaching(most)) == 0) {
-      // No lane has a configuration in this place, so the others may get what means nothing.
+      // No lane has a configuration in this place yet, so the other lanes may get any.
       for_each_column(state, [&](const Pack& number, std::size_t column) {
         number.store(result_.column(most, column) + at);
       });
@@ -287,7 +288,7 @@ class SceneBatch {
     }
   }
 
-  /// Tells what was found of the instances of a pack.
+  /// Writes what was found for the instances of a pack.
   void finish(std::size_t pack) const {
     const std::size_t at = first_ + pack * Lanes;
     std::fill_n(result_.status + at, Lanes, AssemblyStatus::ok);
@@ -309,16 +310,16 @@ class SceneBatch {
   const LoneInstances<Solver>& lone_;
   const BatchSolutions<Solver>& result_;
   std::size_t first_ = 0;
-  /// The lanes of each pack that have more than so many configurations, a bit each, and how many
-  /// the lane with most of them has.
+  /// For each pack, the lanes that have more than k configurations, a bit each, for every k, and
+  /// how many the lane with most of them has.
   std::array<std::array<unsigned, capacity>, packs> having_;
   std::array<std::size_t, packs> most_{};
   std::array<int, packs * Lanes> left_out_{};
   std::array<std::array<typename Own::Key, capacity>, packs> keys_;
 };
 
-/// Whether several instances of a solver are solved at once: its text can be read with packs for
-/// numbers, and what is kept of all their configurations is not too much for a stack.
+/// Whether several instances of a solver are solved at once: its code can be compiled with packs
+/// for numbers, and what is kept of all configurations fits on a stack.
 template <typename Solver>
 inline constexpr bool is_solved_in_packs =
     Access<Solver, double>::in_packs&& Solver::max_configurations <= 256 &&

@@ -17,8 +17,8 @@ template <typename Part>
 inline constexpr bool has_members<Part, std::void_t<decltype(std::declval<Part&>().members())>> =
     true;
 
-/// Calls `use` with every number of a part of a state, of a direction the cosine first, of a matrix
-/// column by column.
+/// Calls `use` with every number of a part of a state; a direction begins with its cosine, and a
+/// matrix goes column by column.
 template <typename Scalar, typename Use>
 void visit(Scalar& number, Use& use, Scalar* /*numbers*/) {
   use(number);
@@ -75,13 +75,13 @@ constexpr std::size_t count_all(std::tuple<Members&...>* /*members*/,
 
 }  // namespace columns
 
-/// How many numbers there are in the drivers, the parameters or a state of a solver, of which each
+/// How many numbers there are in the drivers, the parameters or a state of a solver, each of which
 /// has a column in a batch: column_count<Solver::State<double>>.
 template <typename Variables>
 inline constexpr std::size_t column_count = columns::count(static_cast<const Variables*>(nullptr),
                                                            static_cast<const double*>(nullptr));
 
-/// Calls `use` with every number of drivers, parameters or a state, and with that of its column.
+/// Calls `use` with every number of drivers, parameters or a state, and with its column.
 template <template <typename> class Variables, typename Scalar, typename Use>
 void for_each_column(Variables<Scalar>& variables, const Use& use) {
   std::size_t column = 0;
@@ -89,7 +89,7 @@ void for_each_column(Variables<Scalar>& variables, const Use& use) {
   columns::visit(variables, use_next, static_cast<Scalar*>(nullptr));
 }
 
-/// The number of the column of every number of a solver's drivers, parameters or states:
+/// The column of every number of a solver's drivers, parameters or states:
 /// column_numbers<Solver::State>().outputs.P.position(0).
 template <template <typename> class Variables>
 [[nodiscard]] Variables<std::size_t> column_numbers() {

@@ -26,9 +26,9 @@ struct GroupConfigurations<std::tuple<Group...>, Scalar> {
   using Type = std::tuple<typename Group::template Configuration<Scalar>...>;
 };
 
-/// The search of an emitted solver, depth first: where the groups before one are placed, each of
-/// its configurations places its links, over those of the one before. `Keeps`: it remembers the
-/// configurations of the groups.
+/// The search of an emitted solver, depth first: once the groups before it are placed, each
+/// configuration of a group in turn places its links, in place of the configuration before. If
+/// `Keeps`, the search remembers the configurations of the groups.
 template <typename Solver, typename Scalar, bool Keeps = false>
 class Search {
   using State = typename Solver::template State<Scalar>;
@@ -58,7 +58,7 @@ class Search {
     Own::drive(given, placed);
     proceed<0>(placed, {});
     if (Own::has_gaps && solution_.families > 0 && solution_.status == AssemblyStatus::ok) {
-      // Whether the constraints that are too many leave the families is not known here.
+      // It is not known here whether the redundant constraints let the families move.
       solution_.status = AssemblyStatus::unresolved;
       solution_.families = solution_.mobility = 0;
     }
@@ -96,8 +96,8 @@ class Search {
     }
   }
 
-  /// Where a mechanism without the constraints that are too many is singular, these hold but for
-  /// little beside where they hold: what misses much more than a configuration nearby is none.
+  /// Where a mechanism without its redundant constraints is singular, these nearly hold around a
+  /// configuration where they hold: one that misses much more than another nearby is left out.
   void leave_out_almost_closed() {
     constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
     constexpr Scalar much_more = 16;
@@ -111,7 +111,7 @@ class Search {
       return true;
     };
     const auto is_none_beside = [&](std::size_t one, std::size_t other) {
-      // Closed together, two that rounding had kept apart are one.
+      // Two that rounding had kept apart become one when all constraints are closed together.
       constexpr Scalar equal = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-6);
       return gaps_[one] > (std::max)(much_more * gaps_[other], rounding)
                  ? are_near(one, other, near)
@@ -136,14 +136,14 @@ class Search {
     }
   }
 
-  /// Groups that have no configuration on the way through the search.
+  /// Groups that have no configuration on the present path of the search.
   struct Loose {
-    Set moving = 0;  ///< freely, or inconsistent
-    Set all = 0;     ///< and those that such hold
+    Set moving = 0;  ///< those that move freely, or are inconsistent
+    Set all = 0;     ///< also those that such groups hold
   };
 
-  /// The groups from one on; beyond the last, the configuration is listed. Beyond the first, every
-  /// group has a function of its own: inlined into one another, as often as each calls the next,
+  /// Searches the groups from `Place` on; beyond the last, the configuration is listed. Every group
+  /// but the first has a function of its own: inlined into one another, at each call of the next,
   /// they would grow beyond what compilers bear.
   template <std::size_t Place>
   void proceed(Placed& placed, Loose loose) {
@@ -176,7 +176,7 @@ class Search {
       keep(placed, placed);
     }
   }
-  /// Lists a configuration, which constraints that are too many fail where groups place it.
+  /// Lists a configuration. Redundant constraints are measured where the groups alone place it.
   void keep(const Placed& placed, const Placed& by_groups) {
     const auto slot = static_cast<std::size_t>(solution_.count++);
     Own::list(placed, states_[slot]);
@@ -193,7 +193,7 @@ class Search {
     descend<Place>(placed, loose);
   }
 
-  /// A group in each of its configurations, and the groups behind it.
+  /// Searches a group in each of its configurations, and the groups behind it.
   template <std::size_t Place>
   void descend(Placed& placed, Loose loose) {
     using Group = std::tuple_element_t<Place, Groups>;
@@ -205,8 +205,8 @@ class Search {
     }
     HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count> held;
     Own::hold(placed, held);
-    // Where float does not tell a group's configurations, whoever asked for those of the mechanism
-    // decides what is to be done: behind rounded groups double would not tell them either.
+    // Where float does not determine a group's configurations, the caller of the whole search
+    // decides what is to be done: behind rounded groups double would not determine them either.
     const auto found =
         assemblies<Specialised<Group>, Scalar, Unresolved::refuse>({}, held.u, held.displaced);
     if (found.status != AssemblyStatus::ok && found.status != AssemblyStatus::degenerate) {
@@ -251,7 +251,7 @@ class Search {
       }
     }
   }
-  /// A number for the configurations in which some groups stand.
+  /// A number for the combination of configurations in which some groups stand.
   [[nodiscard]] std::size_t choice_of_holders(Set holders) const {
     std::size_t choice = 0;
     for (std::size_t group = 0; group < group_count; ++group) {

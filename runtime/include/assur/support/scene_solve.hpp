@@ -1,5 +1,5 @@
-// Turns what an emitted solver is given into its configurations, in double where float does not
-// tell them.
+// Turns the arguments of an emitted solver into its configurations, in double where float does not
+// determine them.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace assur::support {
 
-/// Whether double is to be asked where a scalar does not tell.
+/// Whether double is asked where a scalar does not determine the configurations.
 template <Unresolved unresolved, typename Scalar>
 inline constexpr bool asks_double =
     unresolved == Unresolved::ask_double && !std::is_same_v<Scalar, double>;
 
-/// Solves in double what is given in another scalar: the scene's numbers have all their digits
-/// there, and those given are exact.
+/// Solves in double what is given in another scalar: the scene's own numbers have all their digits
+/// there, and the given numbers count as exact.
 template <typename Solver, typename Scalar>
 class InDouble {
   using Own = Access<Solver, Scalar>;
@@ -79,7 +79,7 @@ template <typename Group, typename Scalar>
       .status;
 }
 
-/// Places the groups from one on in known configurations.
+/// Places the groups from `Place` on in known configurations.
 template <typename Solver, typename Scalar, std::size_t Place, typename Configurations,
           typename Placed>
 void place_known(const Configurations& known, Placed& placed) {
@@ -101,8 +101,8 @@ void place_known(const Configurations& known, Placed& placed) {
   }
 }
 
-/// Every configuration in the states of another scalar, as double tells them: how the groups stand
-/// is rounded, and all that follows from it is computed in that scalar, with its verdicts.
+/// Fills the states of another scalar with every configuration that double finds: those of the
+/// groups are rounded, and all that follows is computed in that scalar, with its verdicts.
 template <typename Solver, typename Scalar>
 [[nodiscard, gnu::noinline, gnu::cold]] typename Solver::Solution solve_in_double(
     const typename Access<Solver, Scalar>::Given& given,
@@ -115,7 +115,7 @@ template <typename Solver, typename Scalar>
     place_known<Solver, Scalar, 0>(wide.rounded(index), placed);
     if constexpr (Own::settles) {
       if (placed.regularity != Status::ok) {
-        (void)Own::settle(placed);  // which it does in double
+        (void)Own::settle(placed);  // it has settled in double
       }
     }
     Own::list(placed, detail::entry(states, index));

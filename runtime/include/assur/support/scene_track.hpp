@@ -20,7 +20,7 @@ struct GroupPoint {
   typename Group::template Inputs<Scalar> u;
   typename Group::template Configuration<Scalar> q;
   Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
-  int orientation = 0;  ///< the sign of det J, which a branch keeps and those it may meet have not
+  int orientation = 0;  ///< the sign of det J: constant on a branch, opposite on those it may meet
 };
 
 template <typename Groups, typename Scalar>
@@ -48,7 +48,7 @@ struct Track {
   double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
 };
 
-/// Follows a branch by the solver of a scene with limits, through them and back.
+/// The same for the solver of a scene with limits: a branch is followed through them and back.
 struct LimitedTrack : Track {
   bool within_limits = false;  ///< whether the state, where it was filled, keeps them
 };
@@ -68,7 +68,7 @@ class Tracker {
 
  public:
   /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
-  /// where no configuration has that number, or where float does not tell.
+  /// where no configuration has that number, or where float does not determine them.
   template <Unresolved unresolved>
   static Branch begin(const Given& given, int configuration) {
     Branch branch;
@@ -90,8 +90,8 @@ class Tracker {
     return branch;
   }
 
-  /// Follows a branch to where the drivers stand at `to`, and fills the state there; it is not
-  /// changed where the branch is not followed to the end.
+  /// Follows a branch to where the drivers stand at `to`, and fills the state there. The state is
+  /// not changed where the branch is not followed to the end.
   [[nodiscard]] static Track run(const Given& to, Branch& branch, State& state) {
     Track way;
     way.status = branch.status;
@@ -148,8 +148,8 @@ class Tracker {
     }
     return result;
   }
-  /// The part of the way in which no driver turns by more than a radian: the groups are held alike
-  /// after a full turn.
+  /// The part of the way in which no driver turns by more than a radian: after a full turn the
+  /// groups are held as before.
   [[nodiscard]] static Scalar widest_step(Given from, Given to) {
     const auto starts = from.positions();
     const auto ends = to.positions();
@@ -206,7 +206,7 @@ class Tracker {
     }
   }
 
-  /// The groups from one on; false where one refuses the step.
+  /// Steps the groups from `Place` on; false where one refuses the step.
   template <std::size_t Place>
   [[nodiscard]] static bool step(const Branch& start, Branch& end, Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {

@@ -9,10 +9,10 @@
 
 namespace assur::support {
 
-/// The factor by which the error of second rates exceeds that of rates, relative. In J q'' = -H(q',
-/// q') - ... an error of q' counts as often as J^-1 is `loose`. Near a fold q'' is as large; at a
-/// crossing it is not. `rate` and `second_rate` are the largest of q' and q'', with turns as
-/// lengths: times the `size` of the group.
+/// The factor by which the relative error of second rates exceeds that of rates. In J q'' = -H(q',
+/// q') - ... an error of q' is multiplied by `loose`, the size of J^-1. Near a fold q'' is as large
+/// as that makes it; at a crossing it is not. `rate` and `second_rate` are the largest of q' and
+/// q'', with turns as lengths: times the `size` of the group.
 template <typename Scalar>
 [[nodiscard]] Scalar second_rate_loss(Scalar loose, Scalar rate, Scalar second_rate, Scalar size) {
   const Scalar speed = rate * rate / size;

@@ -1,5 +1,5 @@
-// Turns an emitted solver into a comparison of what it finds of many drivers at once with what it
-// finds of each by itself.
+// Turns an emitted solver into a comparison of its batches with single calls for the same driver
+// positions.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ class Sequence {
 };
 
 /// Drivers near the scene's own; far from them; at multiples of 15 degrees and of a quarter, where
-/// mechanisms are flat; and some that are no numbers.
+/// mechanisms are flat; and some that are not finite.
 template <typename Solver>
 typename Solver::template Drivers<double> drivers_at(std::size_t instance, Sequence& sequence) {
   typename Solver::template Drivers<double> drivers;
@@ -48,8 +48,8 @@ typename Solver::template Drivers<double> drivers_at(std::size_t instance, Seque
   return drivers;
 }
 
-/// What differs between a batch and single calls; and the largest difference of a number, in parts
-/// of the largest of its configuration.
+/// How many verdicts differ between a batch and single calls, how many configurations were
+/// compared, and the largest difference of a number relative to the largest of its configuration.
 struct Differences {
   long verdicts = 0, configurations = 0;
   double largest = 0;

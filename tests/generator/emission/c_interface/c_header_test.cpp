@@ -1,5 +1,5 @@
-// Law: the C header of a solver is C99 and C++ whatever the scene's parts and file are called,
-// beside another one; it has what the scene wants, and the C++ header does not depend on it.
+// Law: a solver's C header compiles as C99 and C++, alone and beside another one, whatever the
+// scene's names are; it has what the scene wants, and the C++ header does not depend on it.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A four-bar whose parts are called like words of C and macros, with trigraphs; `wanted` results.
+/// A four-bar whose parts are named like C keywords and macros, with trigraphs; it wants `wanted`.
 std::string awkward_four_bar(const std::string& wanted) {
   return R"({"name": "odd ??/ \\",
   "parameters": {"restrict": 2, "solve": 5, "I": {"value": 1, "tolerance": 0.1}},

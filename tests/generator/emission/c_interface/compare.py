@@ -42,7 +42,7 @@ def solved(scene, step, settings, *options):
 
 
 def expected_numbers(header, scene, step, settings):
-    """What `assur solve` says of the numbers of a state, in the header's order; their sorts."""
+    """The numbers of a state that `assur solve` gives, in the header's order, and their sorts."""
     columns = sorted((place, name) for name, place in header.constants.items()
                      if name.startswith(header.prefix + "_column_"))
     parameters = [name.removeprefix(header.prefix + "_column_") for _, name in columns]
@@ -110,7 +110,7 @@ for number, (scene, options, settings) in enumerate(tasks):
     implementation = here / "assur" / "scenes" / f"{scene}.cpp"
     header = c_header.read_header(implementation.with_suffix(".h"))
     warnings = ["-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror"]
-    # One object for all languages: it holds the solver, and names of C.
+    # One object for all languages: it holds the solver, with C names.
     languages.run([compiler, "-std=c++17", "-O1", "-fPIC", "-fno-exceptions", *warnings, *flags,
                    "-c", implementation, "-o", here / "solver.o"])
     languages.run(["gcc", "-shared", here / "solver.o", "-lm", "-o", here / "solver.so"])

@@ -102,7 +102,7 @@ def by_ctypes(header, steps, settings, work):
 
 
 def nearest_by_ctypes(header, step, settings, work):
-    """The number from 1, its distance and that of the runner-up."""
+    """The number of the nearest, from 1, its distance and that of the runner-up."""
     solver = CtypesSolver(header, work)
     state, distance = solver.made("state"), solver.made("distance")
     if solver.call("nearest", *solver.given(step, settings), state, distance) != 0:
@@ -111,7 +111,7 @@ def nearest_by_ctypes(header, step, settings, work):
 
 
 def by_fortran(header, implementation, steps, settings, work):
-    """Fortran's iso_c_binding; arrays stand the other way round there, and count from one."""
+    """Fortran's iso_c_binding; arrays are stored the other way round, and indices begin at one."""
     p = header.prefix
     kinds = {"double": "real(c_double)", "int": "integer(c_int)", f"{p}_status": "integer(c_int)"}
     lines = ["module solver", "  use iso_c_binding", "  implicit none"]

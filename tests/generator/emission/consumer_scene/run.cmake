@@ -5,8 +5,8 @@
 # cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DQUICK_COMPILER=... -P run.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../../../run_command.cmake)
 
-# What is asked after the first build is whether the solver is generated anew; compiling what
-# includes it takes longest and tells nothing more.
+# After the first build only the generation of the solver is checked; compiling what includes it
+# takes longest and shows nothing more.
 function(expect_generation expected)
   run(${CMAKE_COMMAND} --build ${WORK}/build ${ARGN})
   string(FIND "${output}" "Generating the solver" place)
@@ -33,7 +33,7 @@ expect_generation(TRUE ${generation})
 expect_generation(FALSE ${generation})
 
 # The example whose lengths are arguments of its solver finds those that drew the measured points.
-# Its compiler is the one that takes least time.
+# It is compiled by the compiler that takes least time.
 run(${CMAKE_COMMAND} -S ${SOURCE}/../../../../examples/calibration -B ${WORK}/calibration
   -DCMAKE_CXX_COMPILER=${QUICK_COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/install)
 run(${CMAKE_COMMAND} --build ${WORK}/calibration)
@@ -71,8 +71,8 @@ if(arm_compiler)
   run(${CMAKE_COMMAND} --build ${WORK}/build ${generation})
 endif()
 
-# What cannot be generated is told when the project is configured. All refusals share a build tree, so
-# that the compiler is examined once.
+# What cannot be generated is reported when the project is configured. All refusals share a build
+# tree, so that the compiler is examined once.
 function(expect_refusal text message)
   file(REMOVE_RECURSE ${WORK}/refused)
   file(WRITE ${WORK}/refused/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)\n"

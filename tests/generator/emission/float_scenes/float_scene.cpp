@@ -14,7 +14,7 @@ using Solver = assur::scenes::ASSUR_SOLVER;
 template <typename Scalar>
 using States = std::array<Solver::State<Scalar>, Solver::max_configurations>;
 
-/// A state is so many numbers and a status: Eigen is told not to align, so that nothing is between.
+/// How many numbers a state has before its status. Eigen is told not to align, so none is padding.
 constexpr std::size_t numbers = sizeof(Solver::State<float>) / sizeof(float) - 1;
 static_assert(numbers == sizeof(Solver::State<double>) / sizeof(double) - 1);
 
@@ -27,7 +27,7 @@ std::array<double, numbers> numbers_of(const Solver::State<Scalar>& state) {
   return result;
 }
 
-/// The same drivers in both scalars, the first one off its law.
+/// The same drivers in both scalars, the first of them moved away from its law.
 struct Given {
   Solver::Drivers<float> narrow;
   Solver::Drivers<double> wide;
@@ -49,7 +49,7 @@ struct Given {
   }
 };
 
-/// What was compared, and what each number is at most.
+/// Counts of what was compared, and the largest size of each number of a state.
 struct Seen {
   int positions = 0, regular = 0, near_singular = 0, refused = 0, wrong = 0;
   double worst = 0;
@@ -68,7 +68,7 @@ struct Seen {
       size = size < 1e-9 * largest ? 1e-2 * largest : size;
     }
   }
-  /// The largest difference of a number, in parts of what it is at most.
+  /// The largest difference of a number, relative to that number's largest size.
   double difference(const Solver::State<float>& state, const Solver::State<double>& truth) const {
     const auto found = numbers_of(state);
     const auto exact = numbers_of(truth);

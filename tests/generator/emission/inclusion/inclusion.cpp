@@ -1,5 +1,5 @@
-// Turns an emitted solver that is included behind macros of common names, inside a namespace of the
-// program's own, into what it answers; 0 where that is right.
+// Turns an emitted solver, included after macros of common names and inside a namespace, into an
+// exit status: 0 if its answers are right.
 #include <complex.h>
 
 #include <assur/support/scene_track.hpp>

@@ -1,5 +1,5 @@
 // Campaign over chains of dyads in special position: the library's answers against exact ones.
-// `dyad_chain_campaign CHAINS [FIRST [DIRECTORY]]`: faulty scenes are written to DIRECTORY.
+// `dyad_chain_campaign CHAINS [FIRST [DIRECTORY]]`: FIRST is a seed; DIRECTORY gets faulty scenes.
 #include <cstdlib>
 #include <iostream>
 

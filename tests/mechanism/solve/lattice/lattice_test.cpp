@@ -1,5 +1,5 @@
-// Law: groups in special position, on a small integer lattice, are answered as exact arithmetic
-// answers them: every isolated configuration once, regular where it is, families told as such.
+// Law: groups in special position, on a small integer lattice, have the answers of exact
+// arithmetic: every isolated configuration once, with its regularity, and families told as such.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t default_scenes = 575;
 
-/// The table's answer by hand, for a dyad.
+/// What the table must say of a dyad, derived by hand.
 struct ByHand {
   bool family;
   int isolated, singular;
@@ -26,8 +26,8 @@ LatticeVector from(const LatticeVector& a, const LatticeVector& b) {
   return {b.x - a.x, b.y - a.y};
 }
 
-/// The two places that mirror one another in the line from one center to the other, or in the
-/// normal of a slide; where the known one is in the mirror they are one, a dead centre.
+/// The two configurations mirror one another in the line between two centers, or in the normal of a
+/// slide; if the known one is its own image they are one, a dead centre.
 ByHand mirrored(bool family, int distance) {
   return family ? ByHand{true, 0, 0} : distance == 0 ? ByHand{false, 1, 1} : ByHand{false, 2, 0};
 }
@@ -53,7 +53,7 @@ ByHand dyad_by_hand(const LatticeScene& scene) {
   if (kind == "RPR") {
     return mirrored(is_zero(BD), dot(BD, C.along));
   }
-  // Both links slide, and what they share moves along two given directions.
+  // Neither link turns; they slide along two given directions.
   const LatticeVector& one = kind == "RPP" ? C.along : B.along;
   const LatticeVector& other = kind == "PPR" ? C.along : D.along;
   const bool parallel = cross(one, other) == 0;

@@ -1,5 +1,5 @@
 // Turns groups in special position on a lattice into a program for Singular that counts their real
-// configurations exactly. The table of COUNT scenes of every kind, 174 in the one that is kept:
+// configurations exactly. For COUNT scenes of every kind (174 in the table that is kept):
 // `lattice_truth COUNT | Singular -q | grep -v // > tests/data/lattice_truth.txt`.
 #include <array>
 #include <cstdlib>
@@ -18,10 +18,10 @@ namespace {
 using Polynomials = std::array<std::string, 2>;
 
 /// The loop equations of a group. Every link is described by how it has moved from the known
-/// configuration: turned about the origin by (c, s), then shifted. So every joint is where the
-/// lattice has it, links with a slide between them have turned alike, and what a scene says of
-/// frames and of points on a slide's line drops out. At the known configuration c is 1 and the
-/// other unknowns are 0.
+/// configuration: turned about the origin by (c, s), then shifted. Therefore every joint starts
+/// where the lattice has it, links with a slide between them turn alike, and neither the frames of
+/// a scene nor its points on a slide's line matter. At the known configuration c is 1 and the other
+/// unknowns are 0.
 class LatticeEquations {
  public:
   explicit LatticeEquations(const LatticeScene& scene) : scene_(scene) {

@@ -18,9 +18,9 @@
 
 namespace assur::detail::batch {
 
-/// Sets the first unknown of all configurations to the roots of a final polynomial of which the
-/// discriminant is known, as `roots_of` has them. Number by number: compilers copy a list of packs
-/// through memory.
+/// Sets the first unknown of each configuration to a root of the final polynomial, whose
+/// discriminant is known, as `roots_of` does. It is set number by number, because compilers copy a
+/// list of packs through memory.
 template <typename Model, typename Pack, typename Configurations>
 void put_roots(const TrigonometricPolynomial<Pack, 1>& T, const Discriminants<Pack>& found,
                Configurations& configurations) {
@@ -49,16 +49,16 @@ void put_roots(const Vector<Pack, 3>& T, const Discriminants<Pack>& found,
   first_of<Model>(configurations[1]) = T(0) / larger;
 }
 
-/// Groups of which the inputs are known to their own rounding.
+/// Groups whose inputs are known to their own rounding.
 template <typename Model, typename Pack>
 struct KnownInputs {
-  /// The largest error of a discriminant, as `Certainty::error` has it.
+  /// The largest error of a discriminant, as `Certainty::error` tells it.
   template <typename Certainty>
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
     return certainty.power(square);
   }
-  /// The amount by which the Jacobian is off. What is near the origin is as unsure as its lengths,
-  /// which every verdict counts.
+  /// The amount by which the Jacobian is off. It is zero for a group near the origin, where it is
+  /// no larger than the rounding of the group's lengths, which every verdict counts.
   [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& d,
                             const typename Model::template Inputs<Pack>& u, const Pack& square,
                             const Pack& of_dimensions) const {
@@ -66,8 +66,8 @@ struct KnownInputs {
   }
 };
 
-/// The search by formula of several groups at once, as `ClosedSearch` does it of one. `Rounding` is
-/// what is known of the inputs.
+/// The search by formula of several groups at once, as `ClosedSearch` does it for one. `Rounding`
+/// tells how well the inputs are known.
 template <typename Model, typename Pack, typename Rounding = KnownInputs<Model, Pack>>
 struct ClosedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
@@ -77,9 +77,9 @@ struct ClosedPack {
   using Configuration = typename Model::template Configuration<Pack>;
   static constexpr auto root_count = size(Model::max_configurations);
 
-  /// Where the formula vouches for the list; the others need the search of one.
+  /// The lanes in which the formula vouches for the list; the other groups are searched one by one.
   Truth settled;
-  /// Where the list holds all configurations that there can be; else it is empty.
+  /// The settled lanes whose list is full; the lists of the other settled lanes are empty.
   Truth assembled;
   /// The configurations in order; they are set where both hold, and all of them are ok.
   std::array<Configuration, root_count> configurations;
@@ -97,7 +97,8 @@ struct ClosedPack {
     assembled = known & (found.discriminant * Pack(Form::firmness) > error);
     const Truth none = known & (found.discriminant * Pack(Form::discriminant.firmness) < -error);
     settled = none | assembled;
-    // Without a way out where none is assembled: then configurations would pass through memory.
+    // There is no early return where no lane is assembled: configurations would then pass through
+    // memory.
     if constexpr (Form::has_leading_coefficient) {
       constexpr auto leading = certainty<Scalar>(Model::leading_error, Model::leading_degree);
       assembled = assembled &

@@ -24,9 +24,9 @@
 
 namespace assur::detail::batch {
 
-/// The search in general position of up to `capacity` groups, as `GeneralSearch` does it of one: it
-/// vouches for a list where every root of the final polynomial is certainly simple and completes to
-/// a regular configuration that closes.
+/// The search in general position of up to `capacity` groups, as `GeneralSearch` does it for one:
+/// it vouches for a list where every root of the final polynomial is certainly simple and completes
+/// to a regular configuration that closes.
 template <typename Model, std::size_t Lanes>
 class GeneralBlock {
   static constexpr std::size_t N = Model::polynomial_degree;
@@ -45,7 +45,7 @@ class GeneralBlock {
   static constexpr std::size_t capacity = 32;
   static_assert(capacity % Lanes == 0, "a block holds a whole number of packs");
 
-  /// Searches `count` groups, which fill packs, from `first` on.
+  /// Searches the `count` groups from `first` on; `count` is a multiple of `Lanes`.
   void solve(const Columns<const Dimensions<double>>& dimensions,
              const Columns<const Inputs<double>>& inputs, std::size_t first, std::size_t count) {
     begin();
@@ -57,7 +57,7 @@ class GeneralBlock {
   }
 
   /// The same pack by pack: `begin`, then `add` for the places 0, `Lanes`, ..., then `search` for
-  /// as many places as were added. Rounding has displaced the inputs of the groups.
+  /// as many places as were added. `displaced` tells how far rounding has displaced the inputs.
   void begin() {
     arcs_.clear();
     groups_.clear();
@@ -84,7 +84,7 @@ class GeneralBlock {
     }
   }
 
-  /// Whether the list of a group is whole.
+  /// Whether the list of a group is complete.
   [[nodiscard]] bool is_settled(std::size_t group) const { return settled_[group]; }
   [[nodiscard]] std::size_t count(std::size_t group) const { return counts_[group]; }
 
@@ -112,8 +112,8 @@ class GeneralBlock {
     }
     return apart;
   }
-  /// Number by number, one configuration of the groups that fill a pack; of a group that has none
-  /// of that number, any.
+  /// One configuration of each group of a pack, loaded number by number. A group that has no
+  /// configuration of that index is given an arbitrary one.
   [[nodiscard]] Configuration<Pack> configuration(std::size_t group, std::size_t index) const {
     Places roots;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
@@ -140,8 +140,8 @@ class GeneralBlock {
   }
 
  private:
-  /// Whether the first unknowns of all configurations of a group differ by more than what one root
-  /// is known to: by 1e-7.
+  /// Whether the first unknowns of all configurations of a group differ by more than 1e-7, the
+  /// error to which a root is known.
   [[nodiscard]] bool are_apart(std::size_t group) const {
     constexpr std::size_t place = number_of_first_unknown();
     bool apart = true;
@@ -164,7 +164,8 @@ class GeneralBlock {
     return place;
   }
 
-  /// Makes arcs of several final polynomials, the coefficients of which have such an error.
+  /// Adds the arcs of the final polynomials of a pack of groups, whose coefficients have this
+  /// error.
   void add_arcs(std::size_t group, const Pack& error) {
     TrigonometricPolynomial<Pack, N> T;
     Model::position_polynomial(groups_.dimensions(group), groups_.inputs(group), T);
@@ -188,8 +189,8 @@ class GeneralBlock {
       settled_[group + lane] = settled_[group + lane] && (certain >> lane & 1) != 0;
     }
   }
-  /// Finds the roots in the brackets of some packs, so that the processor can overlap them: each
-  /// step waits for the one before.
+  /// Finds the roots in the brackets of several packs together: each step waits for the one before,
+  /// and the processor can overlap the steps of different packs.
   template <std::size_t... Number>
   void find_roots(std::size_t first, std::index_sequence<Number...>) {
     std::array<PackBracket<Pack, 2 * N + 1>, sizeof...(Number)> brackets = {
@@ -210,7 +211,7 @@ class GeneralBlock {
     const Pack places = Pack::counted(static_cast<double>(first));
     return {bernstein, noise, places < Pack(static_cast<double>(brackets.count))};
   }
-  /// The groups whose brackets fill a pack; of what is beyond the last, any.
+  /// The groups to which the brackets of a pack belong; beyond the last bracket, arbitrary groups.
   [[nodiscard]] Places groups_of(std::size_t first) const {
     Places groups;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
@@ -260,8 +261,8 @@ class GeneralBlock {
     }
   }
 
-  /// Where a configuration closes and is regular, after one step of `polish`. Three roots in five
-  /// need the step, so nearly every pack does.
+  /// The lanes whose configurations close and are regular after one step of `polish`. Three roots
+  /// in five need the step, so nearly every pack does.
   [[nodiscard]] static Truth settles(const Dimensions<Pack>& d, const Inputs<Pack>& u,
                                      const Pack& longest, const Pack& unsure,
                                      Configuration<Pack>& q) {

@@ -26,7 +26,7 @@ template <std::size_t Chart, std::size_t N, typename Pack>
     Pack even = harmonics[0].cosine * Pack(table.cosine[0][i]);
     Pack odd(0);
     for (std::size_t k = 1; k <= N; ++k) {
-      // Seen from a chart that is turned by right angles, as `less_quarters` has it.
+      // This is the harmonic as seen from the turned chart: see `Harmonic::less_quarters`.
       const bool is_across = k * Chart % 2 == 1;
       const double sign = k * Chart % 4 == 1 || k * Chart % 4 == 0 ? 1 : -1;
       const double sign_across = k * Chart % 4 == 1 || k * Chart % 4 == 2 ? -1 : 1;
@@ -39,7 +39,7 @@ template <std::size_t Chart, std::size_t N, typename Pack>
   }
 }
 
-/// How many sign variations the coefficients of several arcs have: a bit for each arc.
+/// Which of several arcs have one sign variation of their coefficients, and which more: a bit each.
 struct Variations {
   unsigned one = 0;
   unsigned more = 0;
@@ -68,7 +68,7 @@ struct PackArcs {
   std::array<Pack, Size> bernstein;
   Pack left, right;  ///< in t
   Pack error;        ///< of every coefficient
-  Pack owner;        ///< whose arc it is, times four, and on which of four charts
+  Pack owner;        ///< the number of its polynomial, times four, plus that of its chart
 };
 
 /// A list of such arcs by columns. Once `end` has been called, packs can be read beyond the last
@@ -95,7 +95,8 @@ struct ArcList {
     result.owner = Pack::load(&owner[first]);
     return result;
   }
-  /// Adds some of several arcs, a bit for each. Without a branch: it would be as good as random.
+  /// Adds those of several arcs whose bits are set. A branch could not be predicted, so there is
+  /// none.
   template <typename Pack>
   [[gnu::always_inline]] void add(const PackArcs<Pack, Size>& arcs, unsigned which) {
     for (std::size_t i = 0; i < Size; ++i) {
@@ -107,7 +108,7 @@ struct ArcList {
     arcs.owner.store_some(which, &owner[count]);
     count += static_cast<std::size_t>(__builtin_popcount(which));
   }
-  /// Fills what is read beyond the last arc.
+  /// Sets what packs may read beyond the last arc to zero.
   template <typename Pack>
   void end() {
     for (std::size_t place = count; place < count + most_packs * Pack::lanes;
@@ -157,8 +158,8 @@ class ArcSearch {
     open_[0].count = 0;
   }
   /// Adds the charts of several polynomials whose Bernstein coefficients have the given errors. The
-  /// first polynomial is that of `owner`. Returns a bit for each lane: whether all signs are
-  /// certain.
+  /// first polynomial is that of `owner`. Returns a bit for each lane, set where all signs are
+  /// certain; no bit is set if there is no room for the charts.
   [[nodiscard]] unsigned add(const numeric::Harmonics<Pack, N>& harmonics, const Pack& error,
                              std::size_t owner) {
     constexpr double edge = 1.4142135623730951 - 1;  // tan(pi/8)
@@ -188,7 +189,7 @@ class ArcSearch {
     return certain;
   }
 
-  /// Cuts arcs until each holds one root; calls `give_up` with owners of which that fails.
+  /// Cuts arcs until each holds one root; calls `give_up` with the owners for which that fails.
   template <typename GiveUp>
   void isolate(const GiveUp& give_up) {
     constexpr std::size_t most_levels = 24;

@@ -10,8 +10,8 @@
 
 namespace assur::detail::batch {
 
-/// Calls `use` with 0, 1, ..., each by itself: where no place is a variable, compilers keep packs
-/// in registers.
+/// Calls `use` with 0, 1, ..., without a loop: compilers keep packs in registers where no place is
+/// a variable.
 template <typename Use, std::size_t... Place>
 [[gnu::always_inline]] inline void for_each_place(const Use& use, std::index_sequence<Place...>) {
   (use(Place), ...);
@@ -21,8 +21,8 @@ template <int Count, typename Use>
   for_each_place(use, std::make_index_sequence<size(Count)>());
 }
 
-/// Calls `use` with every number of variables and its place: of a direction the cosine, then the
-/// sine.
+/// Calls `use` with every number of variables and its place; a direction is two numbers, its cosine
+/// and its sine.
 template <typename Variables, typename Use>
 [[gnu::always_inline]] inline void for_each_number(Variables& variables, Use use) {
   std::size_t place = 0;
@@ -66,7 +66,7 @@ template <typename One, typename Packed>
   return group;
 }
 
-/// Exchanges two lists where something holds.
+/// Exchanges two lists of variables in the lanes in which `holds` is true.
 template <typename Truth, typename Packed>
 [[gnu::always_inline]] inline void exchange_where(const Truth& holds, Packed& one, Packed& other) {
   const auto exchange = [&holds](auto& first, auto& second) {

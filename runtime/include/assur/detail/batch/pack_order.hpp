@@ -8,7 +8,7 @@
 
 namespace assur::detail::batch {
 
-/// All that puts a configuration in order, as `for_each_key` has it.
+/// The keys of a configuration, in the order of `for_each_key`.
 template <typename Model, typename Pack>
 using Keys = std::array<Pack, size(Model::link_count) * size(Model::link_count - 1) +
                                   size(Model::unknown_count)>;
@@ -22,8 +22,8 @@ void put_keys(const typename Model::template Dimensions<Pack>& d,
   });
 }
 
-/// Whether the first of two configurations comes before the second by all that may tell them apart,
-/// as `numeric::comes_before` tells it; `one` is the unit of lengths.
+/// Whether the first of two configurations comes before the second by all keys, as
+/// `numeric::comes_before` tells it; `one` is the unit of lengths.
 template <typename Model, typename Pack>
 [[nodiscard, gnu::noinline]] auto come_before_by_keys(
     const typename Model::template Dimensions<Pack>& d,

@@ -30,8 +30,8 @@ template <typename Pack, std::size_t Size>
   return select(abs(guess) < Pack(1), guess, Pack(0));
 }
 
-/// What makes of Bernstein coefficients on an arc those of the powers of m, which is -1 at one end
-/// and 1 at the other: entry [i][j] is that of m^j in B_i.
+/// The table that turns Bernstein coefficients on an arc into coefficients of the powers of m,
+/// which is -1 at one end and 1 at the other: entry [i][j] is the coefficient of m^j in B_i.
 template <std::size_t Degree>
 inline constexpr auto powers_of_bernstein = [] {
   std::array<std::array<double, Degree + 1>, Degree + 1> table{};
@@ -52,7 +52,8 @@ inline constexpr auto powers_of_bernstein = [] {
   return table;
 }();
 
-/// Seen from the other end of an arc, even powers are the same and odd ones the opposite.
+/// Computes the coefficients of the powers of m: exchanging the ends of an arc keeps those of even
+/// powers and changes the sign of those of odd powers.
 template <typename Pack, std::size_t Size>
 void put_powers(const std::array<Pack, Size>& bernstein, std::array<Pack, Size>& power) {
   constexpr const auto& table = powers_of_bernstein<Size - 1>;
@@ -69,15 +70,15 @@ void put_powers(const std::array<Pack, Size>& bernstein, std::array<Pack, Size>&
   }
 }
 
-/// Polynomials with one root each between -1 and 1, on the way to these roots, as
-/// `numeric::Bracket` is of one.
+/// The brackets of several polynomials with one root each between -1 and 1, as `numeric::Bracket`
+/// is the bracket of one.
 template <typename Pack, std::size_t Size>
 class PackBracket {
   using Truth = decltype(Pack() < Pack());
   using Scalar = typename numeric::PartOf<Pack>::Type;
 
  public:
-  /// Below `noise`, the value of a polynomial is rounding. Only what is `wanted` is looked for.
+  /// Below `noise`, the value of a polynomial is rounding. Roots are sought in the `wanted` lanes.
   PackBracket(const std::array<Pack, Size>& bernstein, const Pack& noise, const Truth& wanted)
       : root_(crossing_of(bernstein)),
         noise_(noise),
@@ -127,7 +128,7 @@ class PackBracket {
     const Truth lost = abs(value) <= noise_;
     const Truth falls = (slope > Pack(0)) != negative_left_;
     const Truth ends = open_ & (exact | lost) & !falls;
-    // Past a few steps every other one bisects: the bracket closes whatever the others do.
+    // Later every second step bisects, so that the bracket closes in any case.
     const bool may_follow = step < 8 || step % 2 == 0;
     open_ = open_ & !ends;
     root_ = select(may_follow ? follows : follows & ends, next,
@@ -141,8 +142,8 @@ class PackBracket {
   Truth negative_left_, open_;
 };
 
-/// The directions of roots t = tan((x - centre)/2) on charts of which the centre's direction is
-/// given.
+/// The directions of roots t = tan((x - centre)/2) on charts whose centres have the given
+/// directions.
 template <typename Pack>
 [[nodiscard]] Direction<Pack> direction_on_chart(const Pack& t, const Direction<Pack>& centre) {
   const Pack square = t * t;

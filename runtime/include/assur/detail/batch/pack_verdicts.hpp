@@ -12,7 +12,7 @@
 
 namespace assur::detail::batch {
 
-/// Whether all directions are numbers: zero times what is not finite is NaN.
+/// Whether all directions are finite: zero times what is not finite is NaN.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] auto are_finite_directions(const Variables<Pack>& variables) {
   Pack zero(0);
@@ -23,7 +23,7 @@ template <template <typename> class Variables, typename Pack>
   });
   return zero == Pack(0);
 }
-/// Tells where all of many numbers are finite. Each of a few sums waits for a part of them alone.
+/// Tells the lanes in which all numbers are finite. The four sums do not wait for one another.
 template <typename Pack>
 class FiniteNumbers {
   std::array<Pack, 4> zeros_ = {Pack(0), Pack(0), Pack(0), Pack(0)};
@@ -34,7 +34,7 @@ class FiniteNumbers {
     return (zeros_[0] + zeros_[1]) + (zeros_[2] + zeros_[3]) == Pack(0);
   }
 };
-/// The longest length of each group, as `longest_length` has it.
+/// The longest length of each group, as `longest_length` tells it.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] Pack longest_lengths(const Variables<Pack>& variables) {
   Pack longest(0);
@@ -46,7 +46,7 @@ template <template <typename> class Variables, typename Pack>
   return longest;
 }
 
-/// The longest length of each group wherever it stands, as `size_of` has it.
+/// The longest length of each group, whatever its place, as `size_of` tells it.
 template <typename Model, typename Pack>
 [[nodiscard]] Pack sizes_of(const typename Model::template Dimensions<Pack>& d,
                             const typename Model::template Inputs<Pack>& u) {
@@ -72,8 +72,8 @@ template <typename Model, typename Pack>
   }
 }
 
-/// Whether a configuration is regular, and would be if it were off by a few roundings. Where that
-/// is not so, whoever looks at one group alone decides.
+/// Whether a configuration is regular, and would be if it were off by a few roundings. Where this
+/// fails, the functions for one group decide.
 template <typename Model, typename Pack>
 [[nodiscard]] auto are_surely_regular(const typename Model::template Dimensions<Pack>& d,
                                       const typename Model::template Inputs<Pack>& u,

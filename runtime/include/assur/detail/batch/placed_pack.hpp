@@ -1,5 +1,5 @@
 // Turns several specialised groups with held external joints into the motion of their links, and
-// tells of which of them all digits are certain.
+// tells for which of them all digits are certain.
 #pragma once
 
 #include <assur/detail/batch/pack_verdicts.hpp>
@@ -13,7 +13,7 @@
 
 namespace assur::detail::batch {
 
-/// Held groups of which rounding has displaced the inputs, for the search by formula.
+/// Held groups whose inputs rounding has displaced, for the search by formula.
 template <typename Model, typename Pack>
 struct DisplacedInputs {
   using Scalar = typename numeric::PartOf<Pack>::Type;
@@ -42,8 +42,8 @@ struct DisplacedInputs {
     }
   }
 
-  /// How far the groups' own links may be off, as `DisplacedGroup::displaced` has it of groups
-  /// whose lengths are near one.
+  /// How far the groups' own links may be off, as `DisplacedGroup::displaced` tells it for one
+  /// group; lengths are near one.
   template <typename Configuration, typename Inverse>
   [[nodiscard]] support::DisplacementOf<Pack> of_links(
       const typename Model::template Inputs<Pack>& u, const Configuration& q,
@@ -70,13 +70,14 @@ struct DisplacedInputs {
   }
 };
 
-/// The groups' links in configurations that are regular by themselves, as `place_group` has them.
+/// The groups' links in configurations that are regular by themselves, as `place_group` places
+/// them.
 template <typename Group, typename Pack, int Order, int Parameters>
 struct PlacedPack {
   using Model = support::Specialised<Group>;
   using Truth = decltype(Pack() < Pack());
   support::PlacedGroup<Group, Pack, Order, Parameters> group;
-  /// Where every digit is kept, whatever rounding has displaced.
+  /// The lanes that keep every digit in spite of what rounding has displaced.
   Truth certain;
 
   PlacedPack(const support::HeldJoints<Group, Pack, Order, Parameters>& held,
@@ -116,8 +117,8 @@ struct PlacedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   static constexpr Scalar closer = 1 + Scalar(1) / 256;
 
-  /// Whether rounding has displaced next to nothing, as `place_group` asks it, or the groups are
-  /// regular with what it has displaced.
+  /// Whether rounding has displaced the groups by next to nothing, by the criterion of
+  /// `place_group`, or they are regular in spite of their displacement.
   [[nodiscard]] Truth is_regular_among_displaced(
       const support::HeldJoints<Group, Pack, Order, Parameters>& held,
       const DisplacedInputs<Model, Pack>& rounding) const {

@@ -1,5 +1,5 @@
-// Turns several groups in any unit into groups whose lengths are near one, with a bound of what
-// rounding leaves of their final polynomials.
+// Turns several groups in any unit into groups whose lengths are near one, with a bound on the
+// rounding of their final polynomials.
 #pragma once
 
 #include <algorithm>
@@ -32,8 +32,8 @@ class ScaledBlock {
   void clear() { most_ = {}; }
 
   /// Scales several groups, whose inputs rounding has displaced, so that their longest lengths are
-  /// near one, and puts the first external joint of each at the origin: what a configuration holds
-  /// does not change with the place. Returns which of them can be looked at together, a bit each.
+  /// near one, and moves the first external joint of each to the origin, which changes no unknown.
+  /// Returns a bit for each, set where it can be solved together with others.
   [[nodiscard]] unsigned add(const Dimensions<Pack>& dimensions, const Inputs<Pack>& inputs,
                              const support::DisplacementOf<Pack>& displaced, std::size_t group) {
     const Pack own = [&] {
@@ -44,7 +44,7 @@ class ScaledBlock {
       }
     }();
     const Pack places = longest_lengths(inputs);
-    // Beyond these, who looks at one group alone decides by what it is measured.
+    // Beyond these the search for one group decides by which of its lengths it is measured.
     constexpr double longest_of_all = 0x1p400;
     constexpr double farthest = 0x1p20;
     const Truth in_range = (own < Pack(longest_of_all)) & (Pack(1 / longest_of_all) < own) &
@@ -86,8 +86,8 @@ class ScaledBlock {
     return in_range.bits();
   }
 
-  /// How far rounding, of the variables too, may have moved a coefficient of the final polynomial
-  /// of any group that is no larger.
+  /// How far rounding, that of the variables included, may have moved a coefficient of the final
+  /// polynomial of any group of the block.
   [[nodiscard]] double error() const {
     using numeric::Magnitude;
     Dimensions<Magnitude> d;
@@ -112,7 +112,7 @@ class ScaledBlock {
     return most + support::rounding_of_numbers<Model, double>();
   }
 
-  /// The groups that fill a pack, or those in some places.
+  /// The groups that fill a pack from one on, or those at some places.
   [[nodiscard]] Dimensions<Pack> dimensions(std::size_t group) const {
     return loaded<Dimensions<Pack>>(dimensions_, group);
   }
@@ -125,10 +125,11 @@ class ScaledBlock {
   [[nodiscard]] Inputs<Pack> inputs(const Places& at) const {
     return gathered<Inputs<Pack>>(inputs_, at);
   }
-  /// What their lengths were divided by.
+  /// The unit by which a group's lengths were divided.
   [[nodiscard]] double unit(std::size_t group) const { return units_[group]; }
   [[nodiscard]] Pack units(std::size_t group) const { return Pack::load(&units_[group]); }
-  /// Their longest lengths wherever they stand, at least one.
+  /// The longest lengths and coordinates of their inputs before the move to the origin; at least
+  /// one.
   [[nodiscard]] Pack longest(const Places& at) const { return Pack::gather(longest_.data(), at); }
   /// The amount by which their Jacobians may be off.
   [[nodiscard]] Pack unsure(const Places& at) const {
@@ -176,8 +177,8 @@ class ScaledBlock {
       }
     }
   }
-  /// For each number of the inputs, the axis along which it is a coordinate, or none. Where numbers
-  /// hold joints of the ground, the group cannot be moved.
+  /// For each number of the inputs, the axis along which it is a coordinate, or none. A group whose
+  /// functions hold joints of the ground as numbers cannot be moved.
   [[nodiscard]] static constexpr auto axes_of_inputs() {
     std::array<char, Columns<Inputs<double>>::count> axes{};
     if constexpr (!has_numbers) {

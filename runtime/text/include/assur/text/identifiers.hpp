@@ -6,16 +6,17 @@
 
 namespace assur::text {
 
-/// The text with `_` for all but letters and digits, and in front of a leading digit: what CMake's
-/// MAKE_C_IDENTIFIER makes of it.
+/// The text with `_` in place of all but letters and digits, and in front of a leading digit, as
+/// CMake's MAKE_C_IDENTIFIER does it.
 [[nodiscard]] std::string c_identifier(const std::string& text);
 
-/// The header for a file, without its ending: the above, with one `_` for several and none at the
-/// ends. Names that differ in punctuation alone have the same, as they have the same struct.
+/// The name of the header for a file, without its ending: the above, with one `_` in place of
+/// several and none at the ends. Names that differ in punctuation alone give the same header and
+/// the same struct.
 [[nodiscard]] std::string header_name(const std::string& stem);
 
-/// The struct for a file: `four-bar_2` as `FourBar2`, with a word in front of a leading digit and
-/// of a word that the templates or a macro have taken.
+/// The name of the struct for a file: `four-bar_2` gives `FourBar2`. `word` is put in front of a
+/// leading digit, and of a name that the templates or a macro have taken.
 [[nodiscard]] std::string struct_name(const std::string& stem, const std::string& word = "Scene");
 
 /// Identifiers for the members of one struct: different from each other, from keywords, macros,

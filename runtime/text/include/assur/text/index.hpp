@@ -1,4 +1,4 @@
-// Turns whole numbers into indices that belong to one table each, so that none is used for another.
+// Turns whole numbers into indices of one table each, so that none is used for another table.
 #pragma once
 
 #include <compare>

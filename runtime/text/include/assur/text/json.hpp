@@ -37,7 +37,7 @@ class Json {
   /// The value of a name, null if it is new.
   Json& operator[](const std::string& name);
 
-  /// The document, two blanks for a level.
+  /// The document, indented by two blanks per level.
   [[nodiscard]] std::string dump() const;
 
  private:

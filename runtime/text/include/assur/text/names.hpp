@@ -28,7 +28,7 @@ template <typename Items, typename Text>
   return joined(names, ", ");
 }
 
-/// `joint A`, or `joints A, B`: the names after what they are names of.
+/// `joint A`, or `joints A, B`: the names after the noun for them.
 [[nodiscard]] inline std::string listed_as(const std::string& noun,
                                            const std::vector<std::string>& names) {
   return noun + (names.size() == 1 ? " " : "s ") + listed(names);

@@ -5,7 +5,7 @@
 
 namespace assur::text {
 
-/// The number with at most so many digits, as `%g` prints it; 0 for -0.
+/// The number with at most `digits` digits, as `%g` prints it; 0 for -0.
 [[nodiscard]] std::string short_number(double number, int digits);
 
 }  // namespace assur::text

@@ -1,4 +1,4 @@
-// Turns what a user wrote into what a message says of it: short, and on one line.
+// Turns what a user wrote into how a message quotes it: short, and on one line.
 #pragma once
 
 #include <string>

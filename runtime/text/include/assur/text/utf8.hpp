@@ -1,4 +1,4 @@
-// Turns bytes into the place where they stop to be text.
+// Turns bytes into the place where they stop being text.
 #pragma once
 
 #include <string>
