@@ -1,6 +1,8 @@
 // Automatic differentiation by Ceres Solver's Jet, with LU, as entries of the derivative tasks.
 #include <ceres/jet.h>
 
+#include <array>
+
 #include "derivatives/derivative_methods.hpp"
 #include "derivatives/solve_closure.hpp"
 
@@ -110,7 +112,7 @@ Eigen::Vector4d second_derivative(const Sample& sample, const Eigen::Vector4d& v
   const auto length = [](double value) { return Inner(value); };
   const Jet x = moving(sample.g.u.x_B - sample.g.u.x_E, v(0) - v(2), a(0) - a(2));
   const Jet y = moving(sample.g.u.y_B - sample.g.u.y_E, v(1) - v(3), a(1) - a(3));
-  const Jet f[4] = {
+  const std::array<Jet, 4> f = {
       x + BCG.cos * length(d.BC) + CD.cos * length(d.CD) - EDF.cos * length(d.ED),
       y + BCG.sin * length(d.BC) + CD.sin * length(d.CD) - EDF.sin * length(d.ED),
       x + BCG.cos * length(d.x_G_BCG) - BCG.sin * length(d.y_G_BCG) + GF.cos * length(d.GF) -

@@ -1,4 +1,5 @@
 // Central differences of the closures and of whole assemblies as entries of the derivative tasks.
+#include <array>
 #include <cstdio>
 
 #include "derivatives/derivative_methods.hpp"
@@ -66,9 +67,9 @@ ClosureAnswer<double> closure_differences(const Sample& sample, double step) {
 }
 
 void add_central(DerivativeTask& task, Wanted wanted, double step) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0e", step);
-  const std::string method = std::string("central differences, step ") + text;
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.0e", step);
+  const std::string method = std::string("central differences, step ") + text.data();
   // Second differences are best at eps^(1/4), first ones at eps^(1/3).
   const double longer = std::pow(step, 0.75);
   switch (wanted) {

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <complex>
 #include <cstdlib>
 #include <filesystem>
@@ -19,16 +20,16 @@ using tetrad::Model01;
 /// |b + g z1 - f z2|^2 - bar^2 as a Laurent polynomial in z1 and z2, in PHCpack's notation.
 std::string squared_closure(const Complex& b, const Complex& g, const Complex& f, double bar) {
   const auto term = [](const Complex& coefficient, const char* monomial) {
-    char text[128];
-    std::snprintf(text, sizeof text, "+(%.17g%+.17g*I)*%s", coefficient.real(), coefficient.imag(),
-                  monomial);
-    return std::string(text);
+    std::array<char, 128> text{};
+    std::snprintf(text.data(), text.size(), "+(%.17g%+.17g*I)*%s", coefficient.real(),
+                  coefficient.imag(), monomial);
+    return std::string(text.data());
   };
   const Complex mixed = -g * std::conj(f);
-  char constant[32];
-  std::snprintf(constant, sizeof constant, "%.17g",
+  std::array<char, 32> constant{};
+  std::snprintf(constant.data(), constant.size(), "%.17g",
                 std::norm(b) + std::norm(g) + std::norm(f) - bar * bar);
-  return constant + term(std::conj(b) * g, "z1") + term(b * std::conj(g), "z1^-1") +
+  return constant.data() + term(std::conj(b) * g, "z1") + term(b * std::conj(g), "z1^-1") +
          term(-std::conj(b) * f, "z2") + term(-b * std::conj(f), "z2^-1") +
          term(mixed, "z1*z2^-1") + term(std::conj(mixed), "z1^-1*z2") + ";\n";
 }

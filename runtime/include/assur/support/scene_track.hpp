@@ -112,7 +112,7 @@ class Tracker {
         return way;
       }
       const Scalar next = (std::min)(reached + width, Scalar(1));
-      Branch& end = start == &ends[0] ? ends[1] : ends[0];
+      Branch& end = start == ends.data() ? ends[1] : ends[0];
       end.given = next < 1 ? between(branch.given, to, next) : to;
       Placed placed;
       Own::drive(end.given, placed);

@@ -22,7 +22,7 @@ struct DisplacedInputs {
   /// The error that `Certainty::error` tells for one group.
   template <typename Certainty>
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
-    constexpr Scalar given = static_cast<Scalar>(numeric::Magnitude::given_rounding());
+    constexpr auto given = static_cast<Scalar>(numeric::Magnitude::given_rounding());
     const Pack part = displaced.moved / sqrt(square) + displaced.turned;
     return certainty.power(square) * (Pack(1) + part * Pack(1 / given));
   }
