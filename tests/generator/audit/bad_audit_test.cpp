@@ -1,4 +1,5 @@
-// Law: an audit file that cannot be used gets one line with its place, what is wrong and the remedy.
+// Law: an audit file that cannot be used gets one line with its place, what is wrong and the
+// remedy.
 #include <gtest/gtest.h>
 
 #include <assur/text/error.hpp>

@@ -82,8 +82,9 @@ TEST(RedundantJoints, LeaveAFlatParallelogramOneMotion) {
   }
 }
 
-/// Three equal cranks, and a cylinder from the ground or from a crank to their coupler. If a crank's
-/// two redundant constraints were left out, cranks and coupler alone would be a group that moves.
+/// Three equal cranks, and a cylinder from the ground or from a crank to their coupler. If a
+/// crank's two redundant constraints were left out, cranks and coupler alone would be a group that
+/// moves.
 TEST(RedundantJoints, OfParallelCranksOnACylinderHold) {
   for (const std::string base : {"ground", "crank"}) {
     Bars bars = five_bars(2, 1.5);

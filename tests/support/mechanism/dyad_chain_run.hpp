@@ -207,7 +207,8 @@ class DyadChainRun {
     if (as_made.size() != other.size()) {
       return false;
     }
-    // The directions of links against the first of them do not change, and distinguish configurations.
+    // The directions of links against the first of them do not change, and distinguish
+    // configurations.
     const auto ground = DyadChain::ground_of(listing);
     for (std::size_t index = 0; index < as_made.size(); ++index) {
       const std::complex<double> turned = as_made[index] * ground.turn;

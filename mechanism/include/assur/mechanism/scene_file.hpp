@@ -16,8 +16,8 @@ struct Scene {
 };
 
 /// Reads a scene. `settings` replace parameters' values: `NAME=EXPR`; messages call them
-/// `settings_name`. Throws InputError with one line: file, place, what is wrong, and the remedy where
-/// there is one.
+/// `settings_name`. Throws InputError with one line: file, place, what is wrong, and the remedy
+/// where there is one.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file,
                                const std::vector<std::string>& settings = {},
                                const std::string& settings_name = "settings");
