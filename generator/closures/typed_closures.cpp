@@ -39,8 +39,9 @@ TypedClosures read_typed_closures(const std::string& file) {
       continue;
     }
     if (!reader.read(statement)) {
-      reader.fail(keyword.place, "no statement '" + keyword.text + "'" +
-                                     text::suggestion(keyword.text, ClosureReader::keywords()));
+      reader.fail(keyword.place,
+                  "no statement '" + keyword.text + "'" +
+                      text::suggestion_or_choice(keyword.text, ClosureReader::keywords()));
     }
     if (contains(shown, keyword.text)) {
       typed.lines.push_back(joined(statement).text);

@@ -99,6 +99,8 @@ void draw_scene(const DrawOptions& options) {
     const std::string text = form.text(source, options);
     emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
+  } catch (const mechanism::NoSuchConfiguration& error) {
+    throw text::InputError(source.scene.file + ": --configuration: " + error.what());
   } catch (const mechanism::MechanismError& error) {
     throw text::InputError(source.scene.file + ": " + error.what());
   }

@@ -90,6 +90,8 @@ void run_sample(const SampleOptions& options) {
   CampaignScene scene = campaign_scene("sample", options);
   try {
     sample(options, scene);
+  } catch (const mechanism::NoSuchConfiguration& error) {
+    throw text::InputError(options.scene + ": --branch: " + error.what());
   } catch (const mechanism::MechanismError& error) {
     throw text::InputError(options.scene + ": " + error.what());
   }

@@ -43,7 +43,7 @@ void SolvedScene::solve(const mechanism::Values& values) {
   } else {
     const std::size_t passed = plan.solve_one(values, asked_number, solution);
     if (passed < asked_number && solution.status != mechanism::SolutionStatus::degenerate) {
-      throw mechanism::MechanismError("", mechanism::no_configuration(asked_number, passed));
+      throw mechanism::NoSuchConfiguration(asked_number, passed);
     }
   }
 }

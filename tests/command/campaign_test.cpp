@@ -119,7 +119,7 @@ TEST_F(Campaigns, RefuseWhatCannotBeUsed) {
       {sample + " --shard 9/8", "--shard: '9/8' is not a part"},
       {sample + " --shard 0/8", "--shard: '0/8' is not a part"},
       {sample + " --shard 1", "--shard: '1' is not a part"},
-      {sample + " --branch 3", ": branch: there is no configuration 3; the highest number is 2"},
+      {sample + " --branch 3", ": --branch: there is no configuration 3; the highest number is 2"},
       {"sample " + four_bar + " --seed 1 --count 0", "--count: expected a whole number from 1"},
       {"sample " + four_bar + " --seed 1 --count 1e99", "--count: expected a whole number"},
       {"sample " + four_bar + " --seed -1 --count 3", "--seed: expected a whole number from 0"},

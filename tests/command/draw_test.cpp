@@ -55,7 +55,8 @@ TEST(Draw, RefusesWhatHasNoConfiguration) {
   expect_refusal(four_bar + " --set coupler=1 --set rocker=1", "picture.svg",
                  "four_bar_coupler_curve.json: there is nothing to draw: no-assembly: group 1");
   expect_refusal(four_bar + " --configuration 3", "picture.dxf",
-                 "there is no configuration 3; the highest number is 2");
+                 "four_bar_coupler_curve.json: --configuration: there is no configuration 3; the "
+                 "highest number is 2");
   expect_refusal(four_bar + " --nearest", "picture.svg", "reference");
   expect_refusal(four_bar + " --configuration 0", "picture.svg", "expected a whole number");
   expect_refusal("none.json", "picture.svg", "none.json");

@@ -68,7 +68,7 @@ Solution nominal_solution(const Plan& plan, std::size_t branch) {
   } else {
     const std::size_t passed = plan.solve_one(values, std::max<std::size_t>(branch, 1), solution);
     if (solution.configurations.empty() && passed > 0) {
-      throw MechanismError("branch", no_configuration(branch, passed));
+      throw NoSuchConfiguration(branch, passed);
     }
   }
   if (solution.configurations.empty()) {

@@ -48,8 +48,7 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   const std::size_t count = chosen.solution.configurations.size();
   if (count == 0) {
     if (chosen.solution.status == SolutionStatus::ok) {
-      throw MechanismError(
-          "", no_configuration(static_cast<std::size_t>(choice.configuration), passed));
+      throw NoSuchConfiguration(static_cast<std::size_t>(choice.configuration), passed);
     }
     refuse(plan, values, chosen.solution);
   }
@@ -59,7 +58,7 @@ Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& ch
   if (choice.configuration > 0) {
     const auto place = static_cast<std::size_t>(choice.configuration) - 1;
     if (place >= count) {
-      throw MechanismError("", no_configuration(place + 1, count));
+      throw NoSuchConfiguration(place + 1, count);
     }
     chosen.drawn = {{choice.configuration, place}};
     return chosen;

@@ -39,7 +39,8 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
       continue;
     }
     const std::size_t distance = edit_distance(name, candidate);
-    if (distance < best_distance && distance < candidate.size()) {
+    const bool shares_half = 2 * distance <= std::max(name.size(), candidate.size());
+    if (distance < best_distance && distance < candidate.size() && shares_half) {
       best = &candidate;
       best_distance = distance;
     }

@@ -46,6 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "mine.audit:5:13: no symbol named 'b'"},
         Refusal{"UnknownStatement", DECLARED "closur f = a*cos(q)\n",
                 "mine.audit:5:1: no statement 'closur' (did you mean 'closure'?)"},
+        Refusal{"WordOfOneSharedLetter", "New closures\n",
+                "mine.audit:1:1: no statement 'New' (choose from "},
         Refusal{"BareAngle", DECLARED "closure f = a*q\n",
                 "closure f: the angle 'q' stands outside a sine or cosine"},
         Refusal{"LengthAsAngle", DECLARED "closure f = cos(a + q)\n",

@@ -29,6 +29,13 @@ class MechanismError : public InputError {
                             "; the highest number is " + std::to_string(highest);
 }
 
+/// A configuration was asked for by a number above the highest one.
+class NoSuchConfiguration : public MechanismError {
+ public:
+  NoSuchConfiguration(std::size_t number, std::size_t highest)
+      : MechanismError("", no_configuration(number, highest)) {}
+};
+
 /// There are more constraints than the links have freedoms.
 class OverConstrained : public MechanismError {
  public:

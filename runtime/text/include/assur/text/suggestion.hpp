@@ -6,8 +6,8 @@
 
 namespace assur::text {
 
-/// ` (did you mean 'crank'?)` for the candidate within an edit distance of two, in which the
-/// case of letters does not count; or nothing.
+/// ` (did you mean 'crank'?)` for the candidate within an edit distance of two and of half the
+/// longer name, in which the case of letters does not count; or nothing.
 [[nodiscard]] std::string suggestion(const std::string& name,
                                      const std::vector<std::string>& candidates);
 
