@@ -54,14 +54,15 @@ const Naming& naming_of(const std::string& method) {
   return *found;
 }
 
-/// Markers of float and long double, and all but one step of differences, have no label, except for
-/// the number of inputs in which they fail.
+/// Markers of float and long double, and all but one step of differences, have no label unless they
+/// fail in some inputs.
 std::string label_of(const Row& row) {
   const Naming& naming = naming_of(row.method);
   const bool named = row.scalar == "double" && naming.label.data() != nullptr;
   const std::string failures = row.failures > 0 ? "(" + std::to_string(row.failures) + ")" : "";
   if (!named) {
-    return failures.empty() || row.scalar == "double" ? failures : row.scalar + " " + failures;
+    const std::string step = "step" + row.method.substr(naming.begins.size());
+    return failures.empty() ? "" : (row.scalar == "double" ? step : row.scalar) + " " + failures;
   }
   const std::string label = std::string(naming.label) + row.method.substr(naming.begins.size());
   return failures.empty() ? label : label + " " + failures;
