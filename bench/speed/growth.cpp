@@ -167,7 +167,7 @@ Json compile_rows(const std::filesystem::path& scratch) {
   Json rows = Json::array();
   const auto add = [&](const std::string& what, const std::string& text) {
     const auto [seconds, bytes] = compile(text);
-    rows.push_back({{"what", what}, {"seconds", seconds}, {"object_bytes", bytes}});
+    rows.push_back({{"what", what}, {"seconds", seconds}, {"bytes", bytes}});
   };
   add("Eigen's Core and LU alone", "#include <Eigen/LU>\n");
   add("the runtime and model 1, included",
@@ -226,19 +226,27 @@ void write_columns(const Json& rows, std::ostream& out) {
 void measure(const std::filesystem::path& directory) {
   const std::filesystem::path scratch = directory / "growth";
   std::filesystem::create_directories(scratch);
-  const std::vector<std::pair<const char*, Json>> tables = {
-      {"chain_of_dyads", chain_rows<assur::dyad::Model01>("RRR")},
-      {"chain_of_tetrads", chain_rows<assur::tetrad::Model01>("RRR-RRR")},
-      {"emission", emission_rows(scratch)},
-      {"compilation", compile_rows(scratch)}};
+  struct Table {
+    const char* name;
+    const char* caption;
+    Json rows;
+  };
+  const std::vector<Table> tables = {
+      {"chain_of_dyads", "Dyads RRR in a chain:", chain_rows<assur::dyad::Model01>("RRR")},
+      {"chain_of_tetrads",
+       "Tetrads RRR-RRR in a chain:", chain_rows<assur::tetrad::Model01>("RRR-RRR")},
+      {"emission", "Emission of the first models of the tetrad:", emission_rows(scratch)},
+      {"compilation",
+       "Compilation of one file, and the bytes of its object:", compile_rows(scratch)}};
   std::filesystem::remove_all(scratch);
   Json all;
   std::ofstream markdown(directory / "growth.md");
   std::ofstream columns(directory / "growth.dat");
-  for (const auto& [name, rows] : tables) {
-    all[name] = rows;
-    write_table(rows, markdown);
-    write_columns(rows, columns);
+  for (const Table& table : tables) {
+    all[table.name] = table.rows;
+    markdown << table.caption << "\n\n";
+    write_table(table.rows, markdown);
+    write_columns(table.rows, columns);
   }
   std::ofstream(directory / "growth.json") << all.dump(1) << '\n';
 }

@@ -12,18 +12,20 @@ blue = "#1f5fa8"; red = "#b5481d"; grey = "#777777"
 
 set terminal svg size 900,680 font "sans,13" background "white"
 set output "docs/reports/zhauyt_2017_rates.svg"
-set multiplot layout 2,2 margins 0.08,0.98,0.09,0.93 spacing 0.10,0.17
+set multiplot layout 2,2 margins 0.09,0.98,0.09,0.93 spacing 0.12,0.17
 set xrange [0:360]
 set xtics 60
 set yrange [0:*]
-set title "|v| of M [mm/s] (fig. 2)"
+set ylabel "mm/s"
+set title "|v| of M (fig. 2)"
 plot select("phi M.vx M.vy") using (deg($1)):(size2($2, $3)) with lines lw 2 lc rgb blue
-set title "|a| of M [mm/s^2] (fig. 3)"
+set ylabel "mm/s^2"
+set title "|a| of M (fig. 3)"
 plot select("phi M.ax M.ay") using (deg($1)):(size2($2, $3)) with lines lw 2 lc rgb blue
 set xlabel "crank angle [deg]"
-set title "|a_t| of M [mm/s^2] (fig. 4)"
+set title "|a_t| of M (fig. 4)"
 plot select("phi M.a_tangential") using (deg($1)):(abs($2)) with lines lw 2 lc rgb blue
-set title "|a_n| of M [mm/s^2] (fig. 5)"
+set title "|a_n| of M (fig. 5)"
 plot select("phi M.a_normal") using (deg($1)):(abs($2)) with lines lw 2 lc rgb blue
 unset multiplot
 
@@ -38,14 +40,14 @@ set offsets graph 0.04, graph 0.04, graph 0.12, graph 0.12
 dot(k) = int(k) % 30 == 0 && k < 360
 number(k, x) = dot(k) ? x : 1/0
 apart(k, x) = k > 130 && k < 250 ? number(k, x) : 1/0
-set title "velocity of M [mm/s] (fig. 6)"
-set xlabel "v_x"; set ylabel "v_y" offset 1
+set title "velocity of M (fig. 6)"
+set xlabel "v_x  [mm/s]"; set ylabel "v_y  [mm/s]" offset 1
 plot select("M.vx M.vy step") using 1:2 with lines lw 2 lc rgb blue, \
      "" using (number($3, $1)):2 with points pt 7 ps 0.5 lc rgb red, \
      "" using ($3 == 270 ? 1/0 : number($3, $1)):2:3 with labels offset -1.2,-0.8 font ",11" tc rgb grey, \
      "" using ($3 == 270 ? $1 : 1/0):2:3 with labels offset 1.4,0.6 font ",11" tc rgb grey
-set title "acceleration of M [mm/s^2] (fig. 7)"
-set xlabel "a_x"; set ylabel "a_y" offset 1
+set title "acceleration of M (fig. 7)"
+set xlabel "a_x  [mm/s^2]"; set ylabel "a_y  [mm/s^2]" offset 1
 set yrange [-95:95]
 plot select("M.ax M.ay step") using 1:2 with lines lw 2 lc rgb blue, \
      "" using (number($3, $1)):2 with points pt 7 ps 0.5 lc rgb red, \
@@ -69,22 +71,26 @@ set offsets
 set terminal svg size 900,420 font "sans,13" background "white"
 set output "docs/reports/zhauyt_2017_errors.svg"
 set size noratio
-set key outside right top
-set title "error of M [mm] (fig. 8)"
+set title "errors of M (fig. 8)"
 set xrange [0:360]
 set xtics 30
 set yrange [0:*]
 set xlabel "crank angle [deg]"
-unset ylabel
-plot select("phi M.worst_case_x") using (deg($1)):2 with lines lw 2 lc rgb blue title "worst case x", \
-     select("phi M.worst_case_y") using (deg($1)):2 with lines lw 2 lc rgb red title "worst case y", \
-     select("phi M.rss_x") using (deg($1)):2 with lines dt 2 lc rgb blue title "rss x", \
-     select("phi M.rss_y") using (deg($1)):2 with lines dt 2 lc rgb red title "rss y"
+set ylabel "error [mm]"
+set label 1 "worst case of x" at 172, 1.5 center tc rgb blue
+set label 2 "worst case of y" at 190, 0.91 center tc rgb red
+set label 3 "root sum square of x" at 60, 0.25 center tc rgb blue
+set label 4 "root sum square of y" at 60, 0.085 center tc rgb red
+plot select("phi M.worst_case_x") using (deg($1)):2 with lines lw 2 lc rgb blue, \
+     select("phi M.worst_case_y") using (deg($1)):2 with lines lw 2 lc rgb red, \
+     select("phi M.rss_x") using (deg($1)):2 with lines dt 2 lc rgb blue, \
+     select("phi M.rss_y") using (deg($1)):2 with lines dt 2 lc rgb red
+unset for [n = 1:4] label n
 
 set output "docs/reports/zhauyt_2017_output.svg"
-set title "output link DG [deg]: dwell of 146 deg within half a degree"
-set key off
-set yrange [*:*]
+set title "output link DG: dwell of 146 deg within half a degree"
+set yrange [-32:*]
+set ylabel "angle of DG [deg]"
 set arrow 1 from 86, graph 0 to 86, graph 1 nohead dt 2 lc rgb grey
 set arrow 2 from 300, graph 0 to 300, graph 1 nohead dt 2 lc rgb grey
 plot select("phi output.theta") using (deg($1)):(deg($2)) with lines lw 2 lc rgb blue

@@ -128,8 +128,8 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
 std::string difference(const Description& one, const Description& other) {
   const auto differs = [](const std::string& name, const std::string& first,
                           const std::string& second) {
-    return name + ": " + (first.empty() ? "none" : first) + " instead of " +
-           (second.empty() ? "none" : second);
+    return (name == "assur" ? "campaign" : name) + ": " + (first.empty() ? "none" : first) +
+           " instead of " + (second.empty() ? "none" : second);
   };
   const std::size_t most = std::max(one.entries.size(), other.entries.size());
   for (std::size_t place = 0; place < most; ++place) {

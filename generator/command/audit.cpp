@@ -28,6 +28,9 @@ bool run_audit(const AuditOptions& options) {
     if (options.map.empty() && file.ends_with(".tex")) {
       throw text::InputError(file + ": say what its notation stands for, in a file: --map FILE");
     }
+    if (!options.map.empty() && file.ends_with(".audit")) {
+      throw text::InputError(file + ": a map belongs to a paper (.tex); leave --map out");
+    }
     reports.push_back(options.map.empty()
                           ? audit::audit_file(file, audit::scene::scene_values, run, show)
                           : audit::latex::audit_paper(file, options.map));

@@ -5,6 +5,7 @@
 #include <assur/mechanism/error.hpp>
 #include <assur/text/names.hpp>
 #include <assur/text/quoted.hpp>
+#include <assur/text/suggestion.hpp>
 #include <iterator>
 #include <utility>
 
@@ -54,16 +55,19 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
 /// The wanted results, by the words of a scene's `want`.
 assur::mechanism::Want wanted(const std::vector<std::string>& words) {
   assur::mechanism::Want want = {false, false, false, false};
-  const std::array<std::pair<std::string, bool*>, 4> flags = {{{"position", &want.position},
-                                                               {"velocity", &want.velocity},
-                                                               {"acceleration", &want.acceleration},
-                                                               {"sensitivity", &want.sensitivity}}};
+  using Flag = std::pair<std::string, bool*>;
+  const std::array<Flag, 4> flags = {{{"position", &want.position},
+                                      {"velocity", &want.velocity},
+                                      {"acceleration", &want.acceleration},
+                                      {"sensitivity", &want.sensitivity}}};
   for (const std::string& word : words) {
     const auto* flag = std::find_if(flags.begin(), flags.end(),
                                     [&word](const auto& known) { return known.first == word; });
     if (flag == flags.end()) {
+      std::vector<std::string> names;
+      std::ranges::transform(flags, std::back_inserter(names), &Flag::first);
       throw InputError("--want: no result named " + text::in_quotes(word) +
-                       "; they are position, velocity, acceleration and sensitivity");
+                       text::suggestion_or_choice(word, names));
     }
     if (*flag->second) {
       throw InputError("--want: '" + word + "' occurs twice; leave one out");
@@ -144,7 +148,9 @@ bool run_emit(const EmitOptions& options) {
   }
   bool same = true;
   for (const std::filesystem::path& path : emission::cpp::differing_files(files, options.output)) {
-    remarks() << "differs: " << path.generic_string() << '\n';
+    const bool exists = std::filesystem::exists(std::filesystem::path(options.output) / path);
+    remarks() << path.generic_string()
+              << (exists ? " differs from what would be written\n" : " does not exist\n");
     same = false;
   }
   return same;

@@ -153,7 +153,7 @@ int run(int argc, char** argv) {
 
   EmitOptions emit;
   command = app.add_subcommand("emit", "write C++ for one scene, models, or closures");
-  auto* what = command->add_option_group("what");
+  auto* what = command->add_option_group("source");
   what->add_flag("--all", emit.all, "every model of every group");
   CLI::Option* const model =
       what->add_option("--model", emit.model, "one model of a group, by its number")

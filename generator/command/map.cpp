@@ -65,7 +65,7 @@ std::vector<WrittenAxis> written_axes(const std::string& over,
     }
     axes.push_back({mechanism.parameter_named(name, "--over"),
                     mechanism.add_number(range[0], where), mechanism.add_number(range[1], where),
-                    whole_number(range[2], 1, most_values, where)});
+                    whole_number(range[2], 1, most_values, where + ": COUNT")});
   }
   return axes;
 }

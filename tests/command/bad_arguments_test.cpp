@@ -29,6 +29,16 @@ TEST(BadArguments, SettingWithoutValue) {
       run_assur("solve " ASSUR_EXAMPLES "/quintero_2011_rrp_rrr.json --set 'AB=6\u00b0'"),
       "--set AB: expected an operator, found '\u00b0' (write '*deg')");
 }
+TEST(BadArguments, MapForAnAuditFile) {
+  const std::string file = ASSUR_EXAMPLES "/audit/own_model/gear_five_bar.audit";
+  expect_one_line(run_assur("audit " + file + " --map " + file),
+                  file + ": a map belongs to a paper (.tex); leave --map out");
+}
+TEST(BadArguments, UnknownResult) {
+  expect_one_line(run_assur("emit --scene " ASSUR_EXAMPLES
+                            "/four_bar_coupler_curve.json --want postion --output ."),
+                  "--want: no result named 'postion' (did you mean 'position'?)");
+}
 TEST(BadArguments, UnknownSubcommand) {
   const CommandResult result = run_assur("solv");
   expect_one_line(result, "see assur --help");

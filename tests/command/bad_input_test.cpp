@@ -235,8 +235,9 @@ TEST(BadFile, NotJson) {
 }
 TEST(BadFile, Empty) {
   const TemporaryDirectory directory;
-  const auto file = directory.write("scene.json", "");
-  expect_one_line(run_assur("solve " + file.string()), "not JSON");
+  const auto file = directory.write("scene.json", " \n");
+  expect_one_line(run_assur("solve " + file.string()),
+                  "the text is empty; expected a scene in JSON, {...}");
 }
 TEST(BadFile, KeyTwice) {
   const TemporaryDirectory directory;

@@ -90,7 +90,8 @@ TEST(Draw, RefusesOptionsOfOtherForms) {
   expect_refusal(four_bar + " --moving", "picture.html",
                  "--moving: only an .svg can be drawn in motion");
   expect_refusal(four_bar + " --configuration 1", "picture.html", "a page has all branches");
-  expect_refusal(four_bar + " --moving --configuration 5", "picture.svg", "no branch 5");
+  expect_refusal(four_bar + " --moving --configuration 5", "picture.svg",
+                 "--configuration: there is no branch 5");
 }
 
 TEST(Draw, RefusesWhatMovesFreely) {

@@ -58,7 +58,7 @@ TEST(Resources, OfALongListing) {
   }
   EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
             "there may be 536870912 configurations, and an emitted solver lists 4096 at most; "
-            "'report' less of the mechanism, or emit parts of it\n");
+            "name fewer parts in the scene's 'report', or emit parts of the mechanism\n");
   const TemporaryDirectory directory;
   const std::string file = directory.write("scene.json", scene.dump()).string();
   const Json nearest = Json::parse(run_assur("solve --nearest --format json " + file).output);
@@ -120,8 +120,8 @@ TEST(Resources, OfManyGroups) {
                                   {"between", {"ground.b" + own, "link" + own + ".P"}}};
   }
   EXPECT_EQ(refusal_of(scene.dump(), "emit --scene"),
-            "there are 65 groups, and an emitted solver has 64 at most; 'report' less of the "
-            "mechanism, or emit parts of it\n");
+            "there are 65 groups, and an emitted solver has 64 at most; name fewer parts in the "
+            "scene's 'report', or emit parts of the mechanism\n");
   EXPECT_EQ(status_of(scene.dump()), 0);
 }
 

@@ -64,6 +64,13 @@ void write_json(const std::vector<Task>& tasks, std::ostream& out) {
   out << "\n]\n";
 }
 
+/// What a ratio, divided by its target, says of the target.
+std::string verdict(double share) {
+  return share <= 1  ? "met"
+         : share < 2 ? "missed by " + text("%.2g", 100 * (share - 1)) + " %"
+                     : "missed by a factor of " + text("%.2f", share);
+}
+
 void write_targets(const std::vector<Task>& tasks, std::ostream& out) {
   out << "| task | ours | against | ratio of | target | measured | "
          "|\n|---|---|---|---|---|---|---|\n";
@@ -78,11 +85,7 @@ void write_targets(const std::vector<Task>& tasks, std::ostream& out) {
       continue;
     }
     const double ratio = measured(target, *ours, *peer);
-    out << text("%.3g", ratio) << " | "
-        << (ratio <= target.at_most
-                ? "met"
-                : "missed by a factor of " + text("%.2f", ratio / target.at_most))
-        << " |\n";
+    out << text("%.3g", ratio) << " | " << verdict(ratio / target.at_most) << " |\n";
   }
 }
 

@@ -222,15 +222,17 @@ void expect_listable(const mechanism::Plan& plan) {
     std::array<char, 32> number{};
     (void)std::snprintf(number.data(), number.size(), most < 1e15 ? "%.0f" : "%.3g", most);
     throw mechanism::MechanismError(
-        "", std::string("there may be ") + number.data() +
-                " configurations, and an emitted solver lists 4096 at most; 'report' less of the "
-                "mechanism, or emit parts of it");
+        "",
+        std::string("there may be ") + number.data() +
+            " configurations, and an emitted solver lists 4096 at most; name fewer parts in the "
+            "scene's 'report', or emit parts of the mechanism");
   }
   if (plan.structure().groups.size() > most_groups) {
     throw mechanism::MechanismError("", "there are " +
                                             std::to_string(plan.structure().groups.size()) +
                                             " groups, and an emitted solver has 64 at most; "
-                                            "'report' less of the mechanism, or emit parts of it");
+                                            "name fewer parts in the scene's 'report', or emit "
+                                            "parts of the mechanism");
   }
 }
 

@@ -15,7 +15,7 @@ std::uint64_t cells_of(const std::vector<GridAxis>& axes) {
     cells *= static_cast<double>(axis.count);
   }
   if (cells > static_cast<double>(most_cells)) {
-    throw MechanismError("grid",
+    throw MechanismError("",
                          "the grid has more than 1e8 cells; take coarser axes, or a part "
                          "of their range");
   }
@@ -105,8 +105,8 @@ Campaign grid_campaign(const Mechanism& mechanism, const Request& request,
     if (std::find_if(axes.begin(), axis, [axis](const GridAxis& other) {
           return other.parameter == axis->parameter;
         }) != axis) {
-      throw MechanismError(
-          "grid", "the parameter " + text::in_quotes(name) + " occurs twice; leave one out");
+      throw MechanismError("", "the parameter " + text::in_quotes(name) +
+                                   " is on two axes of the grid; leave one out");
     }
     campaign.columns.push_back({name, Column::Kind::real});
   }

@@ -270,16 +270,22 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
                            "link '" + links_[feature.link].name + "' occurs twice in one joint");
     }
   }
+  const auto first = [&](bool is_line) {
+    const auto found = std::ranges::find_if(
+        joint.between, [&](FeatureIndex feature) { return features_[feature].is_line == is_line; });
+    return "'" + links_[features_[*found].link].name + "." + features_[*found].name + "'";
+  };
   if (joint.type == JointType::revolute && lines != 0) {
-    throw MechanismError(part,
-                         "a revolute joint joins points, and one of these features is a line");
+    throw MechanismError(part, "a revolute joint joins points, and " + first(true) + " is a line");
   }
   if (joint.type == JointType::prismatic && lines != 2) {
     throw MechanismError(part,
-                         "a prismatic joint joins two lines, and one of these features is a point");
+                         "a prismatic joint joins two lines, and " + first(false) + " is a point");
   }
   if (joint.type == JointType::pin_in_slot && lines != 1) {
-    throw MechanismError(part, "a pin-in-slot joint joins a point and a line");
+    throw MechanismError(part,
+                         std::string("a pin-in-slot joint joins a point and a line; found two ") +
+                             (lines == 0 ? "points" : "lines"));
   }
 }
 

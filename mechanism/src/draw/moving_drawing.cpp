@@ -25,9 +25,8 @@ const FilmedBranch& branch_of(const Film& film, int number) {
       return branch;
     }
   }
-  throw MechanismError("", "there is no branch " + std::to_string(number) +
-                               "; the highest number is " +
-                               std::to_string(film.branches.size() + film.left_out));
+  throw NoSuchConfiguration(static_cast<std::size_t>(number), film.branches.size() + film.left_out,
+                            "branch");
 }
 
 /// The steps of the branch's first stretch, from its first step to the one after its last.

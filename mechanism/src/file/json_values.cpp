@@ -39,6 +39,9 @@ SceneJson parsed(const std::string& text) {
     }
     return true;
   };
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw MechanismError("", "the text is empty; expected a scene in JSON, {...}");
+  }
   try {
     return SceneJson::parse(text, watch);
   } catch (const SceneJson::exception& error) {

@@ -354,8 +354,8 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
 
 const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
   if (++steps_ > most_steps) {
-    refuse_search(structure_,
-                  "to find them takes more than " + std::to_string(most_steps) + " steps");
+    refuse_search(structure_, "to find them, more than " + std::to_string(most_steps) +
+                                  " groups would have to be solved");
   }
   return solvers_[group].assemble();
 }

@@ -326,7 +326,8 @@ TEST(OwnModel, CheckTellsWhatDiffers) {
   directory.write("assur/closures/every_function.hpp", "");
   const CommandResult result = run_assur(arguments);
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.messages, "differs: assur/closures/every_function.hpp\n");
+  EXPECT_EQ(result.messages,
+            "assur/closures/every_function.hpp differs from what would be written\n");
 }
 
 TEST(OwnModel, ThePlantedSignIsFoundAndItsCorrectionAgrees) {

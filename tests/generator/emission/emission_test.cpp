@@ -69,8 +69,11 @@ TEST(Emission, CheckFindsAChangeAndWritesNothing) {
   const std::string models = is_whole_campaign() ? "--all" : "--model 3";
   const CommandResult result = run_assur("emit " + models + " --output " + output + " --check");
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.messages, "differs: " + changed + "\n");
+  EXPECT_EQ(result.messages, changed + " differs from what would be written\n");
   EXPECT_EQ(read_file(directory.path() / changed), "// changed\n");
+  fs::remove(directory.path() / changed);
+  EXPECT_EQ(run_assur("emit " + models + " --output " + output + " --check").messages,
+            changed + " does not exist\n");
 }
 
 TEST(Emission, CallsNoPowerAndNoTrigonometryAndDoesNotBranch) {

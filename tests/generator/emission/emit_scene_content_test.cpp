@@ -110,7 +110,7 @@ TEST(EmitSceneContent, CheckFindsAChangeAndWritesNothing) {
   directory.write(name, "// changed\n");
   const CommandResult result = run_assur(arguments + " --check");
   EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.messages, "differs: " + name + "\n");
+  EXPECT_EQ(result.messages, name + " differs from what would be written\n");
   EXPECT_EQ(read_file(directory.path() / name), "// changed\n");
 }
 

@@ -154,19 +154,17 @@ INSTANTIATE_TEST_SUITE_P(
                 made.add_line("coupler.axis", 0, 0, 1, 0);
                 made.add_joint("E", JointType::revolute, {"ground.A", "coupler.axis"});
               },
-              "joints.E.between: a revolute joint joins points, and one of these features is a "
-              "line"},
+              "joints.E.between: a revolute joint joins points, and 'coupler.axis' is a line"},
         Fault{"PointAtAPrismaticJoint",
               [](Mechanism& made) {
                 made.add_joint("E", JointType::prismatic, {"ground.A", "coupler.B"});
               },
-              "joints.E.between: a prismatic joint joins two lines, and one of these features is "
-              "a point"},
+              "joints.E.between: a prismatic joint joins two lines, and 'ground.A' is a point"},
         Fault{"PinInNoSlot",
               [](Mechanism& made) {
                 made.add_joint("E", JointType::pin_in_slot, {"ground.A", "coupler.B"});
               },
-              "joints.E.between: a pin-in-slot joint joins a point and a line"},
+              "joints.E.between: a pin-in-slot joint joins a point and a line; found two points"},
         Fault{"OneFeature",
               [](Mechanism& made) { made.add_joint("E", JointType::revolute, {"ground.A"}); },
               "joints.E.between: expected two or more features [\"link.feature\", ...]"},

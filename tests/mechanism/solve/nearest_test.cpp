@@ -133,7 +133,8 @@ TEST(TooMany, AreRefusedWithAMend) {
             "there may be 536870912 configurations, and no more than 20000 can be listed" + mend);
   scene["reference"] = {{"bar29", 1.4}};
   EXPECT_EQ(refusal_of(scene, true),
-            "there may be 536870912 configurations, and to find them takes more than 300000 steps" +
+            "there may be 536870912 configurations, and to find them, more than 300000 groups "
+            "would have to be solved" +
                 mend);
   EXPECT_EQ(refusal_of(many_dyads(10, [](int) { return 1.4; }), false), "solved");
 }

@@ -21,19 +21,21 @@ class MechanismError : public InputError {
       : InputError(text::on_one_line(part.empty() ? what : part + ": " + what)) {}
 };
 
-/// The message for the number of a configuration above `highest`, the highest number that exists
-/// (zero if there is no configuration).
-[[nodiscard]] inline std::string no_configuration(std::size_t number, std::size_t highest) {
-  return highest == 0 ? "there is no configuration"
-                      : "there is no configuration " + std::to_string(number) +
+/// The message for the number of a configuration (or branch, as `what` says) above `highest`, the
+/// highest number that exists (zero if there is none).
+[[nodiscard]] inline std::string no_configuration(std::size_t number, std::size_t highest,
+                                                  const std::string& what = "configuration") {
+  return highest == 0 ? "there is no " + what
+                      : "there is no " + what + " " + std::to_string(number) +
                             "; the highest number is " + std::to_string(highest);
 }
 
-/// A configuration was asked for by a number above the highest one.
+/// A configuration or a branch was asked for by a number above the highest one.
 class NoSuchConfiguration : public MechanismError {
  public:
-  NoSuchConfiguration(std::size_t number, std::size_t highest)
-      : MechanismError("", no_configuration(number, highest)) {}
+  NoSuchConfiguration(std::size_t number, std::size_t highest,
+                      const std::string& what = "configuration")
+      : MechanismError("", no_configuration(number, highest, what)) {}
 };
 
 /// There are more constraints than the links have freedoms.
