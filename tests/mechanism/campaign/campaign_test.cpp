@@ -290,8 +290,7 @@ TEST(Sampling, RefusesWhatHasNothingToSample) {
   Mechanism without_outputs("no outputs");
   EXPECT_EQ(refusal(without_outputs, 0).find("outputs: there is no point"), 0U);
   const Scene four_bar = example("four_bar_coupler_curve");
-  EXPECT_EQ(refusal(four_bar.mechanism, 3),
-            "there is no configuration 3; the highest number is 2");
+  EXPECT_EQ(refusal(four_bar.mechanism, 3), "there is no configuration 3; the highest number is 2");
   const Scene rigid =
       parse_scene(std::regex_replace(std::string(linear), std::regex("0\\.[13]"), "0"), "rigid");
   EXPECT_EQ(refusal(rigid.mechanism, 0).find("parameters: no parameter has a tolerance"), 0U);
