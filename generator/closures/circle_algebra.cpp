@@ -26,7 +26,7 @@ bool makes_roots(const GiNaC::ex& expression) {
   return std::any_of(expression.preorder_begin(), expression.preorder_end(), is_root);
 }
 
-equations::Vector2 turned_by_multiple(equations::Vector2 direction, equations::Vector2 step,
+equations::Vector2 turned_by_multiple(const equations::Vector2& direction, equations::Vector2 step,
                                       int factor) {
   step.y = factor < 0 ? -step.y : step.y;
   if (!can_be_multiplied_out(direction.x * GiNaC::pow(step.x + step.y, std::abs(factor)),

@@ -26,7 +26,7 @@ class NotAlgebraic : public std::runtime_error {
 
 /// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
 /// out. Throws NotAlgebraic where that has too many terms.
-[[nodiscard]] equations::Vector2 turned_by_multiple(equations::Vector2 direction,
+[[nodiscard]] equations::Vector2 turned_by_multiple(const equations::Vector2& direction,
                                                     equations::Vector2 step, int factor);
 
 /// The ring of polynomials in lengths, in the cosine c and sine s of each angle, c^2 + s^2 = 1, and

@@ -113,7 +113,7 @@ std::pair<PlacedText, PlacedText> cut(const PlacedText& text, char separator) {
   if (at == std::string::npos) {
     PlacedText whole = trimmed(text);
     const Place behind = whole.at(whole.text.size() + 1);
-    return {std::move(whole), {"", behind}};
+    return {std::move(whole), PlacedText{"", behind}};
   }
   return {trimmed(part(text, 0, at)), trimmed(part(text, at + 1, text.text.size()))};
 }

@@ -33,6 +33,13 @@ UnknownName::UnknownName(const std::string& what, const std::string& name,
                                                    text::suggestion_or_choice(name, known))
                      .what()) {}
 
+mechanism::OverConstrained in_file(const std::string& file,
+                                   const mechanism::OverConstrained& error) {
+  mechanism::OverConstrained result(file, error.what(), error.surplus, error.joints, error.lack);
+  result.gap = error.gap;
+  return result;
+}
+
 void translate_errors() {
   py::register_local_exception_translator([](std::exception_ptr thrown) {
     try {

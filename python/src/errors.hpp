@@ -33,6 +33,10 @@ class NotWanted : public text::InputError {
 /// Registers how these errors, and the library's, are raised as exceptions of Python.
 void translate_errors();
 
+/// The same error with the scene's file in front.
+[[nodiscard]] mechanism::OverConstrained in_file(const std::string& file,
+                                                 const mechanism::OverConstrained& error);
+
 /// Returns what `use` returns. An error of the mechanism that it throws gets the scene's file in
 /// front, as in the command.
 template <typename Use>
@@ -40,9 +44,7 @@ auto in_scene(const std::string& file, const Use& use) {
   try {
     return use();
   } catch (const mechanism::OverConstrained& error) {
-    mechanism::OverConstrained in_file(file, error.what(), error.surplus, error.joints, error.lack);
-    in_file.gap = error.gap;
-    throw in_file;
+    throw in_file(file, error);
   } catch (const mechanism::MechanismError& error) {
     throw mechanism::MechanismError(file, error.what());
   }

@@ -32,7 +32,7 @@ template <typename Scalar>
                                   const Direction<Scalar>& degree_60) {
   using std::sqrt;
   const Scalar x = (BE * BE + BD * BD - ED * ED) / (Scalar(2) * BE);
-  const Scalar EM = Scalar(80);
+  const auto EM = Scalar(80);
   return {x, -sqrt(BD * BD - x * x), BE + EM * degree_60.cos, EM * degree_60.sin};
 }
 
