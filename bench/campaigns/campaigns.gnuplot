@@ -1,8 +1,8 @@
-# Turns the table of measure.sh into docs/guide/campaigns.svg:
+# Turns the table of measure.sh into docs/reports/campaigns.svg:
 #   bench/campaigns/measure.sh build/assur SCENE > campaigns.tsv
 #   gnuplot -e "table='campaigns.tsv'" bench/campaigns/campaigns.gnuplot
 set terminal svg size 900,620 font "sans,13" background "white"
-set output "docs/guide/campaigns.svg"
+set output "docs/reports/campaigns.svg"
 set multiplot layout 2,2
 set grid lc rgb "#dddddd"
 set style data linespoints

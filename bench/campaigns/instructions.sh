@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Turns campaigns of 5,000 and 10,000 samples into the instructions of one sample, step by step, as
-# callgrind counts them: the table of docs/guide/campaigns.md.
+# callgrind counts them: the table of docs/reports/campaigns.md.
 # usage: instructions.sh BUILD_DIRECTORY SCENE
 set -eu
 build=$1 scene=$2
