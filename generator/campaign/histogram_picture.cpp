@@ -15,8 +15,14 @@ namespace {
 constexpr double panel_width = 420;
 constexpr double panel_height = 230;
 constexpr double margin = 40;
-constexpr double head = 50;
+constexpr double head = 34;
 constexpr std::size_t most_bars = 64;
+/// How far above the panel the names of lines stand: in two rows, so that they do not overlap.
+constexpr double upper_row = 15;
+constexpr double lower_row = 3;
+constexpr const char* worst_colour = "#d62728";
+constexpr const char* rss_colour = "#2ca02c";
+constexpr const char* normal_colour = "#08519c";
 
 /// One coordinate: the bars, the worst case and the deviation that first derivatives predict, and
 /// the density of the normal law of the sample's mean and deviation.
@@ -42,7 +48,7 @@ class Panel {
     highest_ = std::max(highest_, has_curve_ ? normal_density(0) : 0);
   }
 
-  [[nodiscard]] std::string svg(const std::string& name) const {
+  [[nodiscard]] std::string svg(const std::string& coordinate) const {
     std::string body;
     for (const auto& bar : bars_) {
       const double x = x_of(bar.from - predicted_.nominal);
@@ -52,17 +58,21 @@ class Panel {
     }
     body += normal_curve();
     body += line(left_, top_ + height_, left_ + width_, top_ + height_, "stroke=\"black\"");
-    body += mark(0, "stroke=\"black\"");
+    body += mark(0, "black", "") + name(0, upper_row, "nominal", "black");
     for (const double sign : {-1.0, 1.0}) {
-      body += mark(sign * predicted_.worst_case, "stroke=\"#d62728\" stroke-width=\"1.5\"");
-      body += mark(sign * predicted_.rss / std::numbers::sqrt3,
-                   "stroke=\"#2ca02c\" stroke-dasharray=\"5 3\"");
+      const double worst = sign * predicted_.worst_case;
+      body += mark(worst, worst_colour, " stroke-width=\"1.5\"") +
+              name(worst, upper_row, "worst case", worst_colour);
+      const double rss = sign * predicted_.rss / std::numbers::sqrt3;
+      body += mark(rss, rss_colour, " stroke-dasharray=\"5 3\"") +
+              name(rss, lower_row, "rss/√3", rss_colour);
     }
     const double below = top_ + height_ + 15;
     body += words(left_, below, "middle", text::short_number(from_, 4));
     body += words(left_ + width_, below, "middle", text::short_number(to_, 4));
-    return body + words(left_ + width_ / 2, below + 3, "middle",
-                        name + ", deviation from " + text::short_number(predicted_.nominal, 4));
+    return body +
+           words(left_ + width_ / 2, below + 3, "middle",
+                 coordinate + ", deviation from " + text::short_number(predicted_.nominal, 4));
   }
 
  private:
@@ -82,8 +92,17 @@ class Panel {
     return std::exp(-deviations * deviations / 2) / (deviation_ * std::sqrt(2 * std::numbers::pi));
   }
 
-  [[nodiscard]] std::string mark(double away, const std::string& style) const {
-    return std::isfinite(away) ? line(x_of(away), top_, x_of(away), top_ + height_, style) : "";
+  [[nodiscard]] std::string mark(double away, const std::string& colour,
+                                 const std::string& style) const {
+    return std::isfinite(away) ? line(x_of(away), top_, x_of(away), top_ + height_,
+                                      "stroke=\"" + colour + "\"" + style)
+                               : "";
+  }
+
+  /// What a line is, over its upper end.
+  [[nodiscard]] std::string name(double away, double row, const std::string& text,
+                                 const std::string& colour) const {
+    return std::isfinite(away) ? words(x_of(away), top_ - row, "middle", text, colour) : "";
   }
 
   [[nodiscard]] std::string normal_curve() const {
@@ -98,7 +117,11 @@ class Panel {
       const double height = normal_density((away - mean) / deviation_);
       points += at(x_of(away)) + "," + at(y_of(height)) + " ";
     }
-    return "<polyline fill=\"none\" stroke=\"#08519c\" points=\"" + points + "\"/>\n";
+    const double beside = 1.3;
+    return "<polyline fill=\"none\" stroke=\"" + std::string(normal_colour) + "\" points=\"" +
+           points + "\"/>\n" +
+           words(x_of(mean + beside * deviation_) + 12, y_of(normal_density(beside)), "start",
+                 "normal law", normal_colour);
   }
 
   const FirstOrder& predicted_;
@@ -116,9 +139,6 @@ std::string histogram_picture(const SampleSummary& summary) {
   std::string body = words(
       margin, 20, "start",
       summary.description().text_of("name") + ": " + text::with_noun(summary.count(), "sample"));
-  body += words(margin, 38, "start",
-                "black: nominal; red: worst case; green: rss / sqrt(3); blue: normal law of the "
-                "sample's mean and deviation");
   double top = head;
   for (const SampledOutput& output : summary.outputs()) {
     for (const std::size_t axis : {0U, 1U}) {

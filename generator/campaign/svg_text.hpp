@@ -16,9 +16,10 @@ namespace assur::generator::campaign {
 }
 
 [[nodiscard]] inline std::string words(double x, double y, const std::string& anchor,
-                                       const std::string& text) {
-  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\">" +
-         text::escaped_for_xml(text) + "</text>\n";
+                                       const std::string& text,
+                                       const std::string& colour = "black") {
+  return "<text x=\"" + at(x) + "\" y=\"" + at(y) + "\" text-anchor=\"" + anchor + "\" fill=\"" +
+         colour + "\">" + text::escaped_for_xml(text) + "</text>\n";
 }
 
 [[nodiscard]] inline std::string line(double x1, double y1, double x2, double y2,

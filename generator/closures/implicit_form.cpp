@@ -17,6 +17,9 @@ namespace {
 /// The highest power, since powers of sums are multiplied out.
 constexpr int max_power = 64;
 
+/// What it means that the radicand of a function vanishes or is negative.
+const std::string no_derivatives = " has no derivatives";
+
 bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
 
 std::string function_name(const GiNaC::ex& function) {
@@ -203,8 +206,9 @@ class Translation {
     const bool rooted = halves % 2 != 0;
     GiNaC::ex root = 1;
     if (rooted) {
-      root = result_.vocabulary.name_root(fresh(name.empty() ? "root" : name),
-                                          multiplied_out(value), "sqrt(" + text(base) + ")");
+      root =
+          result_.vocabulary.name_root(fresh(name.empty() ? "root" : name), multiplied_out(value),
+                                       "sqrt(" + text(base) + ")" + no_derivatives);
     }
     if (halves > 0) {
       return GiNaC::pow(value, whole) * root;
@@ -303,14 +307,16 @@ class Translation {
       const bool is_cosine = called == "acos";
       const GiNaC::ex given =
           vocabulary.name(fresh((is_cosine ? "cos_" : "sin_") + name), first, text(function));
-      const GiNaC::ex other = vocabulary.name_root(fresh((is_cosine ? "sin_" : "cos_") + name),
-                                                   1 - given * given, text(function) + " ends");
+      const GiNaC::ex other =
+          vocabulary.name_root(fresh((is_cosine ? "sin_" : "cos_") + name), 1 - given * given,
+                               text(function) + no_derivatives);
       return is_cosine ? equations::Vector2{given, other} : equations::Vector2{other, given};
     }
     const GiNaC::ex second =
         called == "atan2" ? multiplied_out(scalar(function.op(1))) : GiNaC::ex(1);
+    // One and a square never vanish together.
     const std::string degeneracy =
-        called == "atan2" ? text(function) + " has no direction" : "never";
+        called == "atan2" ? text(function) + " has no direction" : std::string();
     const GiNaC::ex size = vocabulary.name_root(
         fresh("size_" + name), multiplied_out(first * first + second * second), degeneracy);
     const GiNaC::ex inverse = reciprocal(size, degeneracy);

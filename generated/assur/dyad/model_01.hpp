@@ -429,7 +429,8 @@ struct Model01 {
     const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
     const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: CD_across_BC = 0, or BC = 0
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
@@ -451,7 +452,8 @@ struct Model01 {
     const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
     const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: CD_across_BC = 0, or BC = 0
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
@@ -489,7 +491,8 @@ struct Model01 {
     const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
     const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: CD_across_BC = 0, or BC = 0
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -523,7 +526,8 @@ struct Model01 {
     const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
     const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: CD_across_BC = 0, or BC = 0
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -570,7 +574,8 @@ struct Model01 {
     const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
     const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: CD_across_BC = 0, or BC = 0
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_CD_across_BC = -d.BC * inverse;
     const Scalar inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
@@ -628,8 +633,8 @@ struct Model01 {
       Configuration<Scalar>& q) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    const Scalar inverse_theta_BC = Scalar(1) / -d.BC;  // zero: the link that turns by theta_BC has
-                                                        //     no length
+    // A zero divisor means the link that turns by theta_BC has no length.
+    const Scalar inverse_theta_BC = Scalar(1) / -d.BC;
     q.theta_BC.cos = (d.CD * q.theta_CD.cos + DB_x) * inverse_theta_BC;
     q.theta_BC.sin = inverse_theta_BC * (d.CD * q.theta_CD.sin + DB_y);
   }

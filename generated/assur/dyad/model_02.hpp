@@ -499,7 +499,8 @@ struct Model02 {
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
     const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
     J_inverse(0, 0) = -inverse * u.phi_B.sin;
     J_inverse(0, 1) = inverse * u.phi_B.cos;
@@ -516,7 +517,8 @@ struct Model02 {
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
     const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
     const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
@@ -552,7 +554,8 @@ struct Model02 {
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
     const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
@@ -584,7 +587,8 @@ struct Model02 {
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
     const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_B_BC * omega_B;
@@ -630,7 +634,8 @@ struct Model02 {
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
     const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;  // zero: CD_along_slide_B = 0
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
     const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;

@@ -409,7 +409,7 @@ struct Model03 {
   static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
     J_inverse(0, 0) = -inverse * q.theta_BC.sin;
     J_inverse(0, 1) = inverse * q.theta_BC.cos;
@@ -423,7 +423,7 @@ struct Model03 {
       const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u) {
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
     const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
     const Scalar s_C_per_x_B = -q.theta_BC.cos - s_C_per_across_slide_C * q.theta_BC.sin;
@@ -453,7 +453,7 @@ struct Model03 {
     const Scalar v_x_D = u_rate(2);
     const Scalar v_y_D = u_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
@@ -479,7 +479,7 @@ struct Model03 {
     const Scalar v_y_D = u_rate(3);
     const Scalar a_y_D = u_second_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
@@ -518,7 +518,7 @@ struct Model03 {
     const Scalar v_y_D = u_rate(3);
     const Scalar a_y_D = u_second_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // zero: s_C = 0
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
     const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
     const Scalar s_C_per_x_B = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;

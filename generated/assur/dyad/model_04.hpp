@@ -479,7 +479,7 @@ struct Model04 {
   template <typename Scalar>
   static void inverse_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
     const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
     J_inverse(0, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(0, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
@@ -495,7 +495,7 @@ struct Model04 {
     const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_along_slide_B = -q.s_B - t01;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
     const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
     const Scalar s_B_per_x_B = -u.phi_B.cos - s_B_per_across_slide_B * u.phi_B.sin;
     const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
@@ -530,7 +530,7 @@ struct Model04 {
     const Scalar v_y_D = u_rate(4);
     const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
@@ -561,7 +561,7 @@ struct Model04 {
     const Scalar a_y_D = u_second_rate(4);
     const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = phi_B_across_slide_B * omega_B;
@@ -606,7 +606,7 @@ struct Model04 {
     const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_along_slide_B = -q.s_B - t01;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // zero: sin(psi_C_BC) = 0
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
     const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;

@@ -545,7 +545,8 @@ struct Model05 {
       const Configuration<Scalar>&, Matrix<Scalar, unknown_count, equation_count>& J_inverse) {
     const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
     const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
     J_inverse(0, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(0, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
@@ -564,7 +565,8 @@ struct Model05 {
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
         - d.h_D_CD * cos_phi_D_minus_phi_B;
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
     const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
@@ -605,7 +607,8 @@ struct Model05 {
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
         - d.h_D_CD * cos_phi_D_minus_phi_B;
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + d.h_B_BC * omega_B
@@ -642,7 +645,8 @@ struct Model05 {
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
         - d.h_D_CD * cos_phi_D_minus_phi_B;
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_B_BC * omega_B;
@@ -696,7 +700,8 @@ struct Model05 {
         + d.h_D_CD * sin_phi_D_minus_phi_B;
     const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
         - d.h_D_CD * cos_phi_D_minus_phi_B;
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;  // zero: sin(phi_B - phi_D) = 0
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
     const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;

@@ -84,7 +84,6 @@ struct Model01 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
@@ -799,7 +798,8 @@ struct Model01 {
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -866,7 +866,8 @@ struct Model01 {
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -985,7 +986,8 @@ struct Model01 {
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -1051,7 +1053,8 @@ struct Model01 {
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -1143,7 +1146,8 @@ struct Model01 {
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -1342,10 +1346,10 @@ struct Model01 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
-                                                       //     no length
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_CD has no length.
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.theta_CD.cos = -(d.BC * q.theta_BCG.cos + EB_x - d.ED * q.theta_EDF.cos) * inverse_theta_CD;
     q.theta_CD.sin = -inverse_theta_CD * (d.BC * q.theta_BCG.sin + EB_y - d.ED * q.theta_EDF.sin);
     q.theta_GF.cos = -(EB_x + d.x_G_BCG * q.theta_BCG.cos + d.y_F_EDF * q.theta_EDF.sin

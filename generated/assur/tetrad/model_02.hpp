@@ -84,7 +84,6 @@ struct Model02 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
@@ -849,7 +848,8 @@ struct Model02 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
@@ -908,7 +908,8 @@ struct Model02 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
@@ -1019,7 +1020,8 @@ struct Model02 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1077,7 +1079,8 @@ struct Model02 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1161,7 +1164,8 @@ struct Model02 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
@@ -1354,8 +1358,8 @@ struct Model02 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.s_C = (d.ED * q.theta_EDF.cos - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
         - EB_y) * q.theta_BCG.sin;
     q.theta_GF.cos = -(EB_x + d.x_G_BCG * q.theta_BCG.cos + d.y_F_EDF * q.theta_EDF.sin

@@ -84,7 +84,6 @@ struct Model03 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = 1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
@@ -854,7 +853,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
     const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
@@ -902,7 +901,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
     const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
@@ -1002,7 +1001,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
@@ -1049,7 +1048,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
@@ -1122,7 +1121,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
     const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C

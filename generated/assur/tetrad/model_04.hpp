@@ -869,8 +869,8 @@ struct Model04 {
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
-                                                       //     = 0, or GF = 0
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -923,8 +923,8 @@ struct Model04 {
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
     const Scalar t03 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
-                                                       //     = 0, or GF = 0
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
@@ -1028,8 +1028,8 @@ struct Model04 {
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
-                                                       //     = 0, or GF = 0
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -1086,8 +1086,8 @@ struct Model04 {
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
-                                                       //     = 0, or GF = 0
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_across_GF = -inverse * t01;
     const Scalar t02 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
@@ -1171,8 +1171,8 @@ struct Model04 {
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
     const Scalar t03 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = BCG_across_GF * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_across_GF = 0, or sin(psi_D_CD)
-                                                       //     = 0, or GF = 0
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_across_GF = -inverse * t03;
     const Scalar t04 = BCG_across_GF * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
@@ -1303,10 +1303,10 @@ struct Model04 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
-                                                             //     parallel
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the slides of s_C and s_D are parallel.
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = d.h_C_BCG + EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
     const Scalar t02 = d.x_G_BCG + d.y_F_EDF * d.psi_D_CD.sin - d.x_F_EDF * d.psi_D_CD.cos;
     const Scalar t03 = d.y_G_BCG - d.x_F_EDF * d.psi_D_CD.sin - d.y_F_EDF * d.psi_D_CD.cos;

@@ -84,7 +84,6 @@ struct Model05 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_BCG, theta_EDF free to first order",
@@ -939,7 +938,7 @@ struct Model05 {
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
     const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
     const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
@@ -994,7 +993,7 @@ struct Model05 {
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
     const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
     const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
@@ -1103,7 +1102,7 @@ struct Model05 {
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
@@ -1157,7 +1156,7 @@ struct Model05 {
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
@@ -1237,7 +1236,7 @@ struct Model05 {
     const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
         - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
     const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
     const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
     const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C

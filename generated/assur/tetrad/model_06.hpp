@@ -783,8 +783,8 @@ struct Model06 {
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
-                                                       //     sin(psi_D_CD) = 0
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -830,8 +830,8 @@ struct Model06 {
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
-                                                       //     sin(psi_D_CD) = 0
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -927,8 +927,8 @@ struct Model06 {
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
-                                                       //     sin(psi_D_CD) = 0
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -977,8 +977,8 @@ struct Model06 {
     const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
-                                                       //     sin(psi_D_CD) = 0
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1055,8 +1055,8 @@ struct Model06 {
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: BCG_along_slide_G = 0, or
-                                                       //     sin(psi_D_CD) = 0
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
     const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -1181,8 +1181,8 @@ struct Model06 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
-                                                             //     parallel
+    // A zero divisor means the slides of s_C and s_D are parallel.
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
     const Scalar t02 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
     const Scalar t03 = d.h_C_BCG + t02;

@@ -84,7 +84,6 @@ struct Model08 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
@@ -913,7 +912,8 @@ struct Model08 {
         - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t01 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t02;
@@ -979,7 +979,8 @@ struct Model08 {
         - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1107,7 +1108,8 @@ struct Model08 {
         - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1178,7 +1180,8 @@ struct Model08 {
         - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1278,7 +1281,8 @@ struct Model08 {
         - EDF_across_CD * cos_phi_B_minus_GF;
     const Scalar t03 = d.CD * d.GF;
     const Scalar pivot_product = determinant * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0, or CD = 0
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t03;
     const Scalar t04 = determinant * inverse;
     const Scalar inverse_GF = d.CD * t04;
@@ -1506,10 +1510,10 @@ struct Model08 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
-                                                       //     no length
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_CD has no length.
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     q.theta_CD.cos = (d.ED * q.theta_EDF.cos - q.s_B * u.phi_B.cos - d.h_B_BCG * u.phi_B.sin

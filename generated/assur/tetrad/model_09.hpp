@@ -84,7 +84,6 @@ struct Model09 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
@@ -929,7 +928,8 @@ struct Model09 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
@@ -990,7 +990,8 @@ struct Model09 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
@@ -1113,7 +1114,8 @@ struct Model09 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1179,7 +1181,8 @@ struct Model09 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1275,7 +1278,8 @@ struct Model09 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
@@ -1490,8 +1494,8 @@ struct Model09 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos

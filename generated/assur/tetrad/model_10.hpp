@@ -84,7 +84,6 @@ struct Model10 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
@@ -967,7 +966,7 @@ struct Model10 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
@@ -1025,7 +1024,7 @@ struct Model10 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
@@ -1149,7 +1148,7 @@ struct Model10 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
@@ -1212,7 +1211,7 @@ struct Model10 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar t05 = phi_B_across_slide_D * omega_B;
@@ -1306,7 +1305,7 @@ struct Model10 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar s_B_per_across_slide_D = q.s_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *

@@ -1018,9 +1018,9 @@ struct Model11 {
     const Scalar t01 = d.CD * d.GF;
     const Scalar t02 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t01 * t02;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                       //     0, or CD = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t03 = inverse * t01;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t03;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t03;
@@ -1089,9 +1089,9 @@ struct Model11 {
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                       //     0, or CD = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1234,9 +1234,9 @@ struct Model11 {
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                       //     0, or CD = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1312,9 +1312,9 @@ struct Model11 {
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                       //     0, or CD = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1426,9 +1426,9 @@ struct Model11 {
     const Scalar t05 = d.CD * d.GF;
     const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(theta_CD - theta_GF) = 0, or GF =
-                                                       //     0, or CD = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
     const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
@@ -1674,10 +1674,10 @@ struct Model11 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_CD = Scalar(1) / d.CD;  // zero: the link that turns by theta_CD has
-                                                       //     no length
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_CD has no length.
+    const Scalar inverse_theta_CD = Scalar(1) / d.CD;
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t03 = q.s_E + d.x_F_EDF;

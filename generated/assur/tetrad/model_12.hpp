@@ -80,7 +80,6 @@ struct Model12 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = 1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
@@ -858,7 +857,7 @@ struct Model12 {
         - d.y_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_C = q.s_F * inverse;
     const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
@@ -918,7 +917,7 @@ struct Model12 {
         - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_C = q.s_F * inverse;
     const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
@@ -1044,7 +1043,7 @@ struct Model12 {
         - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
@@ -1109,7 +1108,7 @@ struct Model12 {
         - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar t03 = phi_B_across_slide_C * omega_B;
@@ -1202,7 +1201,7 @@ struct Model12 {
         - d.h_B_BCG * cos_phi_B_minus_EDF;
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
     const Scalar s_B_per_across_slide_C = q.s_F * inverse;
     const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C

@@ -80,7 +80,6 @@ struct Model13 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = 1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_EDF, s_B free to first order",
@@ -851,7 +850,8 @@ struct Model13 {
     const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
         - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
@@ -914,7 +914,8 @@ struct Model13 {
     const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
         - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
@@ -1035,7 +1036,8 @@ struct Model13 {
     const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
         - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1103,7 +1105,8 @@ struct Model13 {
     const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
         - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1198,7 +1201,8 @@ struct Model13 {
     const Scalar determinant = EDF_along_slide_C * cos_phi_B_minus_GF
         - EDF_across_GF * d.psi_C_BCG.sin;
     const Scalar pivot_product = d.GF * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or GF = 0
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.GF * inverse;
     const Scalar inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_C = inverse_determinant * cos_phi_B_minus_GF;
@@ -1391,8 +1395,8 @@ struct Model13 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.s_C = (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) - q.s_B
         - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.cos
         - (d.ED * (q.theta_EDF.cos * u.phi_B.sin - u.phi_B.cos * q.theta_EDF.sin)

@@ -868,8 +868,8 @@ struct Model14 {
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
     const Scalar t01 = d.GF * d.psi_D_CD.sin;
     const Scalar pivot_product = -t01 * cos_phi_B_minus_GF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
-                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_minus_GF;
     const Scalar inverse_sin_psi_D_CD = d.GF * t02;
@@ -927,8 +927,8 @@ struct Model14 {
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t07;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
-                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t08 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
@@ -1046,8 +1046,8 @@ struct Model14 {
         - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
-                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
@@ -1112,8 +1112,8 @@ struct Model14 {
         - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t03;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
-                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
@@ -1209,8 +1209,8 @@ struct Model14 {
         - t06;
     const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
     const Scalar pivot_product = -d.GF * t07;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B - theta_GF) = 0, or
-                                                       //     sin(psi_D_CD) = 0, or GF = 0
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t08 = d.GF * inverse;
     const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
     const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
@@ -1360,10 +1360,10 @@ struct Model14 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
-                                                             //     parallel
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the slides of s_C and s_D are parallel.
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar t02 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
     const Scalar t03 = d.h_C_BCG - t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin;

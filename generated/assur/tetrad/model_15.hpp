@@ -946,8 +946,8 @@ struct Model15 {
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar pivot_product = -d.psi_D_CD.sin *
         sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
-                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1008,8 +1008,8 @@ struct Model15 {
         - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
     const Scalar pivot_product = -d.psi_D_CD.sin *
         sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
-                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1128,8 +1128,8 @@ struct Model15 {
         + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
     const Scalar pivot_product = -d.psi_D_CD.sin *
         sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
-                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1198,8 +1198,8 @@ struct Model15 {
         + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
     const Scalar pivot_product = -d.psi_D_CD.sin *
         sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
-                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1300,8 +1300,8 @@ struct Model15 {
         - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
     const Scalar pivot_product = -d.psi_D_CD.sin *
         sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BCG + psi_D_CD +
-                                                       //     psi_F_EDF) = 0, or sin(psi_D_CD) = 0
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
@@ -1448,8 +1448,8 @@ struct Model15 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
-                                                             //     parallel
+    // A zero divisor means the slides of s_C and s_D are parallel.
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar t02 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
     const Scalar t03 = d.h_C_BCG - t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin;

@@ -951,9 +951,9 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t01 * sin_phi_B_minus_phi_E;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
-                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
-                                                       //     0
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
+    //     = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t02 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t02;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t01;
@@ -1023,9 +1023,9 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
-                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
-                                                       //     0
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
+    //     = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
@@ -1165,9 +1165,9 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
-                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
-                                                       //     0
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
+    //     = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
@@ -1244,9 +1244,9 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
-                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
-                                                       //     0
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
+    //     = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
@@ -1359,9 +1359,9 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BCG - theta_GF) =
-                                                       //     0, or sin(phi_B - phi_E) = 0, or GF =
-                                                       //     0
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
+    //     = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
@@ -1586,8 +1586,8 @@ struct Model16 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_theta_GF = Scalar(1) / d.GF;  // zero: the link that turns by theta_GF has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_GF has no length.
+    const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
     const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
     const Scalar t03 = q.s_E + d.x_F_EDF;

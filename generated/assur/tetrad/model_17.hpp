@@ -983,8 +983,9 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
-                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
+    //     0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1059,8 +1060,9 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
-                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
+    //     0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1209,8 +1211,9 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
-                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
+    //     0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1292,8 +1295,9 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
-                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
+    //     0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
@@ -1411,8 +1415,9 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or sin(phi_B
-                                                       //     - phi_E + psi_C_BCG - psi_F_EDF) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
+    //     0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =

@@ -894,7 +894,7 @@ struct Model19 {
         - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
@@ -955,7 +955,7 @@ struct Model19 {
         - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
@@ -1075,7 +1075,7 @@ struct Model19 {
         - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
@@ -1140,7 +1140,7 @@ struct Model19 {
         - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar t03 = phi_B_across_slide_C * omega_B;
@@ -1231,7 +1231,7 @@ struct Model19 {
         - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
     const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C

@@ -903,8 +903,8 @@ struct Model20 {
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
-                                                       //     = 0
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -958,8 +958,8 @@ struct Model20 {
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
-                                                       //     = 0
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -1075,8 +1075,8 @@ struct Model20 {
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
-                                                       //     = 0
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1138,8 +1138,8 @@ struct Model20 {
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
-                                                       //     = 0
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar t01 = v_x_B - v_x_E;
@@ -1230,8 +1230,8 @@ struct Model20 {
         - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_G_BCG) = 0, or sin(psi_D_CD)
-                                                       //     = 0
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
     const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
@@ -1373,8 +1373,8 @@ struct Model20 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;  // zero: the slides of s_C and s_D are
-                                                             //     parallel
+    // A zero divisor means the slides of s_C and s_D are parallel.
+    const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar t02 = EB_y * u.phi_B.sin + q.s_B + EB_x * u.phi_B.cos;
     const Scalar t03 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;

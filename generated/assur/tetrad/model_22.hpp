@@ -974,8 +974,8 @@ struct Model22 {
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t01 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
@@ -1045,8 +1045,8 @@ struct Model22 {
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
@@ -1187,8 +1187,8 @@ struct Model22 {
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1264,8 +1264,8 @@ struct Model22 {
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t03 = v_x_B - v_x_E;
@@ -1378,8 +1378,8 @@ struct Model22 {
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_E) = 0, or
-                                                       //     sin(psi_C_BCG - psi_G_BCG) = 0
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
     const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;

@@ -79,7 +79,6 @@ struct Model01 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, theta_BC free to first order",
@@ -618,7 +617,8 @@ struct Model01 {
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -685,7 +685,8 @@ struct Model01 {
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -808,7 +809,8 @@ struct Model01 {
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -880,7 +882,8 @@ struct Model01 {
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -980,7 +983,8 @@ struct Model01 {
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -1206,10 +1210,10 @@ struct Model01 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_DE = Scalar(1) / d.DE;  // zero: the link that turns by theta_DE has
-                                                       //     no length
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_DE has no length.
+    const Scalar inverse_theta_DE = Scalar(1) / d.DE;
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = d.BC * q.theta_BC.cos + FB_x;
     const Scalar t02 = d.BC * q.theta_BC.sin + FB_y;
     q.theta_DE.cos = inverse_theta_DE * (d.CE * q.theta_CEG.cos + t01 - FD_x);

@@ -79,7 +79,6 @@ struct Model02 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_C free to first order",
@@ -678,7 +677,8 @@ struct Model02 {
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t04;
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
@@ -736,7 +736,8 @@ struct Model02 {
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t04;
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
@@ -855,7 +856,8 @@ struct Model02 {
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t04;
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
@@ -918,7 +920,8 @@ struct Model02 {
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t04;
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
@@ -1011,7 +1014,8 @@ struct Model02 {
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t04 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t04;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t04;
     const Scalar t05 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t05;
@@ -1230,10 +1234,10 @@ struct Model02 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_DE = Scalar(1) / d.DE;  // zero: the link that turns by theta_DE has
-                                                       //     no length
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_DE has no length.
+    const Scalar inverse_theta_DE = Scalar(1) / d.DE;
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = t01 - d.y_G_CEG;

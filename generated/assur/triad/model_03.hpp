@@ -79,7 +79,6 @@ struct Model03 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
@@ -693,7 +692,8 @@ struct Model03 {
         - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -757,7 +757,8 @@ struct Model03 {
         - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -884,7 +885,8 @@ struct Model03 {
         - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -959,7 +961,8 @@ struct Model03 {
         - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -1065,7 +1068,8 @@ struct Model03 {
         - CEG_across_FG * cos_phi_B_minus_DE;
     const Scalar t01 = d.DE * d.FG;
     const Scalar pivot_product = determinant * t01;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0, or DE = 0
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = inverse * t01;
     const Scalar t02 = determinant * inverse;
     const Scalar inverse_FG = d.DE * t02;
@@ -1306,10 +1310,10 @@ struct Model03 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_DE = Scalar(1) / d.DE;  // zero: the link that turns by theta_DE has
-                                                       //     no length
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_DE has no length.
+    const Scalar inverse_theta_DE = Scalar(1) / d.DE;
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
     q.theta_DE.cos = inverse_theta_DE * (d.CE * q.theta_CEG.cos + t01 - FD_x);

@@ -79,7 +79,6 @@ struct Model05 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_C free to first order",
@@ -709,7 +708,8 @@ struct Model05 {
     const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
@@ -762,7 +762,8 @@ struct Model05 {
     const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
@@ -876,7 +877,8 @@ struct Model05 {
     const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t02 = v_x_B - v_x_D;
@@ -934,7 +936,8 @@ struct Model05 {
     const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t02 = v_x_B - v_x_D;
@@ -1021,7 +1024,8 @@ struct Model05 {
     const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
@@ -1220,8 +1224,8 @@ struct Model05 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = d.h_C_CEG - d.h_C_BC;

@@ -79,7 +79,6 @@ struct Model06 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
@@ -699,7 +698,8 @@ struct Model06 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
@@ -758,7 +758,8 @@ struct Model06 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
@@ -881,7 +882,8 @@ struct Model06 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -951,7 +953,8 @@ struct Model06 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -1053,7 +1056,8 @@ struct Model06 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
@@ -1278,8 +1282,8 @@ struct Model06 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
     q.s_E = (FD_x - t01) * q.theta_CEG.cos + (FD_y - t02) * q.theta_CEG.sin;

@@ -833,9 +833,9 @@ struct Model07 {
         + q.theta_FG.sin * sin_DE;
     const Scalar t01 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
-                                                       //     theta_FG) = 0, or sin(psi_C_BC) = 0,
-                                                       //     or FG = 0
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t02;
@@ -905,9 +905,9 @@ struct Model07 {
         + q.theta_FG.sin * sin_DE;
     const Scalar t04 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
-                                                       //     theta_FG) = 0, or sin(psi_C_BC) = 0,
-                                                       //     or FG = 0
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
     const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t05;
@@ -1049,9 +1049,9 @@ struct Model07 {
         + q.theta_FG.sin * sin_DE;
     const Scalar t01 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
-                                                       //     theta_FG) = 0, or sin(psi_C_BC) = 0,
-                                                       //     or FG = 0
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t02;
@@ -1130,9 +1130,9 @@ struct Model07 {
         + q.theta_FG.sin * sin_DE;
     const Scalar t01 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
-                                                       //     theta_FG) = 0, or sin(psi_C_BC) = 0,
-                                                       //     or FG = 0
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t02;
@@ -1242,9 +1242,9 @@ struct Model07 {
         + q.theta_FG.sin * sin_DE;
     const Scalar t04 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_B + psi_C_BC + psi_E_CEG -
-                                                       //     theta_FG) = 0, or sin(psi_C_BC) = 0,
-                                                       //     or FG = 0
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
     const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t05;
@@ -1467,8 +1467,8 @@ struct Model07 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x - FD_x;
     const Scalar t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;

@@ -79,7 +79,6 @@ struct Model08 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = 1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
@@ -764,7 +763,8 @@ struct Model08 {
     const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
@@ -827,7 +827,8 @@ struct Model08 {
     const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
@@ -959,7 +960,8 @@ struct Model08 {
     const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -1035,7 +1037,8 @@ struct Model08 {
     const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -1144,7 +1147,8 @@ struct Model08 {
     const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * cos_phi_B_minus_FG;
     const Scalar pivot_product = d.FG * determinant;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: a dead centre, or FG = 0
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_determinant = d.FG * inverse;
     const Scalar inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
@@ -1372,8 +1376,8 @@ struct Model08 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
     q.s_D = (d.CE * q.theta_CEG.cos + t01 - FD_x) * u.phi_D.cos + (d.CE * q.theta_CEG.sin + t02

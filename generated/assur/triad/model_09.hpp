@@ -854,8 +854,8 @@ struct Model09 {
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
     const Scalar t01 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t01 * cos_phi_D_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
-                                                       //     sin(psi_C_BC) = 0, or FG = 0
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t02;
@@ -925,8 +925,8 @@ struct Model09 {
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
     const Scalar t05 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
-                                                       //     sin(psi_C_BC) = 0, or FG = 0
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
     const Scalar t06 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t06;
@@ -1071,8 +1071,8 @@ struct Model09 {
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
     const Scalar t03 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
-                                                       //     sin(psi_C_BC) = 0, or FG = 0
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
     const Scalar t04 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t04;
@@ -1153,8 +1153,8 @@ struct Model09 {
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
     const Scalar t03 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
-                                                       //     sin(psi_C_BC) = 0, or FG = 0
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
     const Scalar t04 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t04;
@@ -1270,8 +1270,8 @@ struct Model09 {
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
     const Scalar t05 = d.FG * d.psi_C_BC.sin;
     const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: cos(phi_D - theta_FG) = 0, or
-                                                       //     sin(psi_C_BC) = 0, or FG = 0
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
     const Scalar t06 = inverse * cos_phi_D_minus_FG;
     const Scalar inverse_sin_psi_C_BC = d.FG * t06;
@@ -1509,8 +1509,8 @@ struct Model09 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar inverse_theta_FG = Scalar(1) / d.FG;  // zero: the link that turns by theta_FG has
-                                                       //     no length
+    // A zero divisor means the link that turns by theta_FG has no length.
+    const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
     const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
     const Scalar t03 = q.s_C - d.x_G_CEG;

@@ -698,7 +698,7 @@ struct Model11 {
         - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
@@ -746,7 +746,7 @@ struct Model11 {
     const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
@@ -850,7 +850,7 @@ struct Model11 {
         - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
@@ -903,7 +903,7 @@ struct Model11 {
         - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
@@ -984,7 +984,7 @@ struct Model11 {
     const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
     const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
     const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E

@@ -79,7 +79,6 @@ struct Model12 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = -1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
@@ -725,7 +724,7 @@ struct Model12 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
@@ -781,7 +780,7 @@ struct Model12 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
@@ -903,7 +902,7 @@ struct Model12 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
@@ -970,7 +969,7 @@ struct Model12 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = phi_B_across_slide_E * omega_B;
@@ -1070,7 +1069,7 @@ struct Model12 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
     const Scalar s_B_per_across_slide_E = q.s_G * inverse;
     const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *

@@ -816,8 +816,8 @@ struct Model13 {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(psi_E_CEG
-                                                       //     - psi_G_CEG) = 0
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
     const Scalar t01 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
@@ -882,8 +882,8 @@ struct Model13 {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(psi_E_CEG
-                                                       //     - psi_G_CEG) = 0
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
     const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
@@ -1023,8 +1023,8 @@ struct Model13 {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(psi_E_CEG
-                                                       //     - psi_G_CEG) = 0
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -1099,8 +1099,8 @@ struct Model13 {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(psi_E_CEG
-                                                       //     - psi_G_CEG) = 0
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
     const Scalar t01 = v_x_B - v_x_D;
@@ -1204,8 +1204,8 @@ struct Model13 {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(psi_C_BC) = 0, or sin(psi_E_CEG
-                                                       //     - psi_G_CEG) = 0
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
     const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;

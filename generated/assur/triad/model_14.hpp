@@ -79,7 +79,6 @@ struct Model14 {
   /// Sign of det J relative to the product of the pivots.
   static constexpr int determinant_sign = 1;
 
-
   /// For each pivot of the structured elimination: where it vanishes, and what is free there.
   static constexpr std::array<const char*, pivot_count> pivots = { {
       "a dead centre: theta_CEG, s_B free to first order",
@@ -771,7 +770,7 @@ struct Model14 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D
@@ -832,7 +831,7 @@ struct Model14 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D
@@ -964,7 +963,7 @@ struct Model14 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
@@ -1038,7 +1037,7 @@ struct Model14 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_D_DE * omega_D;
@@ -1146,7 +1145,7 @@ struct Model14 {
     const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
     const Scalar determinant = -q.s_G * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_CEG;
     const Scalar s_B_per_across_slide_D = q.s_G * inverse;
     const Scalar s_G_per_across_slide_D = -cos_phi_B_minus_CEG * s_B_per_across_slide_D

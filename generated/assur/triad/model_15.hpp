@@ -899,8 +899,8 @@ struct Model15 {
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
         sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_D + psi_C_BC +
-                                                       //     psi_G_CEG) = 0, or sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
@@ -970,8 +970,8 @@ struct Model15 {
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
         sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_D + psi_C_BC +
-                                                       //     psi_G_CEG) = 0, or sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
@@ -1120,8 +1120,8 @@ struct Model15 {
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
         sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_D + psi_C_BC +
-                                                       //     psi_G_CEG) = 0, or sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
@@ -1202,8 +1202,8 @@ struct Model15 {
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
         sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_D + psi_C_BC +
-                                                       //     psi_G_CEG) = 0, or sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
@@ -1318,8 +1318,8 @@ struct Model15 {
         - u.phi_D.sin * cos_FG;
     const Scalar pivot_product = -d.psi_C_BC.sin *
         sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_B - phi_D + psi_C_BC +
-                                                       //     psi_G_CEG) = 0, or sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *

@@ -844,7 +844,7 @@ struct Model17 {
         - d.y_G_CEG * cos_CEG_minus_phi_F;
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D
@@ -908,7 +908,7 @@ struct Model17 {
         - d.y_G_CEG * cos_CEG_minus_phi_F;
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D
@@ -1048,7 +1048,7 @@ struct Model17 {
         - d.y_G_CEG * cos_CEG_minus_phi_F;
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
@@ -1127,7 +1127,7 @@ struct Model17 {
         - d.y_G_CEG * cos_CEG_minus_phi_F;
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar t03 = d.h_D_DE * omega_D;
@@ -1241,7 +1241,7 @@ struct Model17 {
         - d.y_G_CEG * cos_CEG_minus_phi_F;
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
-    const Scalar inverse = Scalar(1) / determinant;  // zero: a dead centre
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
     const Scalar CEG_per_across_slide_D = -inverse * sin_phi_B_minus_phi_F;
     const Scalar s_B_per_across_slide_D = -CEG_along_slide_F * inverse;
     const Scalar s_F_per_across_slide_D = cos_phi_B_minus_phi_F * s_B_per_across_slide_D

@@ -914,8 +914,8 @@ struct Model18 {
         - cos_CEG * u.phi_F.sin;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_D - phi_F) = 0, or
-                                                       //     sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
     const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
     const Scalar t01 = inverse_sin_phi_D_minus_phi_F * inverse_sin_psi_C_BC;
@@ -982,8 +982,8 @@ struct Model18 {
         + t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_D - phi_F) = 0, or
-                                                       //     sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
     const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
     const Scalar t05 = inverse_sin_phi_D_minus_phi_F * inverse_sin_psi_C_BC;
@@ -1132,8 +1132,8 @@ struct Model18 {
         + t01 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_D - phi_F) = 0, or
-                                                       //     sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
     const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
     const Scalar t03 = v_x_B - v_x_D;
@@ -1213,8 +1213,8 @@ struct Model18 {
         + t01 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_D - phi_F) = 0, or
-                                                       //     sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
     const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
     const Scalar t03 = v_x_B - v_x_D;
@@ -1332,8 +1332,8 @@ struct Model18 {
         + t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * sin_phi_B_minus_phi_F;
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
     const Scalar pivot_product = d.psi_C_BC.sin * sin_phi_D_minus_phi_F;
-    const Scalar inverse = Scalar(1) / pivot_product;  // zero: sin(phi_D - phi_F) = 0, or
-                                                       //     sin(psi_C_BC) = 0
+    // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
     const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
     const Scalar t05 = inverse_sin_phi_D_minus_phi_F * inverse_sin_psi_C_BC;

@@ -17,6 +17,7 @@ namespace {
 using Operation = program::ExpressionGraph::Operation;
 
 constexpr std::size_t line_width = 100;
+constexpr std::size_t body_indentation = 4;
 constexpr int small = 1000000;  ///< whole numbers below this are printed as such
 
 /// A number that is a product of named constants.
@@ -296,10 +297,19 @@ std::vector<std::string> cpp_lines(const program::Program& program, const Spelli
   std::vector<std::string> lines = text.quotients();
   for (const program::Program::Step& step : program.steps()) {
     const bool root = step.form == equations::NamedQuantity::Form::square_root;
-    const std::string comment =
-        step.degeneracy.empty() ? ""
-                                : (root ? "  // not positive: " : "  // zero: ") + step.degeneracy;
-    lines.push_back("const Scalar " + step.name + " = " + text.computed(step) + ";" + comment);
+    std::string statement = "const Scalar " + step.name + " = " + text.computed(step) + ";";
+    if (!step.degeneracy.empty()) {
+      const std::string comment =
+          "// " +
+          std::string(root ? "Where the radicand is not positive, " : "A zero divisor means ") +
+          step.degeneracy + ".";
+      if (statement.size() + comment.size() + 2 > line_width - body_indentation) {
+        lines.push_back(comment);
+      } else {
+        statement += "  " + comment;
+      }
+    }
+    lines.push_back(statement);
   }
   for (const program::Program::Assignment& assignment : program.assignments()) {
     lines.push_back(assignment.target + " = " + text.scaled(assignment.value) + ";");
