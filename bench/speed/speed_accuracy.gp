@@ -51,7 +51,7 @@ do for [figure = 1:2] {
   entry = 0
   do for [n = 1:7] {
     if (occurs[n]) {
-      set label n families[n] at screen (24 + 122 * entry) / 900.0, 1 - 46 / height \
+      set label n families[n] at screen (24 + 126 * entry) / 900.0, 1 - 46 / height \
         point pt 7 ps 0.9 lc rgb colours[n] offset 0.8,-0.25 textcolor rgb colours[n]
       entry = entry + 1
     }

@@ -1,5 +1,6 @@
 // Turns the crank angles of a four-bar into its coupler point, on a microcontroller: every
 // configuration once, then the one of a branch around the whole turn.
+#include <array>
 #include <assur/scenes/four_bar_coupler_curve.hpp>
 #include <cmath>
 
@@ -19,9 +20,8 @@ class Console {
     return *this;
   }
   Console& operator<<(double number) {
-    char text[24];
-    char* at = text + sizeof(text) - 1;
-    *at = '\0';
+    std::array<char, 24> text{};  // its last letter stays zero
+    char* at = &text.back();
     auto left = static_cast<long>(std::lround(std::abs(number) * 1000));
     for (int digit = 0; digit < 4 || left > 0; ++digit, left /= 10) {
       if (digit == 3) {

@@ -1,4 +1,5 @@
 // Turns a Cortex-M with a floating-point unit that has just been reset into one that runs main.
+#include <array>
 #include <cstdint>
 
 #include "semihosting.hpp"
@@ -9,7 +10,8 @@ int main();
 
 [[noreturn]] void reset() {
   // Full access to the floating-point unit.
-  *reinterpret_cast<volatile std::uint32_t*>(0xE000ED88) |= 0xFU << 20U;
+  auto* const access = reinterpret_cast<volatile std::uint32_t*>(0xE000ED88);
+  *access = *access | 0xFU << 20U;
   asm volatile("dsb\nisb");
   const std::uint32_t* from = &data_in_flash;
   for (std::uint32_t* to = &data_begin; to < &data_end; ++to) {
@@ -29,7 +31,7 @@ namespace {
 /// Where the stack begins, and what runs at a reset and at each exception.
 struct Vectors {
   std::uint32_t* stack;
-  void (*handlers[15])();
+  std::array<void (*)(), 15> handlers;
 };
 
 [[gnu::section(".vectors"), gnu::used]] const Vectors vectors = {

@@ -79,8 +79,8 @@ void Auditor::read_own(const closures::Statement& statement) {
     for (const auto& [name, function] : readers) {
       known.push_back(name);
     }
-    reader_.fail(keyword.place,
-                 "no statement '" + keyword.text + "'" + text::suggestion(keyword.text, known));
+    reader_.fail(keyword.place, "no statement '" + keyword.text + "'" +
+                                    text::suggestion_or_choice(keyword.text, known));
   }
 }
 

@@ -79,9 +79,7 @@ class Map {
 
   [[nodiscard]] std::string head() const {
     return words(map_left, 22, "start", summary_.description().text_of("name")) +
-           words(map_left, 42, "start",
-                 "number of configurations; lines where it changes, orange where one is nearly "
-                 "singular");
+           words(map_left, 42, "start", "number of configurations; lines where it changes");
   }
 
   /// One rectangle for neighbouring cells of one colour in a column.
@@ -173,9 +171,14 @@ class Map {
 
 void expect_drawable(const Description& description, const std::string& where) {
   const std::size_t axes = description.texts_of("axis").size();
-  if (axes > 2 || description.items > most_drawn) {
-    throw text::InputError(where + ": a picture has one or two axes, and " +
-                           std::to_string(most_drawn) + " cells at most; write .csv or .h5");
+  if (axes > 2) {
+    throw text::InputError(where + ": a picture has one or two axes, not " + std::to_string(axes) +
+                           "; write a table only, .csv or .h5");
+  }
+  if (description.items > most_drawn) {
+    throw text::InputError(where + ": a picture has at most " + std::to_string(most_drawn) +
+                           " cells, not " + std::to_string(description.items) +
+                           "; take fewer, or write a table only, .csv or .h5");
   }
 }
 

@@ -40,6 +40,10 @@ class Panel {
     const double worst = std::isfinite(predicted_.worst_case) ? predicted_.worst_case : 0;
     from_ = std::min(bars_.front().from - predicted_.nominal, -worst);
     to_ = std::max(bars_.back().to - predicted_.nominal, worst);
+    constexpr double rounding = 1e-12;
+    const double size =
+        std::abs(output.predicted[0].nominal) + std::abs(output.predicted[1].nominal);
+    is_constant_ = to_ - from_ <= rounding * size;
     for (const auto& bar : bars_) {
       highest_ = std::max(highest_, density(bar));
     }
@@ -49,6 +53,12 @@ class Panel {
   }
 
   [[nodiscard]] std::string svg(const std::string& coordinate) const {
+    const double middle = left_ + width_ / 2;
+    if (is_constant_) {
+      return words(
+          middle, top_ + height_ / 2, "middle",
+          coordinate + " is " + text::short_number(predicted_.nominal, 4) + " in all samples");
+    }
     std::string body;
     for (const auto& bar : bars_) {
       const double x = x_of(bar.from - predicted_.nominal);
@@ -64,14 +74,14 @@ class Panel {
       body += mark(worst, worst_colour, " stroke-width=\"1.5\"") +
               name(worst, upper_row, "worst case", worst_colour);
       const double rss = sign * predicted_.rss / std::numbers::sqrt3;
-      body += mark(rss, rss_colour, " stroke-dasharray=\"5 3\"") +
-              name(rss, lower_row, "rss/√3", rss_colour);
+      body += mark(rss, rss_colour, " stroke-dasharray=\"5 3\"");
     }
+    body += name(predicted_.rss / std::numbers::sqrt3, lower_row, "rss/√3", rss_colour);
     const double below = top_ + height_ + 15;
     body += words(left_, below, "middle", text::short_number(from_, 4));
     body += words(left_ + width_, below, "middle", text::short_number(to_, 4));
     return body +
-           words(left_ + width_ / 2, below + 3, "middle",
+           words(middle, below + 3, "middle",
                  coordinate + ", deviation from " + text::short_number(predicted_.nominal, 4));
   }
 
@@ -117,11 +127,16 @@ class Panel {
       const double height = normal_density((away - mean) / deviation_);
       points += at(x_of(away)) + "," + at(y_of(height)) + " ";
     }
-    const double beside = 1.3;
+    // The name stands at the right of the curve, or above it where that would leave the panel.
+    constexpr double beside = 1.3;
+    constexpr double distance = 12;
+    constexpr double name_width = 66;
+    const double right = x_of(mean + beside * deviation_) + distance;
+    const double start = std::min(right, left_ + width_ - distance / 2 - name_width);
+    const double away = from_ + (to_ - from_) * (start - left_) / width_;
+    const double above_curve = y_of(normal_density((away - mean) / deviation_)) - distance / 2;
     return "<polyline fill=\"none\" stroke=\"" + std::string(normal_colour) + "\" points=\"" +
-           points + "\"/>\n" +
-           words(x_of(mean + beside * deviation_) + 12, y_of(normal_density(beside)), "start",
-                 "normal law", normal_colour);
+           points + "\"/>\n" + words(start, above_curve, "start", "normal law", normal_colour);
   }
 
   const FirstOrder& predicted_;
@@ -131,6 +146,7 @@ class Panel {
   double left_, top_, width_, height_;
   double from_ = 0, to_ = 0, highest_ = 0, deviation_ = 0;
   bool has_curve_ = false;
+  bool is_constant_ = false;  ///< apart from rounding
 };
 
 }  // namespace

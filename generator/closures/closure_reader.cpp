@@ -58,8 +58,13 @@ void ClosureReader::expect_new(const PlacedText& name) const {
   if (name.empty()) {
     fail(name.place, "a name is missing");
   }
-  if (!text::is_identifier(name.text) || text::is_reserved_name(name.text)) {
-    fail(name.place, "'" + name.text + "' cannot be a name");
+  if (!text::is_identifier(name.text)) {
+    fail(name.place, "'" + name.text +
+                         "' cannot be a name; use letters, digits and underscores, but no digit "
+                         "first");
+  }
+  if (text::is_reserved_name(name.text)) {
+    fail(name.place, "'" + name.text + "' cannot be a name: formulas give it a meaning");
   }
   if (system_.is_known(name.text) || reserved_.contains(name.text)) {
     fail(name.place, "'" + name.text + "' is declared already");

@@ -18,7 +18,7 @@ namespace {
 constexpr int max_power = 64;
 
 /// What it means that the radicand of a function vanishes or is negative.
-const std::string no_derivatives = " has no derivatives";
+const std::string no_derivatives = " has no value or no derivatives";
 
 bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
 

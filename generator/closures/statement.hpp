@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,12 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// Something in an audit file that cannot be read: `FILE:LINE:COLUMN: what`.
+/// Something in an audit file that cannot be read: `FILE:LINE:COLUMN: what`, on one line.
 class AuditSyntaxError : public text::InputError {
  public:
   AuditSyntaxError(const std::string& file, Place at, const std::string& what)
       : text::InputError(file + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) +
-                         ": " + what) {}
+                         ": " + text::on_one_line(what)) {}
 };
 
 /// A piece of text and where it begins.

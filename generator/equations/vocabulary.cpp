@@ -68,7 +68,7 @@ GiNaC::ex Vocabulary::name_root(const std::string& name, const GiNaC::ex& radica
   }
   const GiNaC::symbol symbol(name);
   quantities_.push_back({symbol, radicand, expanded, degeneracy, Form::square_root});
-  name_reciprocal("inverse_" + name, symbol, degeneracy);
+  name_reciprocal("inverse_" + name, symbol, "");
   return symbol;
 }
 

@@ -39,7 +39,7 @@ class Vocabulary {
   void define(const GiNaC::symbol& symbol, const GiNaC::ex& definition, const std::string& meaning);
 
   /// Names one over a denominator; `degeneracy` says what its vanishing means, and is empty if it
-  /// cannot vanish. The reciprocal of a number is returned as a number.
+  /// cannot vanish or its root says so. The reciprocal of a number is returned as a number.
   GiNaC::ex name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                             const std::string& degeneracy);
 

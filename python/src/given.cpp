@@ -1,6 +1,7 @@
 #include "given.hpp"
 
 #include <algorithm>
+#include <assur/text/counts.hpp>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -172,7 +173,8 @@ Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given) {
       continue;
     }
     if (!first.empty() && array.size() != columns.count) {
-      throw ShapeError(name + ": expected " + std::to_string(columns.count) + " values, as " +
+      throw ShapeError(name + ": expected " +
+                       text::with_noun(static_cast<std::size_t>(columns.count), "value") + ", as " +
                        first + " has, not " + std::to_string(array.size()));
     }
     first = name;

@@ -77,17 +77,27 @@ struct Mark {
   [[nodiscard]] double time() const { return std::log10(row->ns); }
 };
 
-/// Whether the lines from two markers to their labels, which stand at the time `right`, cross.
-bool cross(const Mark& one, const Mark& other, double right) {
+/// Whether two labels, which stand at the time `right`, are to change places: since the lines to
+/// them from their markers cross, or since one line passes through the other marker and need not.
+bool better_exchanged(const Mark& one, const Mark& other, double right) {
+  constexpr double radius =
+      0.025;  // of a marker, with the distance that keeps a line apart from it
   const Mark& first = one.time() < other.time() ? one : other;
   const Mark& later = one.time() < other.time() ? other : one;
   const double way = (later.time() - first.time()) / (right - first.time());
-  const double above = first.place + (first.height - first.place) * way - later.place;
-  return above * (first.height - later.height) < 0;
+  const auto above = [&](double height) {
+    return first.place + (height - first.place) * way - later.place;
+  };
+  const double now = above(first.height);
+  const double exchanged = above(later.height);
+  const double higher = first.height - later.height;
+  const bool would_cross = exchanged * higher > 0;
+  return now * higher < 0 ||
+         (std::abs(now) < radius && std::abs(exchanged) > std::abs(now) && !would_cross);
 }
 
 /// Moves labels apart to at least `gap`, within 0 to 1: each is pushed up from below and then down
-/// from above, no further than needed; then neighbours whose lines cross change places.
+/// from above, no further than needed; then neighbours change places where that is better.
 void spread(std::vector<Mark*> marks, double gap) {
   std::sort(marks.begin(), marks.end(),
             [](const Mark* a, const Mark* b) { return a->height < b->height; });
@@ -107,7 +117,7 @@ void spread(std::vector<Mark*> marks, double gap) {
     for (std::size_t place = 1; place < marks.size(); ++place) {
       Mark*& below = marks[place - 1];
       Mark*& above = marks[place];
-      if (cross(*below, *above, right)) {
+      if (better_exchanged(*below, *above, right)) {
         std::swap(below->height, above->height);
         std::swap(below, above);
       }

@@ -633,7 +633,7 @@ struct Model01 {
       Configuration<Scalar>& q) {
     const Scalar DB_x = u.x_B - u.x_D;
     const Scalar DB_y = u.y_B - u.y_D;
-    // A zero divisor means the link that turns by theta_BC has no length.
+    // A zero divisor means that the link that turns by theta_BC has no length.
     const Scalar inverse_theta_BC = Scalar(1) / -d.BC;
     q.theta_BC.cos = (d.CD * q.theta_CD.cos + DB_x) * inverse_theta_BC;
     q.theta_BC.sin = inverse_theta_BC * (d.CD * q.theta_CD.sin + DB_y);

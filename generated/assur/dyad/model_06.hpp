@@ -18,8 +18,8 @@ namespace assur::dyad {
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BC: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
-///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BC
+///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BC
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.

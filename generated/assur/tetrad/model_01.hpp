@@ -1318,8 +1318,8 @@ struct Model01 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
-  ///     e(i, 2) = 0
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin
+  ///     z + e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1346,9 +1346,9 @@ struct Model01 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the link that turns by theta_CD has no length.
+    // A zero divisor means that the link that turns by theta_CD has no length.
     const Scalar inverse_theta_CD = Scalar(1) / d.CD;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.theta_CD.cos = -(d.BC * q.theta_BCG.cos + EB_x - d.ED * q.theta_EDF.cos) * inverse_theta_CD;
     q.theta_CD.sin = -inverse_theta_CD * (d.BC * q.theta_BCG.sin + EB_y - d.ED * q.theta_EDF.sin);

@@ -1331,8 +1331,8 @@ struct Model02 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
-  ///     e(i, 2) = 0
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin
+  ///     z + e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1358,7 +1358,7 @@ struct Model02 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.s_C = (d.ED * q.theta_EDF.cos - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin
         - EB_y) * q.theta_BCG.sin;

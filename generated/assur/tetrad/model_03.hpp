@@ -1283,8 +1283,8 @@ struct Model03 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
-  ///     e(i, 2) = 0
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin
+  ///     z + e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -1303,9 +1303,9 @@ struct Model04 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the slides of s_C and s_D are parallel.
+    // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = d.h_C_BCG + EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
     const Scalar t02 = d.x_G_BCG + d.y_F_EDF * d.psi_D_CD.sin - d.x_F_EDF * d.psi_D_CD.cos;

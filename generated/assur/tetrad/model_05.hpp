@@ -1383,8 +1383,8 @@ struct Model05 {
     T.sine[2] = -Scalar(2) * (U_m2_re * U_0_im - U_m2_im * U_0_re);
   }
 
-  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin z +
-  ///     e(i, 2) = 0
+  /// The reduced equations, one per row, where theta_BCG is known: e(i, 0) cos z + e(i, 1) sin
+  ///     z + e(i, 2) = 0
   /// with z = theta_EDF.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

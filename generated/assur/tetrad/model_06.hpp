@@ -1181,7 +1181,7 @@ struct Model06 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the slides of s_C and s_D are parallel.
+    // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
     const Scalar t02 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;

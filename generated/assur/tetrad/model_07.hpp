@@ -21,8 +21,8 @@ namespace assur::tetrad {
 ///   BCG: origin at B, x-axis along the slide at C, angle theta_BCG
 ///   EDF: origin at E, x-axis along the slide at D, angle psi_D_CD + theta_BCG
 ///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle theta_BCG
-///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle psi_G_BCG +
-///     theta_BCG
+///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle
+///     psi_G_BCG + theta_BCG
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.

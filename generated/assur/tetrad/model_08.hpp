@@ -1510,9 +1510,9 @@ struct Model08 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the link that turns by theta_CD has no length.
+    // A zero divisor means that the link that turns by theta_CD has no length.
     const Scalar inverse_theta_CD = Scalar(1) / d.CD;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;

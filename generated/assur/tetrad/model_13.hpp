@@ -1395,7 +1395,7 @@ struct Model13 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.s_C = (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) - q.s_B
         - EB_x * u.phi_B.cos - EB_y * u.phi_B.sin) * d.psi_C_BCG.cos

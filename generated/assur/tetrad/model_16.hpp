@@ -951,8 +951,8 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t01 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
-    //     = 0.
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t02 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t02;
@@ -1023,8 +1023,8 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
-    //     = 0.
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
@@ -1165,8 +1165,8 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
-    //     = 0.
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
@@ -1244,8 +1244,8 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
-    //     = 0.
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
@@ -1359,8 +1359,8 @@ struct Model16 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or GF
-    //     = 0.
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
@@ -1586,7 +1586,7 @@ struct Model16 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the link that turns by theta_GF has no length.
+    // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
     const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;

@@ -983,8 +983,8 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
-    //     0.
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
@@ -1060,8 +1060,8 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
-    //     0.
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
@@ -1211,8 +1211,8 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
-    //     0.
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
@@ -1295,8 +1295,8 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
-    //     0.
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
@@ -1415,8 +1415,8 @@ struct Model17 {
         - cos_CD * sin_GF;
     const Scalar pivot_product = -sin_phi_B_minus_phi_E *
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) =
-    //     0.
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E =
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;

@@ -21,8 +21,8 @@ namespace assur::tetrad {
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   EDF: origin at E, x-axis along the slide at D, angle phi_B + psi_C_BCG + psi_D_CD
-///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BCG
+///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BCG
 ///   GF: origin at F, x-axis along the slide at G, angle phi_B + psi_G_BCG
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).
@@ -1373,7 +1373,7 @@ struct Model20 {
       Configuration<Scalar>& q) {
     const Scalar EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
-    // A zero divisor means the slides of s_C and s_D are parallel.
+    // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
     const Scalar t02 = EB_y * u.phi_B.sin + q.s_B + EB_x * u.phi_B.cos;

@@ -15,16 +15,16 @@ namespace assur::tetrad {
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - E = 0
-///   angles that prismatic joints alone close:  psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF -
-///     psi_G_BCG = 0
+///   angles that prismatic joints alone close: 
+///     psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   EDF: origin at E, x-axis along the slide at D, angle phi_B + psi_C_BCG + psi_D_CD
-///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BCG
-///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle phi_B +
-///     psi_G_BCG
+///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BCG
+///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle
+///     phi_B + psi_G_BCG
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.

@@ -15,14 +15,14 @@ namespace assur::tetrad {
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - ED - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G + GF - EF - slide_E - E = 0
-///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF =
-///     0
+///   angles that prismatic joints alone close: 
+///     -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   EDF: origin at F, x-axis along the slide at E, angle phi_E
-///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BCG
+///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BCG
 ///   GF: origin at F, x-axis along the slide at G, angle phi_B + psi_G_BCG
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).

@@ -10,24 +10,24 @@ namespace assur::tetrad {
 
 /// Tetrad model 24 (PPP-PPP): degenerate, mobility 2 where it can be assembled (generic rank 4 of 4
 ///     equations in 6 unknowns: prismatic joints alone close loops, so its angles are
-///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0; -phi_B + phi_E +
-///     psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
+///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0;
+///     -phi_B + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - slide_E - E = 0
-///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF =
-///     0
-///   angles that prismatic joints alone close:  -phi_B + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG =
-///     0
+///   angles that prismatic joints alone close: 
+///     -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0
+///   angles that prismatic joints alone close: 
+///     -phi_B + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   EDF: origin where the slides at E and D cross, x-axis along the slide at E, angle phi_E
-///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BCG
-///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle phi_B +
-///     psi_G_BCG
+///   CD: origin where the slides at C and D cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BCG
+///   GF: origin where the slides at G and F cross, x-axis along the slide at G, angle
+///     phi_B + psi_G_BCG
 /// A slide's displacement is taken along the slide between the feet of the perpendiculars from the
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.

@@ -1176,8 +1176,8 @@ struct Model01 {
     T.sine[3] = -Scalar(2) * (U_m2_re * U_1_im - U_m2_im * U_1_re);
   }
 
-  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) cos z + e(i, 1) sin z +
-  ///     e(i, 2) = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) cos z + e(i, 1) sin
+  ///     z + e(i, 2) = 0
   /// with z = theta_BC.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1210,9 +1210,9 @@ struct Model01 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    // A zero divisor means the link that turns by theta_DE has no length.
+    // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
-    // A zero divisor means the link that turns by theta_FG has no length.
+    // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = d.BC * q.theta_BC.cos + FB_x;
     const Scalar t02 = d.BC * q.theta_BC.sin + FB_y;

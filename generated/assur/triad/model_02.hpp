@@ -1234,9 +1234,9 @@ struct Model02 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    // A zero divisor means the link that turns by theta_DE has no length.
+    // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
-    // A zero divisor means the link that turns by theta_FG has no length.
+    // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar t02 = q.s_C - d.x_G_CEG;

@@ -785,8 +785,8 @@ struct Model04 {
     const Scalar t01 = d.DE * d.psi_C_BC.sin;
     const Scalar t02 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t01 * t02;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or DE =
-    //     0.
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t03 = inverse * t02;
     const Scalar inverse_sin_psi_C_BC = d.DE * t03;
@@ -861,8 +861,8 @@ struct Model04 {
     const Scalar t05 = d.DE * d.psi_C_BC.sin;
     const Scalar t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or DE =
-    //     0.
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t06;
     const Scalar inverse_sin_psi_C_BC = d.DE * t07;
@@ -1007,8 +1007,8 @@ struct Model04 {
     const Scalar t03 = d.DE * d.psi_C_BC.sin;
     const Scalar t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or DE =
-    //     0.
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * t04;
     const Scalar inverse_sin_psi_C_BC = d.DE * t05;
@@ -1092,8 +1092,8 @@ struct Model04 {
     const Scalar t03 = d.DE * d.psi_C_BC.sin;
     const Scalar t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or DE =
-    //     0.
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t05 = inverse * t04;
     const Scalar inverse_sin_psi_C_BC = d.DE * t05;
@@ -1209,8 +1209,8 @@ struct Model04 {
     const Scalar t05 = d.DE * d.psi_C_BC.sin;
     const Scalar t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or DE =
-    //     0.
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar t07 = inverse * t06;
     const Scalar inverse_sin_psi_C_BC = d.DE * t07;
@@ -1445,9 +1445,9 @@ struct Model04 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    // A zero divisor means the link that turns by theta_DE has no length.
+    // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
-    // A zero divisor means the link that turns by theta_FG has no length.
+    // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
     const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;

@@ -1376,7 +1376,7 @@ struct Model08 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    // A zero divisor means the link that turns by theta_FG has no length.
+    // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;

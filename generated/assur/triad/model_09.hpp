@@ -1509,7 +1509,7 @@ struct Model09 {
     const Scalar FD_x = u.x_D - u.x_F;
     const Scalar FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
-    // A zero divisor means the link that turns by theta_FG has no length.
+    // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
     const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;

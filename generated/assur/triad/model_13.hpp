@@ -20,8 +20,8 @@ namespace assur::triad {
 ///   at most 1 configuration
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
-///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BC
+///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BC
 ///   BC: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   DE: origin at D, x-axis along the slide at E, angle phi_B + psi_C_BC + psi_E_CEG
 ///   FG: origin at F, x-axis along the slide at G, angle phi_B + psi_C_BC + psi_G_CEG

@@ -18,8 +18,8 @@ namespace assur::triad {
 ///   angles that prismatic joints alone close:  phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
-///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BC
+///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BC
 ///   BC: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   DE: origin where the slides at D and E cross, x-axis along the slide at D, angle phi_D
 ///   FG: origin at F, x-axis along the slide at G, angle phi_B + psi_C_BC + psi_G_CEG

@@ -10,8 +10,8 @@ namespace assur::triad {
 
 /// Triad model 20 (PP-PP-PP): degenerate, mobility 2 where it can be assembled (generic rank 4 of 4
 ///     equations in 6 unknowns: prismatic joints alone close loops, so its angles are
-///     over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0; phi_B - phi_F +
-///     psi_C_BC + psi_G_CEG - psi_G_FG = 0)).
+///     over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0;
+///     phi_B - phi_F + psi_C_BC + psi_G_CEG - psi_G_FG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCEDB:  D + slide_D - slide_E + slide_C - slide_B - B = 0
@@ -20,8 +20,8 @@ namespace assur::triad {
 ///   angles that prismatic joints alone close:  phi_B - phi_F + psi_C_BC + psi_G_CEG - psi_G_FG = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
-///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle phi_B +
-///     psi_C_BC
+///   CEG: origin where the slides at C and E cross, x-axis along the slide at C, angle
+///     phi_B + psi_C_BC
 ///   BC: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B
 ///   DE: origin where the slides at D and E cross, x-axis along the slide at D, angle phi_D
 ///   FG: origin where the slides at F and G cross, x-axis along the slide at F, angle phi_F

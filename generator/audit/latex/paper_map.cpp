@@ -137,7 +137,7 @@ void PaperMap::read_closures(const PlacedText& file) {
       throw closures::AuditSyntaxError(
           path, keyword.place,
           "no statement '" + keyword.text + "'" +
-              text::suggestion(keyword.text, closures::ClosureReader::keywords()));
+              text::suggestion_or_choice(keyword.text, closures::ClosureReader::keywords()));
     }
   }
 }

@@ -251,8 +251,8 @@ class CppText {
 };
 
 /// The last place within the line width where a line may be broken: in code at a space after a
-/// comma or before an operator; in comments, or if there is no such place, at any space after
-/// `start`.
+/// comma or before an operator; in comments at a space outside formulas; if there is no such place,
+/// at any space after `start`.
 std::size_t break_position(const std::string& line, std::size_t start, bool comment) {
   std::size_t any = std::string::npos;
   std::size_t good = std::string::npos;
@@ -263,13 +263,19 @@ std::size_t break_position(const std::string& line, std::size_t start, bool comm
       continue;
     }
     any = at;
-    const bool before_operator =
-        at + 2 < line.size() && line[at + 2] == ' ' && (line[at + 1] == '+' || line[at + 1] == '-');
-    if ((line[at - 1] == ',' && angles == 0) || before_operator) {
+    const auto is_operator = [&line](std::size_t place, std::string_view operators) {
+      return place + 1 < line.size() && line[place - 1] == ' ' && line[place + 1] == ' ' &&
+             operators.find(line[place]) != std::string_view::npos;
+    };
+    constexpr std::string_view in_formulas = "+-*/=";
+    const bool breaks_well =
+        comment ? !is_operator(at - 1, in_formulas) && !is_operator(at + 1, in_formulas)
+                : (line[at - 1] == ',' && angles == 0) || is_operator(at + 1, "+-");
+    if (breaks_well) {
       good = at;
     }
   }
-  return comment || good == std::string::npos ? any : good;
+  return good == std::string::npos ? any : good;
 }
 
 }  // namespace

@@ -253,7 +253,7 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
                          {}};
   for (const elimination::BackSubstitution& step : elimination.reduction.steps) {
     const GiNaC::ex inverse = elimination.vocabulary.name_reciprocal(
-        "inverse_" + step.unknown->name, step.denominator, step.degeneracy);
+        "inverse_" + step.unknown->name, step.denominator, "that " + step.degeneracy);
     const std::string target = "q." + step.unknown->name;
     if (step.unknown->is_angle()) {
       complete.results.push_back({target + ".cos", step.numerators[0] * inverse});

@@ -1,6 +1,7 @@
 #include "plan/evaluation_order.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "plan/driver_laws.hpp"
 #include "plan/plan_data.hpp"
@@ -34,6 +35,18 @@ class OrderFinder {
     return mechanism_.numbers()[index];
   }
 
+  /// `open` is a path of parameters, each read by the one before, and its last reads `needed`.
+  [[nodiscard]] MechanismError depends_on_itself(const std::vector<ParameterIndex>& open,
+                                                 ParameterIndex needed) const {
+    const auto& parameters = mechanism_.parameters();
+    const auto next = std::next(std::find(open.begin(), open.end(), needed));
+    return {number(parameters[needed].value).part,
+            "the parameter depends on itself" +
+                (next == open.end()
+                     ? "; its formula may not name it"
+                     : " through '" + parameters[*next].name + "'; give one of them a number")};
+  }
+
   /// Puts a parameter behind those that its formula names. The list of open parameters stands in
   /// for recursion, which a long chain of parameters would exhaust.
   void settle(ParameterIndex first) {
@@ -52,8 +65,7 @@ class OrderFinder {
       bool waits = false;
       for (const ParameterIndex needed : number(entry.value).formula.parameters()) {
         if (marks_[needed] == Mark::open) {
-          throw MechanismError(number(mechanism_.parameters()[needed].value).part,
-                               "the parameter depends on itself");
+          throw depends_on_itself(open, needed);
         }
         if (marks_[needed] == Mark::untouched) {
           open.push_back(needed);

@@ -34,8 +34,16 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NoStatement", "lenght a\n",
               "f.audit:1:1: no statement 'lenght' (did you mean 'length'?)"},
         Fault{"Twice", "length a\nangle a\n", "f.audit:2:7: 'a' is declared already"},
-        Fault{"NoName", "length 2a\n", "f.audit:1:8: '2a' cannot be a name"},
-        Fault{"Reserved", "length sin\n", "f.audit:1:8: 'sin' cannot be a name"},
+        Fault{
+            "NoName", "length 2a\n",
+            "f.audit:1:8: '2a' cannot be a name; use letters, digits and underscores, but no digit "
+            "first"},
+        Fault{
+            "ControlCharacter", "length r\x01\n",
+            "f.audit:1:8: 'r?' cannot be a name; use letters, digits and underscores, but no digit "
+            "first"},
+        Fault{"Reserved", "length sin\n",
+              "f.audit:1:8: 'sin' cannot be a name: formulas give it a meaning"},
         Fault{"UnknownOfNothing", "length ab\nunknown ac\n",
               "f.audit:2:9: no symbol named 'ac' (did you mean 'ab'?)"},
         Fault{"FormulaOfALet", "let a = 2 + b*3\n", "f.audit:1:13: no symbol named 'b'"},

@@ -171,7 +171,9 @@ TEST(Values, OfACycleAreRefusedByName) {
     const Plan plan(made, positions());
     FAIL() << "a cycle was planned";
   } catch (const mechanism::MechanismError& error) {
-    EXPECT_EQ(std::string(error.what()), "parameters.p0: the parameter depends on itself");
+    EXPECT_EQ(std::string(error.what()),
+              "parameters.p0: the parameter depends on itself through 'p" +
+                  std::to_string(links_of_chain - 1) + "'; give one of them a number");
   }
 }
 
@@ -186,7 +188,9 @@ TEST(Values, OfAShortCycleAreRefusedByName) {
     const Plan plan(made);
     FAIL() << "a cycle was planned";
   } catch (const mechanism::MechanismError& error) {
-    EXPECT_EQ(std::string(error.what()), "parameters.a: the parameter depends on itself");
+    EXPECT_EQ(
+        std::string(error.what()),
+        "parameters.a: the parameter depends on itself through 'b'; give one of them a number");
   }
 }
 
