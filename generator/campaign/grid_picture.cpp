@@ -178,7 +178,7 @@ void expect_drawable(const Description& description, const std::string& where) {
   if (description.items > most_drawn) {
     throw text::InputError(where + ": a picture has at most " + std::to_string(most_drawn) +
                            " cells, not " + std::to_string(description.items) +
-                           "; take fewer, or write a table only, .csv or .h5");
+                           "; write a table only, .csv or .h5");
   }
 }
 

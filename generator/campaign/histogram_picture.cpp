@@ -17,9 +17,10 @@ constexpr double panel_height = 230;
 constexpr double margin = 40;
 constexpr double head = 34;
 constexpr std::size_t most_bars = 64;
-/// How far above the panel the names of lines stand: in two rows, so that they do not overlap.
+/// How far above the panel the names of lines stand.
 constexpr double upper_row = 15;
 constexpr double lower_row = 3;
+constexpr double name_width = 66;
 constexpr const char* worst_colour = "#d62728";
 constexpr const char* rss_colour = "#2ca02c";
 constexpr const char* normal_colour = "#08519c";
@@ -43,7 +44,9 @@ class Panel {
     constexpr double rounding = 1e-12;
     const double size =
         std::abs(output.predicted[0].nominal) + std::abs(output.predicted[1].nominal);
-    is_constant_ = to_ - from_ <= rounding * size;
+    const double farthest = std::max(statistics_.greatest()(axis_) - predicted_.nominal,
+                                     predicted_.nominal - statistics_.least()(axis_));
+    is_constant_ = std::max(farthest, worst) <= rounding * size;
     for (const auto& bar : bars_) {
       highest_ = std::max(highest_, density(bar));
     }
@@ -68,11 +71,18 @@ class Panel {
     }
     body += normal_curve();
     body += line(left_, top_ + height_, left_ + width_, top_ + height_, "stroke=\"black\"");
-    body += mark(0, "black", "") + name(0, upper_row, "nominal", "black");
+    // Where the names of three lines would overlap, one of them serves all.
+    const bool are_apart = x_of(predicted_.worst_case) - x_of(0) > name_width;
+    body += mark(0, "black", "");
+    const double inside = std::clamp(x_of(0), left_ + margin, left_ + width_ - margin);
+    body += are_apart ? name(0, upper_row, "nominal", "black")
+                      : words(inside, top_ - upper_row, "middle", "nominal, worst case");
     for (const double sign : {-1.0, 1.0}) {
       const double worst = sign * predicted_.worst_case;
-      body += mark(worst, worst_colour, " stroke-width=\"1.5\"") +
-              name(worst, upper_row, "worst case", worst_colour);
+      body += mark(worst, worst_colour, " stroke-width=\"1.5\"");
+      if (are_apart) {
+        body += name(worst, upper_row, "worst case", worst_colour);
+      }
       const double rss = sign * predicted_.rss / std::numbers::sqrt3;
       body += mark(rss, rss_colour, " stroke-dasharray=\"5 3\"");
     }
@@ -130,7 +140,6 @@ class Panel {
     // The name stands at the right of the curve, or above it where that would leave the panel.
     constexpr double beside = 1.3;
     constexpr double distance = 12;
-    constexpr double name_width = 66;
     const double right = x_of(mean + beside * deviation_) + distance;
     const double start = std::min(right, left_ + width_ - distance / 2 - name_width);
     const double away = from_ + (to_ - from_) * (start - left_) / width_;

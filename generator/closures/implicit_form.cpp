@@ -206,9 +206,10 @@ class Translation {
     const bool rooted = halves % 2 != 0;
     GiNaC::ex root = 1;
     if (rooted) {
-      root =
-          result_.vocabulary.name_root(fresh(name.empty() ? "root" : name), multiplied_out(value),
-                                       "sqrt(" + text(base) + ")" + no_derivatives);
+      const std::string degeneracy =
+          GiNaC::is_a<GiNaC::numeric>(base) ? "" : "sqrt(" + text(base) + ")" + no_derivatives;
+      root = result_.vocabulary.name_root(fresh(name.empty() ? "root" : name),
+                                          multiplied_out(value), degeneracy);
     }
     if (halves > 0) {
       return GiNaC::pow(value, whole) * root;

@@ -64,6 +64,10 @@ GiNaC::ex Vocabulary::name_root(const std::string& name, const GiNaC::ex& radica
     return number;
   }
   if (const NamedQuantity* known = find(Form::square_root, expanded)) {
+    NamedQuantity& root = quantities_[static_cast<std::size_t>(known - quantities_.data())];
+    if (root.meaning.find(degeneracy) == std::string::npos) {
+      root.meaning += (root.meaning.empty() ? "" : ", and ") + degeneracy;
+    }
     return known->symbol;
   }
   const GiNaC::symbol symbol(name);

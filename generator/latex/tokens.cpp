@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/error.hpp>
+#include <assur/text/quoted.hpp>
 #include <string_view>
 
 namespace assur::generator::latex {
@@ -28,13 +29,17 @@ std::size_t length_of_character(unsigned char first) {
 void expect_utf8(const std::string& text, const std::string& file) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = length_of_character(static_cast<unsigned char>(text[at]));
-    bool good = length > 0 && at + length <= text.size() && text[at] != '\0';
+    bool good = length > 0 && at + length <= text.size();
     for (std::size_t next = 1; good && next < length; ++next) {
       good = continues_character(text[at + next]);
     }
     if (!good) {
       throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
                              " is not UTF-8; save the file as UTF-8");
+    }
+    if (text::is_control_character(text[at])) {
+      throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
+                             " is a control character; remove it");
     }
     at += length;
   }

@@ -8,9 +8,9 @@
 
 namespace assur::dyad {
 
-/// Dyad model 6 (PPP): degenerate, mobility 1 where it can be assembled (generic rank 2 of 2
-///     equations in 3 unknowns: prismatic joints alone close a loop, so its angles are
-///     over-determined (-phi_B + phi_D - psi_C_BC - psi_D_CD = 0)).
+/// Dyad model 6 (PPP): degenerate, mobility 1 where it can be assembled
+///     (generic rank 2 of 2 equations in 3 unknowns: prismatic joints alone close a loop, so its
+///     angles are over-determined (-phi_B + phi_D - psi_C_BC - psi_D_CD = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDB:  D + slide_D - slide_C - slide_B - B = 0

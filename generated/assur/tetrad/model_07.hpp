@@ -8,9 +8,9 @@
 
 namespace assur::tetrad {
 
-/// Tetrad model 7 (RPP-RPP): degenerate, mobility 1 where it can be assembled (generic rank 4 of 4
-///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
-///     over-determined (psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
+/// Tetrad model 7 (RPP-RPP): degenerate, mobility 1 where it can be assembled
+///     (generic rank 4 of 4 equations in 5 unknowns: prismatic joints alone close a loop, so its
+///     angles are over-determined (psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + BC + slide_C - slide_D - ED - E = 0

@@ -1460,8 +1460,8 @@ struct Model09 {
     T.sine[3] = Scalar(2) * (t20 - (Scalar(2) * t16 + t17 + t21) * u.phi_B.cos);
   }
 
-  /// The reduced equations, one per row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1) z + e(i,
-  ///     2) = 0
+  /// The reduced equations, one per row, where theta_EDF is known: e(i, 0) z^2 + e(i, 1)
+  ///     z + e(i, 2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

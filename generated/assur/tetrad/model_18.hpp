@@ -8,15 +8,15 @@
 
 namespace assur::tetrad {
 
-/// Tetrad model 18 (PPR-PPR): degenerate, mobility 1 where it can be assembled (generic rank 4 of 4
-///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
-///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0)).
+/// Tetrad model 18 (PPR-PPR): degenerate, mobility 1 where it can be assembled
+///     (generic rank 4 of 4 equations in 5 unknowns: prismatic joints alone close a loop, so its
+///     angles are over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + BC + slide_C - slide_D - ED - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + GF - EF - slide_E - E = 0
-///   angles that prismatic joints alone close: 
-///     -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0
+///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD
+///     + psi_D_EDF = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin at G, x-axis along the slide at B, angle phi_B

@@ -8,15 +8,15 @@
 
 namespace assur::tetrad {
 
-/// Tetrad model 21 (PPP-RPP): degenerate, mobility 1 where it can be assembled (generic rank 4 of 4
-///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
-///     over-determined (psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
+/// Tetrad model 21 (PPP-RPP): degenerate, mobility 1 where it can be assembled
+///     (generic rank 4 of 4 equations in 5 unknowns: prismatic joints alone close a loop, so its
+///     angles are over-determined (psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - ED - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - E = 0
-///   angles that prismatic joints alone close: 
-///     psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF - psi_G_BCG = 0
+///   angles that prismatic joints alone close:  psi_C_BCG + psi_D_CD + psi_F_EDF - psi_F_GF
+///     - psi_G_BCG = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B

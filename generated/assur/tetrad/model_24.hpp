@@ -8,18 +8,18 @@
 
 namespace assur::tetrad {
 
-/// Tetrad model 24 (PPP-PPP): degenerate, mobility 2 where it can be assembled (generic rank 4 of 4
-///     equations in 6 unknowns: prismatic joints alone close loops, so its angles are
-///     over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0;
-///     -phi_B + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
+/// Tetrad model 24 (PPP-PPP): degenerate, mobility 2 where it can be assembled
+///     (generic rank 4 of 4 equations in 6 unknowns: prismatic joints alone close loops, so its
+///     angles are over-determined (-phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0; -phi_B
+///     + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCDEB:  B + slide_B + slide_C - slide_D - slide_E - E = 0
 ///   BGFEB:  B + slide_B + BG + slide_G - slide_F - EF - slide_E - E = 0
-///   angles that prismatic joints alone close: 
-///     -phi_B + phi_E - psi_C_BCG - psi_D_CD + psi_D_EDF = 0
-///   angles that prismatic joints alone close: 
-///     -phi_B + phi_E + psi_F_EDF - psi_F_GF - psi_G_BCG = 0
+///   angles that prismatic joints alone close:  -phi_B + phi_E - psi_C_BCG - psi_D_CD
+///     + psi_D_EDF = 0
+///   angles that prismatic joints alone close:  -phi_B + phi_E + psi_F_EDF - psi_F_GF
+///     - psi_G_BCG = 0
 ///
 /// Link frames (angles against the base's x-axis, counter-clockwise):
 ///   BCG: origin where the slides at B and C cross, x-axis along the slide at B, angle phi_B

@@ -1197,8 +1197,8 @@ struct Model02 {
     T.sine[3] = Scalar(2) * (t09 + FD_y * O_m2_re);
   }
 
-  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
-  ///     2) = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1)
+  ///     z + e(i, 2) = 0
   /// with z = s_C.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

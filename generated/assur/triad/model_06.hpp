@@ -1249,8 +1249,8 @@ struct Model06 {
     T.sine[3] = Scalar(2) * (t17 - (Scalar(2) * t13 + t18 - t14) * u.phi_B.cos);
   }
 
-  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
-  ///     2) = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1)
+  ///     z + e(i, 2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

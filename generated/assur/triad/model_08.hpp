@@ -1342,8 +1342,8 @@ struct Model08 {
         - Scalar(2) * f_m1_re * f_m1_im);
   }
 
-  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1) z + e(i,
-  ///     2) = 0
+  /// The reduced equations, one per row, where theta_CEG is known: e(i, 0) z^2 + e(i, 1)
+  ///     z + e(i, 2) = 0
   /// with z = s_B.
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,

@@ -8,9 +8,9 @@
 
 namespace assur::triad {
 
-/// Triad model 19 (PP-PP-PR): degenerate, mobility 1 where it can be assembled (generic rank 4 of 4
-///     equations in 5 unknowns: prismatic joints alone close a loop, so its angles are
-///     over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0)).
+/// Triad model 19 (PP-PP-PR): degenerate, mobility 1 where it can be assembled
+///     (generic rank 4 of 4 equations in 5 unknowns: prismatic joints alone close a loop, so its
+///     angles are over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCEDB:  D + slide_D - slide_E - CE + slide_C - slide_B - B = 0

@@ -8,10 +8,10 @@
 
 namespace assur::triad {
 
-/// Triad model 20 (PP-PP-PP): degenerate, mobility 2 where it can be assembled (generic rank 4 of 4
-///     equations in 6 unknowns: prismatic joints alone close loops, so its angles are
-///     over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0;
-///     phi_B - phi_F + psi_C_BC + psi_G_CEG - psi_G_FG = 0)).
+/// Triad model 20 (PP-PP-PP): degenerate, mobility 2 where it can be assembled
+///     (generic rank 4 of 4 equations in 6 unknowns: prismatic joints alone close loops, so its
+///     angles are over-determined (phi_B - phi_D + psi_C_BC + psi_E_CEG - psi_E_DE = 0; phi_B
+///     - phi_F + psi_C_BC + psi_G_CEG - psi_G_FG = 0)).
 ///
 /// Loop closure, with vectors from joint to joint in the fixed frame, and its elimination:
 ///   BCEDB:  D + slide_D - slide_E + slide_C - slide_B - B = 0

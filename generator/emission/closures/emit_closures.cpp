@@ -1,5 +1,6 @@
 #include "emission/closures/emit_closures.hpp"
 
+#include <algorithm>
 #include <assur/text/counts.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/identifiers.hpp>
@@ -70,7 +71,10 @@ cpp::EmittedFile emit_closures(const generator::closures::TypedClosures& closure
   bool has_roots = false;
   for (const model::ModelFunction& function : model::residual_functions(equations, derivatives)) {
     const program::Program program(order, equations.vocabulary.quantities(), function.results);
-    has_roots = has_roots || program.count().square_roots > 0;
+    has_roots = has_roots || std::ranges::any_of(program.steps(), [](const auto& step) {
+                  return step.form == equations::NamedQuantity::Form::square_root &&
+                         !step.degeneracy.empty();
+                });
     functions.push_back(
         model::function_view(function, program, spelling, model::ZeroResults::assigned));
   }

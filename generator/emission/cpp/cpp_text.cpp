@@ -250,10 +250,15 @@ class CppText {
   const Spelling& spelling_;
 };
 
-/// The last place within the line width where a line may be broken: in code at a space after a
-/// comma or before an operator; in comments at a space outside formulas; if there is no such place,
-/// at any space after `start`.
-std::size_t break_position(const std::string& line, std::size_t start, bool comment) {
+/// Whether one of these operators stands at the place, between spaces.
+bool is_operator(const std::string& line, std::size_t place, std::string_view operators) {
+  return place > 0 && place + 1 < line.size() && line[place - 1] == ' ' && line[place + 1] == ' ' &&
+         operators.find(line[place]) != std::string_view::npos;
+}
+
+/// The last place within the line width where code may be broken: at a space after a comma or
+/// before an operator, or if there is no such place, at any space after `start`.
+std::size_t break_of_code(const std::string& line, std::size_t start) {
   std::size_t any = std::string::npos;
   std::size_t good = std::string::npos;
   int angles = 0;  // a break inside template arguments reads badly
@@ -263,19 +268,37 @@ std::size_t break_position(const std::string& line, std::size_t start, bool comm
       continue;
     }
     any = at;
-    const auto is_operator = [&line](std::size_t place, std::string_view operators) {
-      return place + 1 < line.size() && line[place - 1] == ' ' && line[place + 1] == ' ' &&
-             operators.find(line[place]) != std::string_view::npos;
-    };
-    constexpr std::string_view in_formulas = "+-*/=";
-    const bool breaks_well =
-        comment ? !is_operator(at - 1, in_formulas) && !is_operator(at + 1, in_formulas)
-                : (line[at - 1] == ',' && angles == 0) || is_operator(at + 1, "+-");
-    if (breaks_well) {
+    if ((line[at - 1] == ',' && angles == 0) || is_operator(line, at + 1, "+-")) {
       good = at;
     }
   }
   return good == std::string::npos ? any : good;
+}
+
+/// The last place in the second half of the line width where a comment may be broken: at a space
+/// outside formulas, or before a plus or minus; if there is no such place, at any space after
+/// `start`.
+std::size_t break_of_comment(const std::string& line, std::size_t start) {
+  std::size_t any = std::string::npos;
+  std::size_t before_term = 0;
+  std::size_t outside = 0;
+  int parentheses = 0;
+  for (std::size_t at = start; at < line.size() && at <= line_width; ++at) {
+    parentheses += line[at] == '(' ? 1 : line[at] == ')' ? -1 : 0;
+    if (line[at] != ' ') {
+      continue;
+    }
+    any = at;
+    constexpr std::string_view operators = "+-*/=";
+    if (is_operator(line, at + 1, "+-")) {
+      before_term = at;
+    } else if (parentheses == 0 && !is_operator(line, at - 1, operators) &&
+               !is_operator(line, at + 1, operators)) {
+      outside = at;
+    }
+  }
+  constexpr std::size_t half = line_width / 2;
+  return outside > half ? outside : before_term > half ? before_term : any;
 }
 
 }  // namespace
@@ -345,7 +368,8 @@ std::string fitted_to_width(const std::string& text) {
         comment ? std::string(slash, ' ') + line.substr(slash, line.find(' ', slash) - slash) : "";
     while (line.size() > line_width) {
       const std::string lead = comment ? slashes + "     " : std::string(indentation + 4, ' ');
-      const std::size_t at = break_position(line, std::max(lead.size(), indentation + 1), comment);
+      const std::size_t start = std::max(lead.size(), indentation + 1);
+      const std::size_t at = comment ? break_of_comment(line, start) : break_of_code(line, start);
       if (at == std::string::npos) {
         break;
       }

@@ -9,6 +9,14 @@ bool continues_letter(char byte) { return (static_cast<unsigned char>(byte) & 0x
 
 }  // namespace
 
+bool is_control_character(char letter) {
+  constexpr unsigned char deletion = 0x7F;
+  constexpr unsigned char space = 0x20;
+  const auto byte = static_cast<unsigned char>(letter);
+  const bool is_white = letter >= '\t' && letter <= '\r';
+  return (byte < space && !is_white) || byte == deletion;
+}
+
 std::string on_one_line(const std::string& text) {
   constexpr unsigned char deletion = 0x7F;
   std::string shown;

@@ -173,6 +173,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Unusable{"caf\xE9", "length a\n",
                  "p.tex: the byte at offset 3 is not UTF-8; save the file as UTF-8"},
+        Unusable{"caf\x1B", "length a\n",
+                 "p.tex: the byte at offset 3 is a control character; remove it"},
         Unusable{"\\[ a = a", "length a\n", "p.tex:1:1: \\[ is not closed"},
         Unusable{"\n $a", "length a\n", "p.tex:2:2: $ is not closed"},
         Unusable{"\\begin{align} a &= a", "length a\n", "p.tex:1:1: \\begin{align} is not closed"},

@@ -5,6 +5,9 @@
 
 namespace assur::text {
 
+/// Whether a letter moves the cursor, or changes how a terminal writes, and is no white space.
+[[nodiscard]] bool is_control_character(char letter);
+
 /// The text on one line: control characters become question marks.
 [[nodiscard]] std::string on_one_line(const std::string& text);
 
