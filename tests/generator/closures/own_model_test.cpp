@@ -314,6 +314,18 @@ TEST(OwnModel, AnyNumbersOfParametersAndClosuresWork) {
             "ok ok ok 0.500000000000\nok ok ok 0.500000000000\n0 -3.000 0.000\n");
 }
 
+TEST(OwnModel, ARootThatTwoFunctionsShareNamesBoth) {
+  const TemporaryDirectory directory;
+  emit(directory.write("shared.audit",
+                       "length a x y\nunknown x y\nclosure f = sqrt(x^2 + a^2) - y\n"
+                       "closure g = a*cos(atan2(a, x)) - x\n"),
+       directory);
+  const std::string header = read_file(directory.path() / "assur/closures/shared.hpp");
+  for (const char* part : {"sqrt(a^2 + x^2) has no value or no derivatives, and", "atan2(a, x)"}) {
+    EXPECT_NE(header.find(part), std::string::npos) << header;
+  }
+}
+
 TEST(OwnModel, CheckTellsWhatDiffers) {
   const TemporaryDirectory directory;
   emit(every_function, directory);

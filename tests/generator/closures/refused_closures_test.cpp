@@ -128,6 +128,11 @@ INSTANTIATE_TEST_SUITE_P(
                "length a x\nangle q\nunknown x q\nclosure f = a*cos(q) - x\n"
                "closure g = 2*x - 2*a*cos(q)\n",
                "the Jacobian is singular everywhere: its rank is 1, and 2 unknowns need 2" LOST},
+        Warned{"TheSumOfTwoOthers",
+               "length k l m n o p x y z\nunknown x y z\nclosure f = k*x + (m + n)*y + o*z - k\n"
+               "closure g = l*x + y + p*z - l\n"
+               "closure h = (k + l)*x + (m + n + 1)*y + (o + p)*z - m\n",
+               "the Jacobian is singular everywhere: its rank is 2, and 3 unknowns need 3" LOST},
         Warned{"TheSameUnderRoots",
                "length a x y\nunknown x y\nclosure f = sqrt(x + y) - a\n"
                "closure g = 1/sqrt(x + y) + a^2\n",
