@@ -55,24 +55,38 @@ bool could_be_power(const Tokens& tokens) {
   });
 }
 
-bool glob(const std::string& pattern, std::size_t at, const std::string& text, std::size_t from,
-          std::vector<std::string>& captured) {
-  if (at == pattern.size()) {
-    return from == text.size();
+/// Whether the pattern matches the whole text; if so, what its `?` stand for is added to
+/// `captured`. Each `?` takes as few characters as it can, but at least one and no superscript,
+/// which may be a power. The first place where a piece between them occurs is the only one to try:
+/// a later place leaves less to the next `?`, and no superscript can stand between the two.
+bool glob(const std::string& pattern, const std::string& text, std::vector<std::string>& captured) {
+  std::size_t next = std::min(pattern.find('?'), pattern.size());
+  if (text.compare(0, next, pattern, 0, next) != 0) {
+    return false;
   }
-  if (pattern[at] != '?') {
-    return from < text.size() && text[from] == pattern[at] &&
-           glob(pattern, at + 1, text, from + 1, captured);
-  }
-  // A `?` stands for no superscript, which may be a power.
-  for (std::size_t end = from + 1; end <= text.size() && text[end - 1] != '^'; ++end) {
-    captured.push_back(text.substr(from, end - from));
-    if (glob(pattern, at + 1, text, end, captured)) {
-      return true;
+  std::vector<std::string> parts;
+  std::size_t at = next;  // in the text
+  while (next < pattern.size()) {
+    const std::size_t begin = next + 1;
+    next = std::min(pattern.find('?', begin), pattern.size());
+    const std::string piece = pattern.substr(begin, next - begin);
+    const std::size_t place = next < pattern.size()   ? text.find(piece, at + 1)
+                              : text.ends_with(piece) ? text.size() - piece.size()
+                                                      : std::string::npos;
+    if (place == std::string::npos || place <= at) {
+      return false;
     }
-    captured.pop_back();
+    parts.push_back(text.substr(at, place - at));
+    if (parts.back().find('^') != std::string::npos) {
+      return false;
+    }
+    at = place + piece.size();
   }
-  return false;
+  if (at != text.size()) {
+    return false;
+  }
+  captured.insert(captured.end(), parts.begin(), parts.end());
+  return true;
 }
 
 std::string dotted(int dots, const std::string& name) {
@@ -216,7 +230,7 @@ std::optional<std::vector<std::string>> matched(const std::vector<std::string>& 
     return std::nullopt;
   }
   for (std::size_t place = 0; place < pattern.size(); ++place) {
-    if (!glob(pattern[place], 0, symbols[place], 0, captured)) {
+    if (!glob(pattern[place], symbols[place], captured)) {
       return std::nullopt;
     }
   }
@@ -280,7 +294,7 @@ std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& 
     }
     const std::string whole = atom ? dotted(atom->dots, whole_name(*atom)) : tokens[at].text;
     meaning.name += (meaning.name.empty() ? "" : " ") + whole;
-    if (glob(pattern, 0, whole, 0, captured)) {
+    if (glob(pattern, whole, captured)) {
       at = atom ? atom->end : at + 1;
       continue;
     }
@@ -290,11 +304,11 @@ std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& 
     // Its superscript is a power, or its dots are derivatives of what the notation says.
     const std::string name = dotted(atom->dots, atom->name);
     const bool derived = atom->dots > 0 && place == 0;
-    if (!atom->superscript.empty() && !atom->power.empty() && glob(pattern, 0, name, 0, captured)) {
+    if (!atom->superscript.empty() && !atom->power.empty() && glob(pattern, name, captured)) {
       meaning.power = atom->power;
-    } else if (derived && glob(pattern, 0, whole_name(*atom), 0, captured)) {
+    } else if (derived && glob(pattern, whole_name(*atom), captured)) {
       meaning.dots = atom->dots;
-    } else if (derived && !atom->power.empty() && glob(pattern, 0, atom->name, 0, captured)) {
+    } else if (derived && !atom->power.empty() && glob(pattern, atom->name, captured)) {
       meaning.dots = atom->dots;
       meaning.power = atom->power;
     } else {

@@ -11,6 +11,9 @@ namespace assur::generator::latex {
 
 namespace {
 
+/// So many tokens an equation may have, too.
+constexpr std::size_t most_parts = 20'000;
+
 bool is_product_sign(const Token& token) {
   return token.is("\\cdot") || token.is("\\times") || token.is("*") || token.is("\\ast");
 }
@@ -94,6 +97,11 @@ Expression FormulaReader::summed(const Tokens& tokens, const std::string& index,
                                  const std::vector<std::string>& values, std::size_t at) {
   Expression left;
   for (std::size_t place = 0; place < values.size(); ++place) {
+    if (places_.size() > most_parts) {
+      fail("written out, the sums have more than " + std::to_string(most_parts) +
+               " parts; let the map skip this equation",
+           at);
+    }
     Expression one = term(with_index(tokens, index, values[place]), at);
     left = place == 0 ? std::move(one)
                       : binary("+", Operation::add, std::move(left), std::move(one), at);

@@ -18,6 +18,9 @@ using generator::latex::printed_name;
 /// Values of the indices of one case.
 using Case = std::vector<std::pair<std::string, std::string>>;
 
+/// So many tokens an equation may have, too.
+constexpr std::size_t most_cases = 20'000;
+
 Tokens in_case(Tokens tokens, const Case& values) {
   for (const auto& [index, value] : values) {
     tokens = generator::latex::with_index(tokens, index, value);
@@ -167,6 +170,11 @@ class PaperAuditor {
     for (const auto& [index, values] : map_.indices()) {
       if (!generator::latex::has_index(stated.tokens, index)) {
         continue;
+      }
+      if (cases.size() * values.size() > most_cases) {
+        throw FormulaError("the indices make more than " + std::to_string(most_cases) +
+                               " equations of this one; let the map skip it",
+                           stated.place);
       }
       std::vector<Case> more;
       for (const Case& one : cases) {

@@ -175,13 +175,29 @@ void PaperMap::read_index(const PlacedText& rest,
     const std::vector<std::string> some = spread(word.text, word.place);
     values.insert(values.end(), some.begin(), some.end());
   }
-  if (name.text.size() != 1 || values.empty()) {
+  if (!generator::latex::Token{name.text, name.place}.is_letter() || values.empty()) {
     fail(rest.place, "expected an index and its values, such as j = 1..4");
   }
   if (indices_.contains(name.text) || summed_.contains(name.text)) {
     fail(name.place, "the index '" + name.text + "' is given twice; leave one out");
   }
   list[name.text] = values;
+  expect_ending_sums(rest.place);
+}
+
+/// A sum whose terms have the index of a sum again would never end.
+void PaperMap::expect_ending_sums(closures::Place place) const {
+  for (const auto& [index, values] : summed_) {
+    for (const auto& [other, unused] : summed_) {
+      for (const std::string& value : values) {
+        if (value.find(other) != std::string::npos) {
+          fail(place, "the value '" + value + "' of the index '" + index +
+                          "' contains the index '" + other +
+                          "' of a sum, which would not end; give one of them another name");
+        }
+      }
+    }
+  }
 }
 
 void PaperMap::read_skip(const PlacedText& rest) {
@@ -240,6 +256,10 @@ std::size_t PaperMap::skip_section(const std::vector<PlacedText>& parts, std::si
 
 void PaperMap::expect_new(const PlacedText& notation, const Tokens& tokens) const {
   const std::vector<std::string> symbols = generator::latex::symbols_of(tokens);
+  if (symbols.empty()) {
+    fail(notation.place,
+         "the notation '" + notation.text + "' has no symbol; write the one that the paper prints");
+  }
   if (notations_.contains(tokens) ||
       std::any_of(matrices_.begin(), matrices_.end(),
                   [&](const Matrix& matrix) { return matrix.pattern == symbols; })) {

@@ -18,6 +18,14 @@ closure f1 = a - c
 J = matrix of f1 by a b
 K = matrix by its titles
 w = as printed
+m_? = a
+s_? = a
+index u = 1..30
+index v = 1..30
+index z = 1..30
+sum over p = 1..40
+sum over q = 1..40
+sum over r = 1..40
 )";
 
 struct Refusal {
@@ -48,6 +56,8 @@ const char* const number =
     "a number stands directly after a factor; write \\cdot, or braces around an index or a power "
     "of two digits";
 const char* const below = "what is below the '/' is not clear; write \\frac or brackets";
+const char* const sums =
+    "written out, the sums have more than 20000 parts; let the map skip this equation";
 const char* const call =
     "this may be a product or a function's argument; write \\cdot, or 'brackets multiply' in the "
     "map";
@@ -119,6 +129,10 @@ const std::vector<Refusal> refusals = {
     {"\\dot{a b} = c", 1, "dots stand above a single symbol"},
     {"\\dot{\\ddot{a}} = c", 1, "more than two dots are not read"},
     {"\\sum_{i}^{3} a_i = c", 1, "write a sum as \\sum_{i=1}^{4}"},
+    {"\\sum_{i=1}^{99}\\sum_{j=1}^{99}\\sum_{k=1}^{99}\\sum_{l=1}^{99} m_{ijkl} = c", 1, sums},
+    {"a = s_{pqr}", 5, sums},
+    {"a = m_{uvz}", 1,
+     "the indices make more than 20000 equations of this one; let the map skip it"},
     {"a = w", 5, "the paper does not define 'w' in a way that can be read"},
     {"J = \\begin{vmatrix} 1 & 0 \\end{vmatrix}", 5, "a determinant is not read; write it out"},
     {"J = 2\\begin{pmatrix} 1 & 0 \\end{pmatrix}", 6,
@@ -228,6 +242,19 @@ INSTANTIATE_TEST_SUITE_P(
         Unusable{"\\[ a = a \\]",
                  "length a\ndisplay \\n{EQUATION}{NUMBER}\ndisplay \\n{NUMBER}{EQUATION}\n",
                  "p.map:3:9: the command '\\n' is given twice; leave one out"},
+        Unusable{"\\[ a = b_j \\]", "length a\nb_? = a\nsum over j = j\n",
+                 "p.map:3:10: the value 'j' of the index 'j' contains the index 'j' of a sum, "
+                 "which would not end; give one of them another name"},
+        Unusable{"\\[ a = b_j \\]", "length a\nb_? = a\nsum over j = 1 kk\nsum over k = 1..2\n",
+                 "p.map:4:10: the value 'kk' of the index 'j' contains the index 'k' of a sum, "
+                 "which would not end; give one of them another name"},
+        Unusable{"\\[ a = a \\]", "length a\nsum over 1 = 1..2\n",
+                 "p.map:2:10: expected an index and its values, such as j = 1..4"},
+        Unusable{"\\[ a = a \\]", "length a\n{} = 4\n",
+                 "p.map:2:1: the notation '{}' has no symbol; write the one that the paper prints"},
+        Unusable{"\\[ a = a \\]", "length a\n\\, = matrix by its titles\n",
+                 "p.map:2:1: the notation '\\,' has no symbol; write the one that the paper "
+                 "prints"},
         Unusable{"\\[ a = a \\]", "length a\nskip\n",
                  "p.map:2:5: expected equations, such as 'skip (2) (9)', or 'skip sections TITLE, "
                  "...'"},
