@@ -8,6 +8,9 @@
 
 namespace assur::generator::audit {
 
+/// How many equations one printed equation may stand for, by its indices.
+constexpr std::size_t most_cases = 20'000;
+
 /// One entry of a printed matrix: empty text stands for zero.
 struct PrintedEntry {
   closures::PlacedText text;

@@ -232,9 +232,14 @@ void Auditor::read_printed_equation(const closures::PlacedText& label, closures:
        loops.empty() ? std::vector<closures::PlacedText>{} : closures::split(loops, ',')) {
     const auto [variable, list] = cut_at_word(loop, "in");
     reader_.expect_new(variable);
+    const std::vector<std::string> names = reader_.known_names(list, false);
+    if (cases.size() * names.size() > most_cases) {
+      reader_.fail(loops.place, "the names make more than " + std::to_string(most_cases) +
+                                    " equations of this one; leave some out");
+    }
     std::vector<closures::LocalNames> more;
     for (const closures::LocalNames& one : cases) {
-      for (const std::string& name : reader_.known_names(list, false)) {
+      for (const std::string& name : names) {
         more.push_back(one);
         more.back().stands_for[variable.text] = name;
       }

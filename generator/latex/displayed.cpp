@@ -34,24 +34,8 @@ constexpr std::array<Environment, 12> environments = {{{"equation", false},
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
 
-// Equations with more nesting or tokens than any person writes would exhaust the stack or the time.
-constexpr int most_braces = 60;
-constexpr std::size_t longest_equation = 20000;
-
-void expect_readable_size(const Tokens& equation) {
-  int depth = 0;
-  for (const Token& token : equation) {
-    depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
-    if (depth > most_braces) {
-      throw FormulaError("this is nested too deeply", token.place);
-    }
-  }
-  if (equation.size() > longest_equation) {
-    throw FormulaError(
-        "this equation has more than " + std::to_string(longest_equation) + " tokens",
-        equation[0].place);
-  }
-}
+/// No paper has as many equations, and counting from here cannot overflow.
+constexpr int most_numbers = 1'000'000;
 
 bool is_heading(const Token& token) {
   return std::find(headings.begin(), headings.end(), token.text) != headings.end();
@@ -144,7 +128,12 @@ class Scanner {
                              "', which is not followed; write the number",
                          token.place);
     }
-    number_ = value + (added ? number_ : 0);
+    if (value < -most_numbers || value > most_numbers) {
+      throw FormulaError("the numbers of equations are set to more than " +
+                             std::to_string(most_numbers) + "; write a smaller number",
+                         token.place);
+    }
+    number_ = std::clamp(value + (added ? number_ : 0), -most_numbers, most_numbers);
   }
 
   void shown_between(const char* closing) {
@@ -261,6 +250,10 @@ class Scanner {
       }
     }
     if (tag.empty() && counted) {
+      if (part_ > 'z') {
+        throw FormulaError("these subequations have more numbers than letters; divide them",
+                           equation[0].place);
+      }
       tag = part_ == '\0' ? "(" + std::to_string(++number_) + ")"
                           : "(" + std::to_string(number_) + std::string(1, part_++) + ")";
     }

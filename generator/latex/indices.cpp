@@ -12,6 +12,11 @@ Tokens with_index(const Tokens& tokens, const std::string& index, const std::str
     const std::size_t end = end_of_argument(tokens, at + 1);
     const bool group = tokens[at + 1].is("{");
     for (++at; at < end; ++at) {
+      if (result.size() > longest_equation) {
+        throw FormulaError("with the values of its indices, this has more than " +
+                               std::to_string(longest_equation) + " tokens",
+                           tokens[at].place);
+      }
       if (tokens[at].text != index) {
         result.push_back(tokens[at]);
         continue;

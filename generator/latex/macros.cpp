@@ -202,6 +202,7 @@ class Expander {
     }
     Tokens made;
     for (std::size_t at = 0; at < macro.body.size(); ++at) {
+      expect_room(call, made.size());
       const bool place = macro.body[at].is("#") && at + 1 < macro.body.size();
       const std::size_t number = place && macro.body[at + 1].is_digit()
                                      ? static_cast<std::size_t>(macro.body[at + 1].text[0] - '0')
@@ -216,12 +217,16 @@ class Expander {
       made.back().from = call.from;
       made.back().to = call.to;
     }
-    if (result_.size() + rest_.size() + made.size() > most_tokens) {
+    expect_room(call, made.size());
+    rest_.insert(rest_.end(), made.rbegin(), made.rend());
+  }
+
+  void expect_room(const Token& call, std::size_t made) const {
+    if (result_.size() + rest_.size() + made > most_tokens) {
       throw FormulaError("expanding " + call.text + " makes more than " +
                              std::to_string(most_tokens) + " tokens of the paper; write it out",
                          call.place);
     }
-    rest_.insert(rest_.end(), made.rbegin(), made.rend());
   }
 
   const std::set<std::string>& kept_;

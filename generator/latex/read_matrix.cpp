@@ -93,9 +93,12 @@ std::optional<LatexMatrix> read_matrix(const Tokens& given) {
           row.empty() ? begin->place : row[0].place);
     }
   }
-  if (matrix.cells.empty()) {
-    throw FormulaError("this matrix has no entries", begin->place);
-  }
+  const auto expect_entries = [&] {
+    if (matrix.cells.empty() || matrix.cells[0].empty()) {
+      throw FormulaError("this matrix has no entries", begin->place);
+    }
+  };
+  expect_entries();
   if (titled) {
     matrix.column_titles.assign(matrix.cells[0].begin() + 1, matrix.cells[0].end());
     matrix.cells.erase(matrix.cells.begin());
@@ -103,6 +106,7 @@ std::optional<LatexMatrix> read_matrix(const Tokens& given) {
       matrix.row_titles.push_back(row[0]);
       row.erase(row.begin());
     }
+    expect_entries();
   }
   return matrix;
 }

@@ -10,6 +10,8 @@ namespace assur::generator::latex {
 
 namespace {
 
+constexpr int most_braces = 60;
+
 constexpr std::array<std::string_view, 4> verbatim = {"verbatim", "verbatim*", "lstlisting",
                                                       "comment"};
 
@@ -97,7 +99,7 @@ class Tokenizer {
 
   void take(std::size_t length, bool spaced) {
     tokens_.push_back({text_.substr(at_, length), place_, at_, at_ + length, spaced});
-    if (tokens_.back().text == "\\\n" || tokens_.back().text == "\\\t") {
+    if (tokens_.back().text.size() == 2 && is_space(tokens_.back().text[1])) {
       tokens_.back().text = "\\ ";
     }
     advance(length);
@@ -131,6 +133,20 @@ bool Token::is_digit() const { return text.size() == 1 && text[0] >= '0' && text
 Tokens tokens_of(const std::string& text, const std::string& file, Place begin) {
   expect_utf8(text, file);
   return Tokenizer(text, begin).run();
+}
+
+void expect_readable_size(const Tokens& tokens) {
+  int depth = 0;
+  for (const Token& token : tokens) {
+    depth += token.is("{") ? 1 : token.is("}") ? -1 : 0;
+    if (depth > most_braces) {
+      throw FormulaError("this is nested too deeply", token.place);
+    }
+  }
+  if (tokens.size() > longest_equation) {
+    throw FormulaError("this has more than " + std::to_string(longest_equation) + " tokens",
+                       tokens[0].place);
+  }
 }
 
 bool opens(const Token& token) { return token.is("(") || token.is("[") || token.is("\\{"); }

@@ -39,6 +39,12 @@ template <typename List>
 [[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file,
                                Place begin = {1, 1});
 
+/// How many tokens an equation or a notation may have. More of them, or more nesting, than any
+/// person writes would exhaust the stack or the time.
+constexpr std::size_t longest_equation = 20'000;
+/// Throws FormulaError if there are too many tokens, or braces in braces.
+void expect_readable_size(const Tokens& tokens);
+
 /// Brackets that are printed.
 [[nodiscard]] bool opens(const Token& token);
 [[nodiscard]] bool closes(const Token& token);

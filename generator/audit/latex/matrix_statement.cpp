@@ -98,7 +98,13 @@ std::optional<MatrixAnswer> audit_inverse(PaperFormulas& formulas, const Stated&
   for (const std::string& row : right->rows) {
     for (const std::string& column : right->columns) {
       const closures::AuditSymbol& by = *formulas.system().symbol_named(column);
-      const GiNaC::ex& closure = *formulas.system().closure_named(row);
+      const GiNaC::ex* const named = formulas.system().closure_named(row);
+      if (named == nullptr) {
+        throw FormulaError(
+            "'" + row + "' is not a closure, and such a product has derivatives of closures",
+            stated.sides[1][0].place);
+      }
+      const GiNaC::ex& closure = *named;
       GiNaC::ex sum;
       for (const std::string& unknown : left.rows) {
         const closures::AuditSymbol& each = *formulas.system().symbol_named(unknown);

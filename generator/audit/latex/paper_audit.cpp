@@ -18,9 +18,6 @@ using generator::latex::printed_name;
 /// Values of the indices of one case.
 using Case = std::vector<std::pair<std::string, std::string>>;
 
-/// So many tokens an equation may have, too.
-constexpr std::size_t most_cases = 20'000;
-
 Tokens in_case(Tokens tokens, const Case& values) {
   for (const auto& [index, value] : values) {
     tokens = generator::latex::with_index(tokens, index, value);
@@ -171,7 +168,7 @@ class PaperAuditor {
       if (!generator::latex::has_index(stated.tokens, index)) {
         continue;
       }
-      if (cases.size() * values.size() > most_cases) {
+      if (cases.size() * values.size() * (stated.sides.size() - 1) > most_cases) {
         throw FormulaError("the indices make more than " + std::to_string(most_cases) +
                                " equations of this one; let the map skip it",
                            stated.place);

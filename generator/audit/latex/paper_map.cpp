@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <assur/text/expression.hpp>
 #include <assur/text/input_file.hpp>
+#include <assur/text/names.hpp>
 #include <assur/text/suggestion.hpp>
 #include <filesystem>
 
@@ -175,29 +176,38 @@ void PaperMap::read_index(const PlacedText& rest,
     const std::vector<std::string> some = spread(word.text, word.place);
     values.insert(values.end(), some.begin(), some.end());
   }
-  if (!generator::latex::Token{name.text, name.place}.is_letter() || values.empty()) {
+  if (name.text.size() != 1 || values.empty()) {
     fail(rest.place, "expected an index and its values, such as j = 1..4");
   }
   if (indices_.contains(name.text) || summed_.contains(name.text)) {
     fail(name.place, "the index '" + name.text + "' is given twice; leave one out");
   }
   list[name.text] = values;
-  expect_ending_sums(rest.place);
+  if (sums_itself(name.text)) {
+    fail(rest.place, "the values of the index '" + name.text +
+                         "' contain it again, so that the sum would not end; use another letter");
+  }
 }
 
-/// A sum whose terms have the index of a sum again would never end.
-void PaperMap::expect_ending_sums(closures::Place place) const {
-  for (const auto& [index, values] : summed_) {
-    for (const auto& [other, unused] : summed_) {
-      for (const std::string& value : values) {
-        if (value.find(other) != std::string::npos) {
-          fail(place, "the value '" + value + "' of the index '" + index +
-                          "' contains the index '" + other +
-                          "' of a sum, which would not end; give one of them another name");
-        }
+/// Whether what a sum over the index writes in its place has the index again, itself or through the
+/// index of another sum: such a sum would never end.
+bool PaperMap::sums_itself(const std::string& index) const {
+  std::vector<std::string> reached = {index};
+  for (std::size_t next = 0; next < reached.size(); ++next) {
+    const auto found = summed_.find(reached[next]);
+    if (found == summed_.end()) {
+      continue;
+    }
+    for (const char letter : text::joined(found->second, "")) {
+      if (std::string(1, letter) == index) {
+        return true;
+      }
+      if (!contains(reached, std::string(1, letter))) {
+        reached.emplace_back(1, letter);
       }
     }
   }
+  return false;
 }
 
 void PaperMap::read_skip(const PlacedText& rest) {
@@ -274,6 +284,7 @@ void PaperMap::read_notation(const PlacedText& line) {
                          text::suggestion(line.text, own_keywords));
   }
   const Tokens tokens = generator::latex::tokens_of(notation.text, file_, notation.place);
+  generator::latex::expect_readable_size(tokens);
   expect_new(notation, tokens);
   if (meaning.text == "as printed") {
     notations_.add(tokens, "");
@@ -290,6 +301,13 @@ void PaperMap::read_notation(const PlacedText& line) {
       added.columns = closures::trimmed({matrix->text.substr(by + 4), matrix->at(by + 5)});
       if (added.rows.empty() || added.columns.empty()) {
         fail((added.rows.empty() ? added.rows : added.columns).place, "the names are missing");
+      }
+      const auto has_wildcard = [](const std::string& text) {
+        return text.find('?') != std::string::npos;
+      };
+      if (has_wildcard(added.columns.text) &&
+          std::none_of(added.pattern.begin(), added.pattern.end(), has_wildcard)) {
+        fail(added.columns.place, "the notation has no '?' for which the one here could stand");
       }
     }
     matrices_.push_back(std::move(added));

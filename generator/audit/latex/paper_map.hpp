@@ -66,7 +66,7 @@ class PaperMap {
   void read_display(const closures::PlacedText& rest);
   void read_index(const closures::PlacedText& rest,
                   std::map<std::string, std::vector<std::string>>& list);
-  void expect_ending_sums(closures::Place place) const;
+  [[nodiscard]] bool sums_itself(const std::string& index) const;
   void read_skip(const closures::PlacedText& rest);
   /// Skips the longest title that the parts at `from` spell. Returns where the next one begins.
   std::size_t skip_section(const std::vector<closures::PlacedText>& parts, std::size_t from,

@@ -17,6 +17,16 @@ struct Fault {
   const char* message;
 };
 
+std::string equation_of_27000() {
+  std::string thirty;
+  for (int name = 0; name < 30; ++name) {
+    thirty += " a";
+  }
+  return "length a\nprinted equation (1) for x in" + thirty + ", y in" + thirty + ", z in" +
+         thirty + " : a = a\n";
+}
+const std::string many_cases = equation_of_27000();
+
 class BadAudit : public testing::TestWithParam<Fault> {};
 
 TEST_P(BadAudit, GetsOneLineWithItsPlace) {
@@ -53,6 +63,8 @@ INSTANTIATE_TEST_SUITE_P(
               "f.audit:3:1: expected 1 row, found 0"},
         Fault{"Entries", "length a\nclosure f = a\nprinted matrix J of f by a\n  1, 2\n",
               "f.audit:4:3: expected 1 entry, found 2"},
+        Fault{"Cases", many_cases.c_str(),
+              "f.audit:2:26: the names make more than 20000 equations of this one; leave some out"},
         Fault{"Printed", "printed matricks J\n",
               "f.audit:1:9: expected closure, matrix, code, run, equation, kinds or number after "
               "'printed'"},

@@ -17,6 +17,9 @@ unknown c
 closure f1 = a - c
 J = matrix of f1 by a b
 K = matrix by its titles
+S = matrix of c by a
+P = matrix of b by c
+Q = matrix of b by a
 w = as printed
 m_? = a
 s_? = a
@@ -133,6 +136,9 @@ const std::vector<Refusal> refusals = {
     {"a = s_{pqr}", 5, sums},
     {"a = m_{uvz}", 1,
      "the indices make more than 20000 equations of this one; let the map skip it"},
+    {"K = \\begin{array}{c|c} a \\\\ f_1 \\end{array}", 5, "this matrix has no entries"},
+    {"K = \\begin{array}{c|c} a & b \\end{array}", 5, "this matrix has no entries"},
+    {"S = -P^{-1} Q", 5, "'b' is not a closure, and such a product has derivatives of closures"},
     {"a = w", 5, "the paper does not define 'w' in a way that can be read"},
     {"J = \\begin{vmatrix} 1 & 0 \\end{vmatrix}", 5, "a determinant is not read; write it out"},
     {"J = 2\\begin{pmatrix} 1 & 0 \\end{pmatrix}", 6,
@@ -243,13 +249,20 @@ INSTANTIATE_TEST_SUITE_P(
                  "length a\ndisplay \\n{EQUATION}{NUMBER}\ndisplay \\n{NUMBER}{EQUATION}\n",
                  "p.map:3:9: the command '\\n' is given twice; leave one out"},
         Unusable{"\\[ a = b_j \\]", "length a\nb_? = a\nsum over j = j\n",
-                 "p.map:3:10: the value 'j' of the index 'j' contains the index 'j' of a sum, "
-                 "which would not end; give one of them another name"},
-        Unusable{"\\[ a = b_j \\]", "length a\nb_? = a\nsum over j = 1 kk\nsum over k = 1..2\n",
-                 "p.map:4:10: the value 'kk' of the index 'j' contains the index 'k' of a sum, "
-                 "which would not end; give one of them another name"},
+                 "p.map:3:10: the values of the index 'j' contain it again, so that the sum would "
+                 "not end; use another letter"},
+        Unusable{"\\[ a = b_j \\]", "length a\nb_? = a\nsum over j = 1 kk\nsum over k = 1 j\n",
+                 "p.map:4:10: the values of the index 'k' contain it again, so that the sum would "
+                 "not end; use another letter"},
         Unusable{"\\[ a = a \\]", "length a\nsum over 1 = 1..2\n",
-                 "p.map:2:10: expected an index and its values, such as j = 1..4"},
+                 "p.map:2:10: the values of the index '1' contain it again, so that the sum would "
+                 "not end; use another letter"},
+        Unusable{"\\[ a = a \\]", "length a\nclosure f = a\nJ = matrix of f by ?\n",
+                 "p.map:3:20: the notation has no '?' for which the one here could stand"},
+        Unusable{
+            "\\[ a = a \\] \\setcounter{equation}{2147483647}", "length a\n",
+            "p.tex:1:13: the numbers of equations are set to more than 1000000; write a smaller "
+            "number"},
         Unusable{"\\[ a = a \\]", "length a\n{} = 4\n",
                  "p.map:2:1: the notation '{}' has no symbol; write the one that the paper prints"},
         Unusable{"\\[ a = a \\]", "length a\n\\, = matrix by its titles\n",
