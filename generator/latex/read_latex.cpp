@@ -11,7 +11,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// So many tokens an equation may have, too.
+/// An equation may have as many tokens.
 constexpr std::size_t most_parts = 20'000;
 
 bool is_product_sign(const Token& token) {
