@@ -100,7 +100,12 @@ PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
   if (!closures::take_keyword(rows, "of") || columns.empty()) {
     reader_.fail(rest.place, "expected 'of ROWS by COLUMNS'");
   }
-  return {reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
+  PrintedMatrix matrix{reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
+  if (matrix.rows.size() * matrix.columns.size() > most_entries) {
+    reader_.fail(rest.place, "the matrix has more than " + std::to_string(most_entries) +
+                                 " entries; divide it");
+  }
+  return matrix;
 }
 
 void Auditor::read_printed_matrix(const closures::Statement& statement,
@@ -233,9 +238,13 @@ void Auditor::read_printed_equation(const closures::PlacedText& label, closures:
     const auto [variable, list] = cut_at_word(loop, "in");
     reader_.expect_new(variable);
     const std::vector<std::string> names = reader_.known_names(list, false);
-    if (cases.size() * names.size() > most_cases) {
-      reader_.fail(loops.place, "the names make more than " + std::to_string(most_cases) +
-                                    " equations of this one; leave some out");
+    const std::size_t count = cases.size() * names.size();
+    const bool many = count > most_cases;
+    if (many || count * (left.text.size() + right.text.size()) > most_letters_of_cases) {
+      reader_.fail(loops.place, "the names make more than " +
+                                    (many ? std::to_string(most_cases) + " equations"
+                                          : std::to_string(most_letters_of_cases) + " letters") +
+                                    " of this one; leave some out");
     }
     std::vector<closures::LocalNames> more;
     for (const closures::LocalNames& one : cases) {

@@ -28,17 +28,34 @@ bool has_any(const Column& column, const GiNaC::lst& symbols) {
   });
 }
 
-bool are_independent(const std::vector<Column>& columns, const CircleAlgebra& algebra,
-                     const GiNaC::exmap& values) {
-  GiNaC::matrix matrix(static_cast<unsigned>(columns.size()),
-                       static_cast<unsigned>(columns[0].size()));
-  for (unsigned row = 0; row < matrix.rows(); ++row) {
-    for (unsigned place = 0; place < matrix.cols(); ++place) {
-      matrix(row, place) = algebra.at(columns[row][place], values);
+/// Columns that are linearly independent, each reduced by those before it.
+class IndependentColumns {
+ public:
+  [[nodiscard]] std::size_t count() const { return reduced_.size(); }
+
+  /// Adds a column, unless the others span it. Returns whether it was added.
+  bool add(Column column) {
+    for (const auto& [pivot, earlier] : reduced_) {
+      const GiNaC::ex factor = (column[pivot] / earlier[pivot]).normal();
+      if (factor.is_zero()) {
+        continue;
+      }
+      for (std::size_t row = 0; row < column.size(); ++row) {
+        column[row] = (column[row] - factor * earlier[row]).normal();
+      }
     }
+    const auto pivot = std::find_if(column.begin(), column.end(),
+                                    [](const GiNaC::ex& entry) { return !entry.is_zero(); });
+    if (pivot == column.end()) {
+      return false;
+    }
+    reduced_.emplace_back(static_cast<std::size_t>(pivot - column.begin()), std::move(column));
+    return true;
   }
-  return matrix.rank() == columns.size();
-}
+
+ private:
+  std::vector<std::pair<std::size_t, Column>> reduced_;  ///< with the row that is not zero
+};
 
 }  // namespace
 
@@ -54,21 +71,22 @@ AssemblyByLengths::AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiN
 
 bool AssemblyByLengths::assemble(const CircleAlgebra& algebra, GiNaC::exmap& values) const {
   GiNaC::lst solved_for;
-  std::vector<Column> columns;
+  IndependentColumns independent;
   for (const auto& [length, column] : lengths_) {
     GiNaC::lst with_length = solved_for;
     with_length.append(length);
-    if (columns.size() == equations_.size() || has_any(column, with_length)) {
+    if (independent.count() == equations_.size() || has_any(column, with_length)) {
       continue;
     }
-    columns.push_back(column);
-    if (are_independent(columns, algebra, values)) {
+    Column there;
+    for (const GiNaC::ex& slope : column) {
+      there.push_back(algebra.at(slope, values));
+    }
+    if (independent.add(std::move(there))) {
       solved_for = with_length;
-    } else {
-      columns.pop_back();
     }
   }
-  if (columns.size() != equations_.size()) {
+  if (independent.count() != equations_.size()) {
     return false;
   }
   GiNaC::exmap others = values;

@@ -13,8 +13,14 @@ AuditSymbol& ClosureSystem::declare(const std::string& name, bool angle,
 }
 
 void ClosureSystem::abbreviate(const std::string& name, const GiNaC::ex& definition) {
-  abbreviations_.emplace_back(GiNaC::symbol(name), definition);
-  whole_[abbreviations_.back().first] = expanded(definition);
+  const GiNaC::symbol symbol(name);
+  abbreviations_.push_back(symbol);
+  abbreviation_names_.emplace(name, symbol);
+  definitions_[symbol] = definition;
+  const GiNaC::ex whole = expanded(definition);
+  whole_[symbol] = whole;
+  parts_ += closures::part_count(whole);
+  extents_[symbol] = ExtentMeter(&extents_).of(definition);
 }
 
 void ClosureSystem::close(const std::string& name, const GiNaC::ex& expression) {
@@ -62,10 +68,8 @@ std::optional<GiNaC::ex> ClosureSystem::meaning_of(const std::string& name) cons
       return symbol.symbol;
     }
   }
-  for (const auto& [symbol, definition] : abbreviations_) {
-    if (symbol.get_name() == name) {
-      return symbol;
-    }
+  if (const auto found = abbreviation_names_.find(name); found != abbreviation_names_.end()) {
+    return found->second;
   }
   if (const GiNaC::ex* closure = closure_named(name)) {
     return *closure;
@@ -74,10 +78,8 @@ std::optional<GiNaC::ex> ClosureSystem::meaning_of(const std::string& name) cons
 }
 
 const GiNaC::ex* ClosureSystem::definition_of(const GiNaC::ex& symbol) const {
-  const auto found =
-      std::find_if(abbreviations_.begin(), abbreviations_.end(),
-                   [&](const auto& abbreviation) { return symbol.is_equal(abbreviation.first); });
-  return found == abbreviations_.end() ? nullptr : &found->second;
+  const auto found = definitions_.find(symbol);
+  return found == definitions_.end() ? nullptr : &found->second;
 }
 
 bool ClosureSystem::is_known(const std::string& name) const { return meaning_of(name).has_value(); }
@@ -87,7 +89,7 @@ std::vector<std::string> ClosureSystem::names() const {
   for (const AuditSymbol& symbol : symbols_) {
     all.push_back(symbol.name);
   }
-  for (const auto& [symbol, definition] : abbreviations_) {
+  for (const GiNaC::symbol& symbol : abbreviations_) {
     all.push_back(symbol.get_name());
   }
   for (const Closure& closure : closures_) {
@@ -98,10 +100,9 @@ std::vector<std::string> ClosureSystem::names() const {
 
 GiNaC::ex ClosureSystem::partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const {
   GiNaC::ex sum = expression.diff(symbol);
-  const GiNaC::exset occurring = equations::symbols_of(expression);
-  for (const auto& [name, definition] : abbreviations_) {
-    if (occurring.contains(name)) {
-      sum += expression.diff(name) * partial(definition, symbol);
+  for (const GiNaC::ex& name : equations::symbols_of(expression)) {
+    if (const GiNaC::ex* const definition = definition_of(name)) {
+      sum += expression.diff(GiNaC::ex_to<GiNaC::symbol>(name)) * partial(*definition, symbol);
     }
   }
   return sum;
@@ -140,7 +141,15 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) const {
 }
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
-  return expression.subs(whole_, GiNaC::subs_options::no_pattern);
+  // GiNaC looks at every entry of the map for each sum and product, so it gets those that occur.
+  GiNaC::exmap occurring;
+  for (const GiNaC::ex& symbol : equations::symbols_of(expression)) {
+    if (const auto found = whole_.find(symbol); found != whole_.end()) {
+      occurring.insert(*found);
+    }
+  }
+  return occurring.empty() ? expression
+                           : expression.subs(occurring, GiNaC::subs_options::no_pattern);
 }
 
 bool ClosureSystem::follows_closures(const GiNaC::ex& expression) const {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "closures/extent.hpp"
 #include "equations/variable.hpp"
 
 namespace assur::generator::closures {
@@ -50,6 +52,7 @@ class ClosureSystem {
   };
 
   AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
+  /// Lets the name stand for the expression, in which earlier abbreviations may occur.
   void abbreviate(const std::string& name, const GiNaC::ex& definition);
   void close(const std::string& name, const GiNaC::ex& expression);
   /// Reverses all signs of a closure.
@@ -68,6 +71,9 @@ class ClosureSystem {
   [[nodiscard]] const std::deque<AuditSymbol>& symbols() const { return symbols_; }
   /// What an abbreviation stands for; nullptr for all else.
   [[nodiscard]] const GiNaC::ex* definition_of(const GiNaC::ex& symbol) const;
+  [[nodiscard]] const Extents& extents() const { return extents_; }
+  /// The number of parts of all abbreviations, each without abbreviations.
+  [[nodiscard]] std::size_t part_count() const { return parts_; }
 
   /// de/dx with all other symbols held; abbreviations are differentiated through.
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
@@ -90,8 +96,12 @@ class ClosureSystem {
 
  private:
   std::deque<AuditSymbol> symbols_;
-  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> abbreviations_;  ///< each in earlier ones only
-  GiNaC::exmap whole_;  ///< each abbreviation without abbreviations
+  std::vector<GiNaC::symbol> abbreviations_;  ///< in their order
+  std::map<std::string, GiNaC::symbol> abbreviation_names_;
+  GiNaC::exmap definitions_;  ///< of abbreviations, each in earlier ones only
+  GiNaC::exmap whole_;        ///< each abbreviation without abbreviations
+  Extents extents_;
+  std::size_t parts_ = 0;
   std::vector<Closure> closures_;
   std::deque<Sensitivity> sensitivities_;
   unsigned revision_ = 0;

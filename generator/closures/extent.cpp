@@ -70,14 +70,12 @@ Extent ExtentMeter::of(const GiNaC::ex& expression) {
     extent.nesting += is_root(expression) ? 1 : 0;
     return extent;
   }
-  if (const auto known = known_.find(expression); known != known_.end()) {
-    return known->second;
+  if (abbreviations_ != nullptr) {
+    if (const auto known = abbreviations_->find(expression); known != abbreviations_->end()) {
+      return known->second;
+    }
   }
-  const GiNaC::ex* definition = system_ == nullptr ? nullptr : system_->definition_of(expression);
-  if (definition == nullptr) {
-    return extent;
-  }
-  return known_[expression] = of(*definition);
+  return extent;
 }
 
 Extent ExtentMeter::of_power(const GiNaC::ex& power) {
@@ -95,6 +93,15 @@ Extent ExtentMeter::of_power(const GiNaC::ex& power) {
     ++extent.nesting;
   }
   return extent;
+}
+
+std::size_t part_count(const GiNaC::ex& expression, std::size_t most) {
+  std::size_t count = 0;
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end() && count < most;
+       ++part) {
+    ++count;
+  }
+  return count;
 }
 
 bool can_be_multiplied_out(const GiNaC::ex& expression, double most) {

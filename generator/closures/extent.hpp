@@ -1,15 +1,18 @@
 // Turns an expression into bounds on its size after it is multiplied out.
 #pragma once
 
-#include <map>
+#include <ginac/ginac.h>
 
-#include "closures/closure_system.hpp"
+#include <map>
 
 namespace assur::generator::closures {
 
 /// The highest degree that is read, of numerator and denominator together: no mechanism needs a
 /// tenth of it, and a number of few digits to this power is computed quickly.
 inline constexpr int max_degree = 1000;
+/// How many parts an expression may have when its abbreviations and all that they stand for are
+/// written out: comparing it takes seconds for as many.
+inline constexpr std::size_t max_parts = 500'000;
 /// The largest length of a number that is read, in words of 64 binary digits.
 inline constexpr int max_words = 1024;
 /// More terms than this are not multiplied out, which would take minutes.
@@ -38,12 +41,13 @@ struct Extent {
   int nesting = 0;  ///< of roots and inverse functions within one another
 };
 
-/// Measures expressions. An abbreviation counts as what it stands for, which each meter measures
-/// only when it first meets it.
+/// The extents of abbreviations, by their symbols.
+using Extents = std::map<GiNaC::ex, Extent, GiNaC::ex_is_less>;
+
+/// Measures expressions. An abbreviation counts as what it stands for.
 class ExtentMeter {
  public:
-  /// Without a system there are no abbreviations.
-  explicit ExtentMeter(const ClosureSystem* system = nullptr) : system_(system) {}
+  explicit ExtentMeter(const Extents* abbreviations = nullptr) : abbreviations_(abbreviations) {}
 
   [[nodiscard]] Extent of(const GiNaC::ex& expression);
   /// The number of different symbols, functions and roots in all that this meter has measured.
@@ -52,10 +56,12 @@ class ExtentMeter {
  private:
   [[nodiscard]] Extent of_power(const GiNaC::ex& power);
 
-  const ClosureSystem* system_;
-  std::map<GiNaC::ex, Extent, GiNaC::ex_is_less> known_;  ///< of abbreviations
+  const Extents* abbreviations_;
   GiNaC::exset atoms_;
 };
+
+/// The number of numbers, symbols and operations in an expression, or `most` if there are more.
+[[nodiscard]] std::size_t part_count(const GiNaC::ex& expression, std::size_t most = max_parts);
 
 /// Whether an expression without abbreviations has few enough terms to be multiplied out.
 [[nodiscard]] bool can_be_multiplied_out(const GiNaC::ex& expression, double most = max_terms);

@@ -44,7 +44,7 @@ class Translation {
   }
 
   equations::ImplicitEquations run() {
-    ExtentMeter meter(&system_);
+    ExtentMeter meter(&system_.extents());
     for (const ClosureSystem::Closure& closure : system_.closures()) {
       try {
         if (meter.of(closure.expression).nesting > max_nesting_emitted) {

@@ -70,6 +70,21 @@ class Reader {
   Reader(const PlaceOf& place_of, ClosureSystem& system, const LocalNames& locals)
       : place_of_(place_of), system_(system), locals_(locals) {}
 
+  /// A scalar that is small enough to be compared, even when its abbreviations are written out.
+  GiNaC::ex formula(const text::Expression& node) {
+    GiNaC::ex expression = scalar(node);
+    expect_few_parts(part_count(system_.expanded(expression)), node);
+    return expression;
+  }
+
+  equations::Vector2 formula_of_vector(const text::Expression& node) {
+    equations::Vector2 result = vector(node);
+    expect_few_parts(
+        part_count(system_.expanded(result.x)) + part_count(system_.expanded(result.y)), node);
+    return result;
+  }
+
+ private:
   /// Throws FormulaError, also where the node has no value, as for tan(pi/2).
   GiNaC::ex scalar(const text::Expression& node) {
     try {
@@ -102,7 +117,6 @@ class Reader {
                          : equations::Vector2{first.x - second.x, first.y - second.y};
   }
 
- private:
   GiNaC::ex evaluated(const text::Expression& node) {
     if (node.kind == text::Expression::Kind::number) {
       return number(node);
@@ -175,6 +189,14 @@ class Reader {
 
   /// Degrees multiply where powers stand within powers or abbreviations, so that reading a short
   /// text might never end.
+  void expect_few_parts(std::size_t parts, const text::Expression& at) const {
+    if (system_.part_count() + parts > max_parts) {
+      fail("written out, this and the abbreviations above it have more than " +
+               std::to_string(max_parts) + " parts",
+           at);
+    }
+  }
+
   void expect_readable_extent(double degree, double words, const text::Expression& at) const {
     if (!(degree <= max_degree)) {
       fail("the degree of this, of numerator and denominator together, is higher than " +
@@ -242,20 +264,20 @@ class Reader {
   const PlaceOf& place_of_;
   ClosureSystem& system_;
   const LocalNames& locals_;
-  ExtentMeter meter_{&system_};
+  ExtentMeter meter_{&system_.extents()};
 };
 
 }  // namespace
 
 GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system, const LocalNames& locals) {
   const Reader::PlaceOf place_of = [&](std::size_t column) { return text.at(column); };
-  return Reader(place_of, system, locals).scalar(tree_of(text));
+  return Reader(place_of, system, locals).formula(tree_of(text));
 }
 
 GiNaC::ex expression_of(const text::Expression& tree,
                         const std::function<Place(std::size_t)>& place_of, ClosureSystem& system) {
   const LocalNames none;
-  return Reader(place_of, system, none).scalar(tree);
+  return Reader(place_of, system, none).formula(tree);
 }
 
 std::span<const text::ExpressionFunction> formula_functions() { return functions; }
@@ -263,7 +285,7 @@ std::span<const text::ExpressionFunction> formula_functions() { return functions
 equations::Vector2 read_vector(const PlacedText& text, ClosureSystem& system) {
   const LocalNames none;
   const Reader::PlaceOf place_of = [&](std::size_t column) { return text.at(column); };
-  return Reader(place_of, system, none).vector(tree_of(text));
+  return Reader(place_of, system, none).formula_of_vector(tree_of(text));
 }
 
 }  // namespace assur::generator::closures

@@ -34,6 +34,9 @@ constexpr std::array<Environment, 12> environments = {{{"equation", false},
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
 
+/// No title has as many tokens. A heading whose bracket or brace is not closed is read no further.
+constexpr std::size_t longest_title = 1000;
+
 /// No paper has as many equations, and counting from here cannot overflow.
 constexpr int most_numbers = 1'000'000;
 
@@ -43,18 +46,20 @@ bool is_heading(const Token& token) {
 
 /// The title of the heading at a place, which is moved behind it.
 std::string take_title(const Tokens& tokens, std::size_t& at) {
+  const std::size_t limit = std::min(at + longest_title, tokens.size());
   ++at;
   at += at < tokens.size() && tokens[at].is("*") ? 1 : 0;
   if (at < tokens.size() && tokens[at].is("[")) {  // the title in the table of contents
     const Place opened = tokens[at++].place;
-    while (at < tokens.size() && !tokens[at].is("]")) {
-      at = end_of_argument(tokens, at);
+    while (at < limit && !tokens[at].is("]")) {
+      at = end_of_argument(tokens, at, limit);
     }
-    if (at == tokens.size()) {
+    if (at >= limit) {
       throw FormulaError("[ is not closed", opened);
     }
     ++at;
   }
+  static_cast<void>(end_of_argument(tokens, at, limit));
   return letters_of(take_argument(tokens, at));
 }
 

@@ -5,6 +5,8 @@ namespace assur::generator::latex {
 namespace {
 
 constexpr int most_nested = 60;
+/// Reading takes a second for as much.
+constexpr std::size_t most_work = 2'000'000;
 
 }  // namespace
 
@@ -12,9 +14,13 @@ bool is_fraction(const Token& token) {
   return token.is("\\frac") || token.is("\\dfrac") || token.is("\\tfrac") || token.is("\\cfrac");
 }
 
-FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, std::vector<Place>& places,
-                             Place place, int depth)
-    : tokens_(std::move(tokens)), reading_(reading), places_(places), place_(place), depth_(depth) {
+FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, Progress& progress, Place place,
+                             int depth)
+    : tokens_(std::move(tokens)),
+      reading_(reading),
+      progress_(progress),
+      place_(place),
+      depth_(depth) {
   std::erase_if(tokens_, [](const Token& token) { return is_layout(token); });
   if (!tokens_.empty()) {
     place_ = tokens_[0].place;
@@ -22,6 +28,7 @@ FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, std::vector<
   if (depth_ > most_nested) {
     throw FormulaError("this is nested too deeply", place_);
   }
+  spend(tokens_.size(), 0);
 }
 
 void FormulaReader::fail(const std::string& what, std::size_t at) const {
@@ -37,7 +44,7 @@ void FormulaReader::skip_spaces() {
 }
 
 Expression FormulaReader::read(Tokens tokens, std::size_t at) {
-  return FormulaReader(std::move(tokens), reading_, places_, place_of(at), depth_ + 1).whole();
+  return FormulaReader(std::move(tokens), reading_, progress_, place_of(at), depth_ + 1).whole();
 }
 
 Place FormulaReader::place_of(std::size_t at) const {
@@ -45,8 +52,17 @@ Place FormulaReader::place_of(std::size_t at) const {
 }
 
 std::size_t FormulaReader::column(std::size_t at) {
-  places_.push_back(place_of(at));
-  return places_.size();
+  progress_.places.push_back(place_of(at));
+  return progress_.places.size();
+}
+
+void FormulaReader::spend(std::size_t work, std::size_t at) {
+  progress_.work += work;
+  if (progress_.work > most_work) {
+    fail("written out, this has more than " + std::to_string(most_work) +
+             " tokens; let the map skip this equation",
+         at);
+  }
 }
 
 Expression FormulaReader::call(const std::string& name, Operation operation,

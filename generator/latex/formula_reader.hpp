@@ -21,12 +21,17 @@ struct Factor {
 
 [[nodiscard]] bool is_fraction(const Token& token);
 
+/// What reading one formula has come to; the readers of its parts share it.
+struct Progress {
+  std::vector<Place> places;
+  std::size_t work = 0;  ///< tokens that were copied, and characters of the map's formulas
+};
+
 /// Reads one range of tokens to its end. Every function throws FormulaError at the place of what it
 /// cannot read.
 class FormulaReader {
  public:
-  FormulaReader(Tokens tokens, const Reading& reading, std::vector<Place>& places, Place place,
-                int depth);
+  FormulaReader(Tokens tokens, const Reading& reading, Progress& progress, Place place, int depth);
 
   Expression whole();
 
@@ -37,6 +42,8 @@ class FormulaReader {
   Expression read(Tokens tokens, std::size_t at);
   [[nodiscard]] Place place_of(std::size_t at) const;
   std::size_t column(std::size_t at);
+  /// Throws where reading the formula would take too long.
+  void spend(std::size_t work, std::size_t at);
   Expression call(const std::string& name, Operation operation, std::vector<Expression> arguments,
                   std::size_t at);
   Expression binary(const std::string& name, Operation operation, Expression left, Expression right,
@@ -98,7 +105,7 @@ class FormulaReader {
 
   Tokens tokens_;
   const Reading& reading_;
-  std::vector<Place>& places_;
+  Progress& progress_;
   Place place_;
   int depth_;
   std::size_t at_ = 0;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
+#include <memory>
 
 namespace assur::generator::latex {
 
@@ -10,6 +10,7 @@ namespace {
 
 /// No call in a paper needs as many replacements, but definitions that use each other have no end.
 constexpr std::size_t most_replacements = 20000;
+/// No paper makes as many tokens with its commands.
 constexpr std::size_t most_tokens = 2000000;
 
 struct Macro {
@@ -17,6 +18,8 @@ struct Macro {
   Tokens body;
   bool readable = true;  ///< its definition has a form that is followed here
 };
+/// What a command means; nothing if it is not defined.
+using SharedMacro = std::shared_ptr<const Macro>;
 
 class Expander {
  public:
@@ -42,7 +45,7 @@ class Expander {
       } else if (token.is("\\DeclareMathOperator")) {
         define_operator();
       } else if (const auto macro = macros_.find(token.text); macro != macros_.end()) {
-        replace(token, macro->second);
+        replace(token, *macro->second);
       } else {
         follow_group(token);
         result_.push_back(token);
@@ -105,11 +108,15 @@ class Expander {
   }
 
   void define(const Tokens& name, Macro macro) {
+    define(name, std::make_shared<const Macro>(std::move(macro)));
+  }
+
+  void define(const Tokens& name, SharedMacro macro) {
     if (name.size() == 1 && name[0].is_command() && !kept_.contains(name[0].text)) {
       const auto before = macros_.find(name[0].text);
       if (!groups_.empty() && !global_) {
-        groups_.back().emplace_back(
-            name[0].text, before == macros_.end() ? std::nullopt : std::optional(before->second));
+        groups_.back().emplace_back(name[0].text,
+                                    before == macros_.end() ? nullptr : before->second);
       }
       macros_[name[0].text] = std::move(macro);
     }
@@ -124,7 +131,7 @@ class Expander {
       groups_.pop_back();
       for (auto each = ended.rbegin(); each != ended.rend(); ++each) {
         if (each->second) {
-          macros_[each->first] = *each->second;
+          macros_[each->first] = each->second;
         } else {
           macros_.erase(each->first);
         }
@@ -138,8 +145,8 @@ class Expander {
     const std::string count = optional_argument();
     const bool defaults = !optional_argument().empty();
     const bool digit = count.size() == 1 && count[0] >= '0' && count[0] <= '9';
-    define(name, {digit ? static_cast<std::size_t>(count[0] - '0') : 0, argument(),
-                  !defaults && (digit || count.empty())});
+    define(name, Macro{digit ? static_cast<std::size_t>(count[0] - '0') : 0, argument(),
+                       !defaults && (digit || count.empty())});
   }
 
   void define_plainly() {
@@ -166,7 +173,8 @@ class Expander {
       return;
     }
     const auto known = macros_.find(other[0].text);
-    define(name, known == macros_.end() ? Macro{0, other} : known->second);
+    define(name,
+           known == macros_.end() ? std::make_shared<const Macro>(Macro{0, other}) : known->second);
   }
 
   void define_operator() {
@@ -183,7 +191,7 @@ class Expander {
     };
     body.insert(body.begin(), {made("\\operatorname"), made("{")});
     body.push_back(made("}"));
-    define(name, {0, body});
+    define(name, Macro{0, body});
   }
 
   void replace(const Token& call, const Macro& macro) {
@@ -218,13 +226,14 @@ class Expander {
       made.back().to = call.to;
     }
     expect_room(call, made.size());
+    made_ += made.size() + 1;
     rest_.insert(rest_.end(), made.rbegin(), made.rend());
   }
 
   void expect_room(const Token& call, std::size_t made) const {
-    if (result_.size() + rest_.size() + made > most_tokens) {
-      throw FormulaError("expanding " + call.text + " makes more than " +
-                             std::to_string(most_tokens) + " tokens of the paper; write it out",
+    if (made_ + made > most_tokens) {
+      throw FormulaError("expanding the commands up to " + call.text + " makes more than " +
+                             std::to_string(most_tokens) + " tokens; write it out",
                          call.place);
     }
   }
@@ -232,13 +241,14 @@ class Expander {
   const std::set<std::string>& kept_;
   Tokens rest_;  ///< in reverse
   Tokens result_;
-  std::map<std::string, Macro> macros_;
-  using Definition = std::pair<std::string, std::optional<Macro>>;
+  std::map<std::string, SharedMacro> macros_;
+  using Definition = std::pair<std::string, SharedMacro>;
   std::vector<std::vector<Definition>> groups_;  ///< former definitions, by open group
   bool global_ = false;                          ///< what is defined outlives its group
   /// How often each call in the file has been replaced, by its place. Calls within what replaces
   /// it have the same place and count with it.
   std::map<std::size_t, std::size_t> replacements_;
+  std::size_t made_ = 0;  ///< tokens by all replacements so far, and one for each of them
   Place last_{1, 1};
 };
 

@@ -8,6 +8,8 @@ namespace assur::generator::latex {
 
 namespace {
 
+constexpr std::size_t longest_formula = 20'000;
+
 constexpr std::array<std::string_view, 38> symbol_names = {
     "alpha",    "beta",  "gamma",   "delta",  "epsilon", "varepsilon", "zeta",  "eta",
     "theta",    "iota",  "kappa",   "lambda", "mu",      "nu",         "xi",    "rho",
@@ -237,10 +239,16 @@ std::optional<std::vector<std::string>> matched(const std::vector<std::string>& 
   return captured;
 }
 
-std::string filled(const std::string& formula, const std::vector<std::string>& captured) {
+std::string filled(const std::string& formula, const std::vector<std::string>& captured,
+                   Place place) {
   std::string text;
   std::size_t next = 0;
   for (const char letter : formula) {
+    if (text.size() > longest_formula) {
+      throw FormulaError("the map's formula for this has more than " +
+                             std::to_string(longest_formula) + " characters",
+                         place);
+    }
     if (letter != '?' || captured.empty()) {
       text += letter;
       continue;
@@ -275,6 +283,7 @@ std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& 
                                         std::size_t at) {
   std::vector<std::string> captured;
   Meaning meaning;
+  const std::size_t first = at;
   std::size_t open = 0;  // braces
   for (std::size_t place = 0; place < notation.pattern.size(); ++place) {
     const std::string& pattern = notation.pattern[place];
@@ -325,7 +334,7 @@ std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& 
   if (open > 0) {
     return std::nullopt;
   }
-  meaning.formula = filled(notation.formula, captured);
+  meaning.formula = filled(notation.formula, captured, tokens[first].place);
   meaning.end = at;
   return meaning;
 }

@@ -71,8 +71,9 @@ class Notations {
 /// What the `?` of a pattern stand for in symbols that it matches.
 [[nodiscard]] std::optional<std::vector<std::string>> matched(
     const std::vector<std::string>& pattern, const std::vector<std::string>& symbols);
-/// The formula with each `?` replaced.
+/// The formula with each `?` replaced. Throws FormulaError at the place for a formula that becomes
+/// too long.
 [[nodiscard]] std::string filled(const std::string& formula,
-                                 const std::vector<std::string>& captured);
+                                 const std::vector<std::string>& captured, Place place);
 
 }  // namespace assur::generator::latex

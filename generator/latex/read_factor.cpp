@@ -1,4 +1,6 @@
 // Turns the tokens of a factor into its tree: numbers, quantities, brackets, roots, fractions.
+#include <assur/text/quoted.hpp>
+
 #include "latex/formula_reader.hpp"
 #include "latex/rows.hpp"
 
@@ -142,12 +144,13 @@ Expression FormulaReader::formula_of(const Meaning& meaning, std::size_t at) {
     return {Expression::Kind::name, 0,         printed_name(meaning.name), {},
             Operation::other,       column(at)};
   }
+  spend(meaning.formula.size(), at);
   try {
     Expression tree = text::parse_expression(meaning.formula, closures::formula_functions());
     move_to(tree, column(at));
     return tree;
   } catch (const text::ExpressionError& error) {
-    fail("the map has '" + meaning.formula + "' for this, and " + error.what(), at);
+    fail("the map has " + text::in_quotes(meaning.formula) + " for this, and " + error.what(), at);
   }
 }
 

@@ -23,9 +23,9 @@ bool is_product_sign(const Token& token) {
 std::string printed_name(const std::string& notation) { return "printed " + notation; }
 
 LatexFormula read_latex(const Tokens& tokens, const Reading& reading, Place place) {
-  LatexFormula formula;
-  formula.tree = FormulaReader(tokens, reading, formula.places, place, 0).whole();
-  return formula;
+  Progress progress;
+  Expression tree = FormulaReader(tokens, reading, progress, place, 0).whole();
+  return {std::move(tree), std::move(progress.places)};
 }
 
 Expression FormulaReader::whole() {
@@ -89,7 +89,7 @@ Expression FormulaReader::term(const Tokens& tokens, std::size_t at) {
   if (first < tokens.size() && tokens[first].is("\\sum")) {
     return explicit_sum(tokens, first + 1, at);
   }
-  FormulaReader reader(tokens, reading_, places_, place_of(at), depth_ + 1);
+  FormulaReader reader(tokens, reading_, progress_, place_of(at), depth_ + 1);
   return reader.product();
 }
 
@@ -97,7 +97,7 @@ Expression FormulaReader::summed(const Tokens& tokens, const std::string& index,
                                  const std::vector<std::string>& values, std::size_t at) {
   Expression left;
   for (std::size_t place = 0; place < values.size(); ++place) {
-    if (places_.size() > most_parts) {
+    if (progress_.places.size() > most_parts) {
       fail("written out, the sums have more than " + std::to_string(most_parts) +
                " parts; let the map skip this equation",
            at);

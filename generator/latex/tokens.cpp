@@ -152,9 +152,9 @@ void expect_readable_size(const Tokens& tokens) {
 bool opens(const Token& token) { return token.is("(") || token.is("[") || token.is("\\{"); }
 bool closes(const Token& token) { return token.is(")") || token.is("]") || token.is("\\}"); }
 
-std::size_t end_of_argument(const Tokens& tokens, std::size_t at) {
+std::size_t end_of_argument(const Tokens& tokens, std::size_t at, std::size_t limit) {
   std::size_t depth = 0;
-  for (std::size_t next = at; next < tokens.size(); ++next) {
+  for (std::size_t next = at; next < std::min(limit, tokens.size()); ++next) {
     if (tokens[next].is("{")) {
       ++depth;
     } else if (tokens[next].is("}")) {

@@ -49,8 +49,10 @@ void expect_readable_size(const Tokens& tokens);
 [[nodiscard]] bool opens(const Token& token);
 [[nodiscard]] bool closes(const Token& token);
 
-/// The place behind the group, or behind the single token, that begins at `at`.
-[[nodiscard]] std::size_t end_of_argument(const Tokens& tokens, std::size_t at);
+/// The place behind the group, or behind the single token, that begins at `at`. Throws FormulaError
+/// where there is none, or none before `limit`.
+[[nodiscard]] std::size_t end_of_argument(const Tokens& tokens, std::size_t at,
+                                          std::size_t limit = std::string::npos);
 /// What stands in the argument that begins at `at`, without its braces; `at` is moved behind it.
 [[nodiscard]] Tokens take_argument(const Tokens& tokens, std::size_t& at);
 /// The characters of tokens one after the other, as in the name of an environment.

@@ -10,6 +10,13 @@ namespace {
 using generator::latex::LatexMatrix;
 using generator::latex::Token;
 
+void expect_few_entries(std::size_t rows, std::size_t columns, Place place) {
+  if (rows * columns > most_entries) {
+    throw FormulaError(
+        "the matrix has more than " + std::to_string(most_entries) + " entries; divide it", place);
+  }
+}
+
 PrintedMatrix frame_of_titles(const PaperFormulas& formulas, const LatexMatrix& matrix) {
   if (matrix.row_titles.empty()) {
     throw FormulaError("the matrix has no titles that rules separate from its entries",
@@ -52,6 +59,7 @@ MatrixAnswer audit_entries(PaperFormulas& formulas, PrintedMatrix frame,
                            std::to_string(matrix.cells[0].size()),
                        matrix.place);
   }
+  expect_few_entries(frame.rows.size(), frame.columns.size(), matrix.place);
   std::vector<Finding> findings;
   for (std::size_t row = 0; row < frame.rows.size(); ++row) {
     Place last = matrix.place;
@@ -93,6 +101,11 @@ std::optional<MatrixAnswer> audit_inverse(PaperFormulas& formulas, const Stated&
   if (!inverted || !right || inverted->columns != left.rows || inverted->rows != right->rows ||
       right->columns != left.columns) {
     throw FormulaError("the map's matrices do not fit together here", stated.sides[1][0].place);
+  }
+  if (right->rows.size() * right->columns.size() * left.rows.size() > most_entries) {
+    throw FormulaError("the product of these matrices has more than " +
+                           std::to_string(most_entries) + " products; let the map skip it",
+                       stated.sides[1][0].place);
   }
   std::vector<Finding> findings;
   for (const std::string& row : right->rows) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <assur/text/input_file.hpp>
 #include <assur/text/names.hpp>
+#include <deque>
 
 #include "audit/latex/matrix_statement.hpp"
 #include "audit/source_lines.hpp"
@@ -80,23 +81,31 @@ class PaperAuditor {
 
   /// Reads the definitions of the paper; each may use others, also later ones.
   void define_all() {
-    bool more = true;
-    while (more) {
-      more = false;
-      for (Stated& stated : stated_) {
-        if (stated.defines.empty() || stated.error ||
-            system().is_known(printed_name(stated.defines))) {
-          continue;
-        }
-        try {
-          system().abbreviate(printed_name(stated.defines),
-                              formulas_.expression(stated.sides[1], stated.place));
-          stated.sides.erase(stated.sides.begin());
-          more = true;
-        } catch (const FormulaError&) {
-          continue;  // it may be readable when more is defined; if not, its audit says why
-        }
+    std::deque<Stated*> ready;
+    for (Stated& stated : stated_) {
+      if (!stated.defines.empty() && !stated.error) {
+        ready.push_back(&stated);
       }
+    }
+    std::map<std::string, std::vector<Stated*>> waiting;  // by the name that each needs first
+    for (; !ready.empty(); ready.pop_front()) {
+      Stated& stated = *ready.front();
+      const std::string name = printed_name(stated.defines);
+      if (system().is_known(name)) {
+        continue;
+      }
+      try {
+        system().abbreviate(name, formulas_.expression(stated.sides[1], stated.place));
+      } catch (const NotDefined& needed) {
+        waiting[needed.name].push_back(&stated);
+        continue;
+      } catch (const FormulaError&) {
+        continue;  // its audit says why
+      }
+      stated.sides.erase(stated.sides.begin());
+      const std::vector<Stated*>& more = waiting[name];
+      ready.insert(ready.end(), more.begin(), more.end());
+      waiting.erase(name);
     }
   }
 
@@ -163,14 +172,19 @@ class PaperAuditor {
     if (stated.sides.size() < 2) {
       return;  // a definition, and nothing beside it
     }
+    const std::size_t letters = stated.tokens.size() + formulas_.source(stated.tokens).size();
     std::vector<Case> cases = {{}};
     for (const auto& [index, values] : map_.indices()) {
       if (!generator::latex::has_index(stated.tokens, index)) {
         continue;
       }
-      if (cases.size() * values.size() * (stated.sides.size() - 1) > most_cases) {
-        throw FormulaError("the indices make more than " + std::to_string(most_cases) +
-                               " equations of this one; let the map skip it",
+      const std::size_t count = cases.size() * values.size();
+      const bool many = count * (stated.sides.size() - 1) > most_cases;
+      if (many || count * letters > most_letters_of_cases) {
+        throw FormulaError("the indices make more than " +
+                               (many ? std::to_string(most_cases) + " equations"
+                                     : std::to_string(most_letters_of_cases) + " letters") +
+                               " of this one; let the map skip it",
                            stated.place);
       }
       std::vector<Case> more;

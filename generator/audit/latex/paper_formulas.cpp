@@ -29,10 +29,9 @@ GiNaC::ex PaperFormulas::expression(const Tokens& tokens, Place place) {
   collect_printed(formula.tree, printed);
   for (const text::Expression* each : printed) {
     if (!system().is_known(each->name)) {
-      throw FormulaError("the paper does not define '" +
-                             each->name.substr(printed_name("").size()) +
-                             "' in a way that can be read",
-                         place_of(each->column));
+      throw NotDefined("the paper does not define '" + each->name.substr(printed_name("").size()) +
+                           "' in a way that can be read",
+                       place_of(each->column), each->name);
     }
   }
   return closures::expression_of(formula.tree, place_of, system());

@@ -9,6 +9,13 @@ using closures::FormulaError;
 using closures::Place;
 using generator::latex::Meaning;
 
+/// A quantity that the paper should define, and that is not defined yet.
+struct NotDefined : FormulaError {
+  NotDefined(const std::string& what, Place at, std::string name_in)
+      : FormulaError(what, at), name(std::move(name_in)) {}
+  std::string name;  ///< as formulas have it
+};
+
 /// What the formulas of a paper say.
 class PaperFormulas {
  public:
@@ -23,7 +30,7 @@ class PaperFormulas {
   [[nodiscard]] bool blanks_are_zero() const { return reading_.blanks_are_zero; }
 
   /// The expression of tokens; `place` is where a formula without tokens should stand. Throws
-  /// FormulaError, also for what the paper should define and does not.
+  /// FormulaError, and NotDefined for the first quantity that the paper should define and does not.
   [[nodiscard]] GiNaC::ex expression(const Tokens& tokens, Place place);
   /// The tokens as they stand in the file, on one line.
   [[nodiscard]] std::string source(const Tokens& tokens) const;

@@ -247,15 +247,23 @@ void PaperMap::find_skipped(const std::set<std::string>& labels,
 
 std::size_t PaperMap::skip_section(const std::vector<PlacedText>& parts, std::size_t from,
                                    const std::set<std::string>& sections) {
-  for (std::size_t to = parts.size(); to > from; --to) {
-    std::string title = parts[from].text;
-    for (std::size_t part = from + 1; part < to; ++part) {
-      title += ", " + parts[part].text;
-    }
+  std::size_t longest = 0;
+  for (const std::string& section : sections) {
+    longest = std::max(longest, section.size());
+  }
+  std::string found;
+  std::size_t behind_found = from;
+  std::string title;
+  for (std::size_t to = from; to < parts.size() && title.size() <= longest; ++to) {
+    title += (to == from ? "" : ", ") + parts[to].text;
     if (sections.contains(title)) {
-      skipped_sections_.insert(title);
-      return to;
+      found = title;
+      behind_found = to + 1;
     }
+  }
+  if (behind_found > from) {
+    skipped_sections_.insert(found);
+    return behind_found;
   }
   const PlacedText& missing = parts[from];
   throw closures::AuditSyntaxError(
@@ -315,7 +323,7 @@ void PaperMap::read_notation(const PlacedText& line) {
   }
   try {
     static_cast<void>(
-        text::parse_expression(generator::latex::filled(meaning.text, {"1", "1", "1", "1"}),
+        text::parse_expression(generator::latex::filled(meaning.text, {"1"}, meaning.place),
                                closures::formula_functions()));
   } catch (const text::ExpressionError& error) {
     fail(meaning.at(error.column), error.what());

@@ -27,6 +27,26 @@ std::string equation_of_27000() {
 }
 const std::string many_cases = equation_of_27000();
 
+std::string repeated(const std::string& text, int times) {
+  std::string all;
+  for (int time = 0; time < times; ++time) {
+    all += text;
+  }
+  return all;
+}
+const std::string many_letters = "length a\nprinted equation (1) for x in" + repeated(" a", 300) +
+                                 " : " + repeated("a + ", 2000) + "x = a\n";
+const std::string many_entries = "length a\nclosure f = a\nprinted matrix J of" +
+                                 repeated(" f", 201) + " by" + repeated(" a", 100) + "\n";
+const std::string many_parts = [] {
+  std::string text = "length a\nlet x0 = a\n";
+  for (int level = 1; level <= 20; ++level) {
+    const std::string before = "x" + std::to_string(level - 1);
+    text += "let x" + std::to_string(level) + " = atan(" + before + ") + acos(" + before + ")\n";
+  }
+  return text;
+}();
+
 class BadAudit : public testing::TestWithParam<Fault> {};
 
 TEST_P(BadAudit, GetsOneLineWithItsPlace) {
@@ -65,6 +85,13 @@ INSTANTIATE_TEST_SUITE_P(
               "f.audit:4:3: expected 1 entry, found 2"},
         Fault{"Cases", many_cases.c_str(),
               "f.audit:2:26: the names make more than 20000 equations of this one; leave some out"},
+        Fault{"Letters", many_letters.c_str(),
+              "f.audit:2:26: the names make more than 2000000 letters of this one; leave some out"},
+        Fault{"ManyEntries", many_entries.c_str(),
+              "f.audit:3:18: the matrix has more than 20000 entries; divide it"},
+        Fault{"Parts", many_parts.c_str(),
+              "f.audit:19:21: written out, this and the abbreviations above it have more than "
+              "500000 parts"},
         Fault{"Printed", "printed matricks J\n",
               "f.audit:1:9: expected closure, matrix, code, run, equation, kinds or number after "
               "'printed'"},

@@ -165,6 +165,55 @@ TEST(MapOfRefusals, ABlankEntryIsNoZeroUnlessTheMapSaysSo) {
   EXPECT_TRUE(entry(quantities + "blanks are zero\n").agrees());
 }
 
+const Finding& only_finding(const AuditReport& report) {
+  return report.statements.at(0).findings.at(0);
+}
+
+TEST(MapOfRefusals, AFormulaOfTheMapStaysShort) {
+  const std::string map = "length a\nb = a\nw_? = a" + std::string(300, '?') + "\n";
+  const std::string paper = "\\[ b = w_{" + std::string(100, '1') + "} \\]";
+  const AuditReport report = latex::audit_paper_text(paper, "p.tex", map, "p.map");
+  EXPECT_EQ(only_finding(report).comparison.evidence,
+            "the map's formula for this has more than 20000 characters");
+}
+
+TEST(MapOfRefusals, AFormulaOfTheMapIsNotReadThousandsOfTimes) {
+  std::string formula = "a";
+  for (int term = 0; term < 500; ++term) {
+    formula += " + a";
+  }
+  std::string sum = "w";
+  for (int term = 0; term < 2000; ++term) {
+    sum += " + w";
+  }
+  const AuditReport report = latex::audit_paper_text(
+      "\\[ b = " + sum + " \\]", "p.tex", "length a\nb = a\nw = " + formula + "\n", "p.map");
+  EXPECT_EQ(only_finding(report).comparison.evidence,
+            "written out, this has more than 2000000 tokens; let the map skip this equation");
+}
+
+TEST(MapOfRefusals, AnEquationIsNotReadThousandsOfTimes) {
+  std::string sum = "m_j";
+  for (int term = 0; term < 3000; ++term) {
+    sum += " + a";
+  }
+  const AuditReport report = latex::audit_paper_text(
+      "\\[ a = " + sum + " \\]", "p.tex", "length a\nm_? = a\nindex j = 1..999\n", "p.map");
+  EXPECT_EQ(only_finding(report).comparison.evidence,
+            "the indices make more than 2000000 letters of this one; let the map skip it");
+}
+
+TEST(MapOfRefusals, DefinitionsMayEachNeedTheNext) {
+  std::string paper;
+  for (int name = 1; name < 200; ++name) {
+    paper += "\\[ w_{" + std::to_string(name) + "} = w_{" + std::to_string(name + 1) + "} \\]\n";
+  }
+  const AuditReport report =
+      latex::audit_paper_text(paper + "\\[ w_{200} = 2a \\]\n\\[ a + a = w_1 \\]", "p.tex",
+                              "length a\nw_? = as printed\n", "p.map");
+  EXPECT_TRUE(report.agrees());
+}
+
 TEST(MapOfRefusals, BracketsMultiplyWhereTheMapSaysSo) {
   EXPECT_TRUE(latex::audit_paper_text("\\[ a(b + c) = ac + ba \\]", "p.tex",
                                       quantities + "brackets multiply\n", "p.map")
@@ -237,6 +286,11 @@ INSTANTIATE_TEST_SUITE_P(
                  "p.tex:1:24: expanding \\x takes more than 20000 replacements; write it out"},
         Unusable{"\\def\\f#1{#1\\f{#1}}\\def\\g{a}\\[ \\f\\g \\]", "length a\n",
                  "p.tex:1:31: expanding \\f takes more than 20000 replacements; write it out"},
+        Unusable{
+            "\\def\\f#1{\\f{#1#1}}\\[ \\f a \\]", "length a\n",
+            "p.tex:1:22: expanding the commands up to \\f makes more than 2000000 tokens; write "
+            "it out"},
+        Unusable{"\\section[a \\[ a = a \\]", "length a\n", "p.tex:1:9: [ is not closed"},
         Unusable{"\\[ a = a \\]", "length a\nq_1 = a\nq_{1} = 2*a\n",
                  "p.map:3:1: the notation 'q_{1}' is given twice; leave one out"},
         Unusable{"\\[ a = a \\]", "length a\nq_? = a\n\nq_? = as printed\n",
