@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"ManyEntries", many_entries.c_str(),
               "f.audit:3:18: the matrix has more than 20000 entries; divide it"},
         Fault{"Parts", many_parts.c_str(),
-              "f.audit:19:21: written out, this and the abbreviations above it have more than "
+              "f.audit:18:32: written out, this and the abbreviations above it have more than "
               "500000 parts"},
         Fault{"Printed", "printed matricks J\n",
               "f.audit:1:9: expected closure, matrix, code, run, equation, kinds or number after "
