@@ -11,8 +11,8 @@ namespace assur::generator::audit {
 /// How many equations one printed equation may stand for, by its indices.
 constexpr std::size_t most_cases = 20'000;
 /// How many letters, or tokens, all these equations may have.
-constexpr std::size_t most_letters_of_cases = 2'000'000;
-/// How many entries a matrix may have, and how many products the audit of an inverse may take.
+constexpr std::size_t most_letters_of_cases = 10'000'000;
+/// How many entries a matrix may have.
 constexpr std::size_t most_entries = 20'000;
 
 /// One entry of a printed matrix: empty text stands for zero.

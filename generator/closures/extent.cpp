@@ -97,7 +97,7 @@ Extent ExtentMeter::of_power(const GiNaC::ex& power) {
 
 std::size_t part_count(const GiNaC::ex& expression, std::size_t most) {
   std::size_t count = 0;
-  for (auto part = expression.preorder_begin(); part != expression.preorder_end() && count < most;
+  for (auto part = expression.preorder_begin(); part != expression.preorder_end() && count <= most;
        ++part) {
     ++count;
   }

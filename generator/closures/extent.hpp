@@ -10,9 +10,11 @@ namespace assur::generator::closures {
 /// The highest degree that is read, of numerator and denominator together: no mechanism needs a
 /// tenth of it, and a number of few digits to this power is computed quickly.
 inline constexpr int max_degree = 1000;
-/// How many parts an expression may have when its abbreviations and all that they stand for are
-/// written out: comparing it takes seconds for as many.
+/// How many parts an expression may have when its abbreviations are written out: comparing it takes
+/// seconds for as many.
 inline constexpr std::size_t max_parts = 500'000;
+/// How many parts all abbreviations may have, since they are held in memory.
+inline constexpr std::size_t max_parts_in_all = 5'000'000;
 /// The largest length of a number that is read, in words of 64 binary digits.
 inline constexpr int max_words = 1024;
 /// More terms than this are not multiplied out, which would take minutes.
@@ -60,7 +62,7 @@ class ExtentMeter {
   GiNaC::exset atoms_;
 };
 
-/// The number of numbers, symbols and operations in an expression, or `most` if there are more.
+/// The number of numbers, symbols and operations in an expression; `most + 1` if there are more.
 [[nodiscard]] std::size_t part_count(const GiNaC::ex& expression, std::size_t most = max_parts);
 
 /// Whether an expression without abbreviations has few enough terms to be multiplied out.

@@ -73,14 +73,13 @@ class Reader {
   /// A scalar that is small enough to be compared, even when its abbreviations are written out.
   GiNaC::ex formula(const text::Expression& node) {
     GiNaC::ex expression = scalar(node);
-    expect_few_parts(part_count(system_.expanded(expression)), node);
+    expect_few_parts(parts_of(expression, node), node);
     return expression;
   }
 
   equations::Vector2 formula_of_vector(const text::Expression& node) {
     equations::Vector2 result = vector(node);
-    expect_few_parts(
-        part_count(system_.expanded(result.x)) + part_count(system_.expanded(result.y)), node);
+    expect_few_parts(parts_of(result.x, node) + parts_of(result.y, node), node);
     return result;
   }
 
@@ -190,10 +189,23 @@ class Reader {
   /// Degrees multiply where powers stand within powers or abbreviations, so that reading a short
   /// text might never end.
   void expect_few_parts(std::size_t parts, const text::Expression& at) const {
-    if (system_.part_count() + parts > max_parts) {
-      fail("written out, this and the abbreviations above it have more than " +
-               std::to_string(max_parts) + " parts",
+    if (parts > max_parts) {
+      fail("written out, this has more than " + std::to_string(max_parts) + " parts", at);
+    }
+    if (system_.part_count() + parts > max_parts_in_all) {
+      fail("written out, this and all abbreviations have more than " +
+               std::to_string(max_parts_in_all) + " parts",
            at);
+    }
+  }
+
+  /// Throws FormulaError where what abbreviations stand for leaves no value: `1/(v - a)` for v = a.
+  [[nodiscard]] std::size_t parts_of(const GiNaC::ex& expression,
+                                     const text::Expression& at) const {
+    try {
+      return part_count(system_.expanded(expression));
+    } catch (const std::domain_error&) {  // from GiNaC, at poles
+      fail("the expression has no value here", at);
     }
   }
 

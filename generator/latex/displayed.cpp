@@ -35,7 +35,7 @@ constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\
                                                       "\\subsection"};
 
 /// No title has as many tokens. A heading whose bracket or brace is not closed is read no further.
-constexpr std::size_t longest_title = 1000;
+constexpr std::size_t longest_title = 10'000;
 
 /// No paper has as many equations, and counting from here cannot overflow.
 constexpr int most_numbers = 1'000'000;

@@ -10,8 +10,9 @@ namespace {
 
 /// No call in a paper needs as many replacements, but definitions that use each other have no end.
 constexpr std::size_t most_replacements = 20000;
-/// No paper makes as many tokens with its commands.
+/// No paper has as many tokens when its commands are replaced, nor makes as many on the way there.
 constexpr std::size_t most_tokens = 2000000;
+constexpr std::size_t most_made = 20000000;
 
 struct Macro {
   std::size_t arguments = 0;
@@ -231,9 +232,11 @@ class Expander {
   }
 
   void expect_room(const Token& call, std::size_t made) const {
-    if (made_ + made > most_tokens) {
+    const bool many = result_.size() + rest_.size() + made > most_tokens;
+    if (many || made_ + made > most_made) {
       throw FormulaError("expanding the commands up to " + call.text + " makes more than " +
-                             std::to_string(most_tokens) + " tokens; write it out",
+                             std::to_string(many ? most_tokens : most_made) +
+                             " tokens; write it out",
                          call.place);
     }
   }

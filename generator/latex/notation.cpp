@@ -8,7 +8,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-constexpr std::size_t longest_formula = 20'000;
+constexpr std::size_t longest_formula = 10'000;
 
 constexpr std::array<std::string_view, 38> symbol_names = {
     "alpha",    "beta",  "gamma",   "delta",  "epsilon", "varepsilon", "zeta",  "eta",

@@ -167,7 +167,10 @@ std::size_t end_of_argument(const Tokens& tokens, std::size_t at, std::size_t li
       return next + 1;
     }
   }
-  throw FormulaError(at < tokens.size() ? "this brace is not closed" : "an argument is missing",
+  const bool limited = limit < tokens.size();
+  throw FormulaError(at >= tokens.size() ? "an argument is missing"
+                     : limited           ? "this is not closed, or too long"
+                                         : "this brace is not closed",
                      tokens.empty() ? Place{1, 1} : tokens[std::min(at, tokens.size() - 1)].place);
 }
 

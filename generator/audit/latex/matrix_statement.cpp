@@ -10,6 +10,9 @@ namespace {
 using generator::latex::LatexMatrix;
 using generator::latex::Token;
 
+/// Comparing an inverse takes ten seconds for as many.
+constexpr std::size_t most_products = 100'000;
+
 void expect_few_entries(std::size_t rows, std::size_t columns, Place place) {
   if (rows * columns > most_entries) {
     throw FormulaError(
@@ -102,9 +105,9 @@ std::optional<MatrixAnswer> audit_inverse(PaperFormulas& formulas, const Stated&
       right->columns != left.columns) {
     throw FormulaError("the map's matrices do not fit together here", stated.sides[1][0].place);
   }
-  if (right->rows.size() * right->columns.size() * left.rows.size() > most_entries) {
-    throw FormulaError("the product of these matrices has more than " +
-                           std::to_string(most_entries) + " products; let the map skip it",
+  if (right->rows.size() * right->columns.size() * left.rows.size() > most_products) {
+    throw FormulaError("these matrices are too large: their entries are compared by more than " +
+                           std::to_string(most_products) + " products; let the map skip this",
                        stated.sides[1][0].place);
   }
   std::vector<Finding> findings;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <assur/text/input_file.hpp>
 #include <assur/text/names.hpp>
-#include <deque>
+#include <set>
 
 #include "audit/latex/matrix_statement.hpp"
 #include "audit/source_lines.hpp"
@@ -81,15 +81,19 @@ class PaperAuditor {
 
   /// Reads the definitions of the paper; each may use others, also later ones.
   void define_all() {
-    std::deque<Stated*> ready;
-    for (Stated& stated : stated_) {
-      if (!stated.defines.empty() && !stated.error) {
-        ready.push_back(&stated);
+    // Where a name is defined more than once, the first definition that can be read in a pass
+    // through the paper counts. Only those whose needs were met since are read again.
+    std::set<std::pair<std::size_t, std::size_t>> ready;  // pass, place in the paper
+    for (std::size_t place = 0; place < stated_.size(); ++place) {
+      if (!stated_[place].defines.empty() && !stated_[place].error) {
+        ready.emplace(0, place);
       }
     }
-    std::map<std::string, std::vector<Stated*>> waiting;  // by the name that each needs first
-    for (; !ready.empty(); ready.pop_front()) {
-      Stated& stated = *ready.front();
+    std::map<std::string, std::vector<std::size_t>> waiting;  // by the name that each needs first
+    while (!ready.empty()) {
+      const auto [pass, place] = *ready.begin();
+      ready.erase(ready.begin());
+      Stated& stated = stated_[place];
       const std::string name = printed_name(stated.defines);
       if (system().is_known(name)) {
         continue;
@@ -97,14 +101,15 @@ class PaperAuditor {
       try {
         system().abbreviate(name, formulas_.expression(stated.sides[1], stated.place));
       } catch (const NotDefined& needed) {
-        waiting[needed.name].push_back(&stated);
+        waiting[needed.name].push_back(place);
         continue;
       } catch (const FormulaError&) {
         continue;  // its audit says why
       }
       stated.sides.erase(stated.sides.begin());
-      const std::vector<Stated*>& more = waiting[name];
-      ready.insert(ready.end(), more.begin(), more.end());
+      for (const std::size_t other : waiting[name]) {
+        ready.emplace(other > place ? pass : pass + 1, other);
+      }
       waiting.erase(name);
     }
   }
@@ -172,7 +177,8 @@ class PaperAuditor {
     if (stated.sides.size() < 2) {
       return;  // a definition, and nothing beside it
     }
-    const std::size_t letters = stated.tokens.size() + formulas_.source(stated.tokens).size();
+    const std::size_t letters =
+        std::max(stated.tokens.size(), formulas_.source(stated.tokens).size());
     std::vector<Case> cases = {{}};
     for (const auto& [index, values] : map_.indices()) {
       if (!generator::latex::has_index(stated.tokens, index)) {

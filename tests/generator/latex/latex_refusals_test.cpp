@@ -174,7 +174,7 @@ TEST(MapOfRefusals, AFormulaOfTheMapStaysShort) {
   const std::string paper = "\\[ b = w_{" + std::string(100, '1') + "} \\]";
   const AuditReport report = latex::audit_paper_text(paper, "p.tex", map, "p.map");
   EXPECT_EQ(only_finding(report).comparison.evidence,
-            "the map's formula for this has more than 20000 characters");
+            "the map's formula for this has more than 10000 characters");
 }
 
 TEST(MapOfRefusals, AFormulaOfTheMapIsNotReadThousandsOfTimes) {
@@ -200,7 +200,7 @@ TEST(MapOfRefusals, AnEquationIsNotReadThousandsOfTimes) {
   const AuditReport report = latex::audit_paper_text(
       "\\[ a = " + sum + " \\]", "p.tex", "length a\nm_? = a\nindex j = 1..999\n", "p.map");
   EXPECT_EQ(only_finding(report).comparison.evidence,
-            "the indices make more than 2000000 letters of this one; let the map skip it");
+            "the indices make more than 10000000 letters of this one; let the map skip it");
 }
 
 TEST(MapOfRefusals, DefinitionsMayEachNeedTheNext) {
@@ -212,6 +212,18 @@ TEST(MapOfRefusals, DefinitionsMayEachNeedTheNext) {
       latex::audit_paper_text(paper + "\\[ w_{200} = 2a \\]\n\\[ a + a = w_1 \\]", "p.tex",
                               "length a\nw_? = as printed\n", "p.map");
   EXPECT_TRUE(report.agrees());
+}
+
+TEST(MapOfRefusals, OfSeveralDefinitionsTheFirstThatCanBeReadCounts) {
+  const AuditReport report = latex::audit_paper_text(
+      "\\[ w = u \\] \\[ w = v \\] \\[ v = a \\] \\[ u = 2a \\] \\[ 2a = w \\]", "p.tex",
+      "length a\nu = as printed\nv = as printed\nw = as printed\n", "p.map");
+  ASSERT_EQ(report.statements.size(), 1U);
+  const std::vector<Finding>& findings = report.statements[0].findings;
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].printed, "w = v");
+  EXPECT_FALSE(findings[0].agrees());
+  EXPECT_TRUE(findings[1].agrees());
 }
 
 TEST(MapOfRefusals, BracketsMultiplyWhereTheMapSaysSo) {
