@@ -201,7 +201,6 @@ def write_headers(build, targets):
 def without_errors(mutants, originals, build, targets, jobs):
     """The mutants that compile. The others are found by the lines of the compiler's errors."""
     commands = syntax_commands(build, targets)
-    names = {str(path): path for path in originals}
     while commands:
         write(planted(mutants, originals))
         with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
@@ -211,9 +210,9 @@ def without_errors(mutants, originals, build, targets, jobs):
         # An error in a template may be reported where it is used, and not where it is defined.
         wrong = []
         for kind in (" error:", ""):
-            places = {(names[match[1]], int(match[2])) for result in results
-                      for match in re.finditer(rf"^(\S+?):(\d+):\d+:{kind}", result.stderr, re.M)
-                      if match[1] in names}
+            # A compiler's cache may print paths relative to the build.
+            places = {((build / match[1]).resolve(), int(match[2])) for result in results
+                      for match in re.finditer(rf"^(\S+?):(\d+):\d+:{kind}", result.stderr, re.M)}
             wrong = wrong or [number for number, mutant in mutants.items()
                               if any(path == mutant.path and mutant.is_on(line, originals[path])
                                      for path, line in places)]
