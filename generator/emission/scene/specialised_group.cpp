@@ -87,7 +87,8 @@ class GroupSpecialiser {
     result.view.set("constants", constant_list(named));
     result.max_configurations = elimination_.max_configurations;
     result.branch_numbers = number_count(inputs_) + number_count(equations_.unknowns) +
-                            2 * equations_.loops.size() * equations_.unknowns.size() + 1;
+                            2 * equations_.loops.size() * equations_.unknowns.size() +
+                            structured_.pivots().size() + 1;
     return result;
   }
 

@@ -157,14 +157,16 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
     return !(contradicted.col(column).norm() <= rounding_of_rates * open.col(column).norm());
   };
   const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
-  const bool is_known_twice = error / firmness < two_digits && open_twice.allFinite();
+  const double second_error = error / firmness;
+  const bool is_known_twice = second_error < two_digits && open_twice.allFinite();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd twice =
       is_known_twice ? Eigen::MatrixXd(-factors.solve(open_twice))
                      : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown);
   constraints_.add_second(twice, links);
   placed.links = std::move(links);
-  placed.regularity = error < support::six_digits ? Status::ok : Status::near_singular;
+  placed.regularity =
+      is_known_twice && second_error < support::six_digits ? Status::ok : Status::near_singular;
   constexpr double rounding_of_second_rates = 1e-4;
   const bool contradicts_twice =
       placed.regularity == Status::ok &&

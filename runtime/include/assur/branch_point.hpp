@@ -1,4 +1,4 @@
-// Turns a configuration and the motion of its inputs into the point where a branch begins.
+// A point of a branch, and the point where a branch begins.
 #pragma once
 
 #include <assur/detail/pivots.hpp>
@@ -20,11 +20,14 @@ struct InputMotion {
 template <typename Model, typename Scalar = double>
 struct BranchPoint {
   /// ok, or near_singular where the derivatives may keep fewer digits than `regularity` promises;
-  /// with any other status there are no derivatives, and nothing can be tracked from here.
+  /// with any other status there are no derivatives, and nothing can be tracked from here. singular
+  /// also where velocities are not known: the branch may be any of those that meet there.
   Status status = Status::singular;
   typename Model::template Configuration<Scalar> q;
   Motion<Model, Scalar> motion;  ///< set where the status is ok or near_singular
-  int orientation = 0;  ///< the sign of det J; a branch that this one may meet has the other sign
+  /// The pivots of the structured elimination: where one vanishes, J is singular, and this branch
+  /// may meet others. Zero where the status is not ok or near_singular.
+  Vector<Scalar, Model::pivot_count> pivots = Vector<Scalar, Model::pivot_count>::Zero();
 };
 
 /// Where a branch begins: a configuration that `assemblies` or `refine` found, F(d, u, q) = 0, with
@@ -46,11 +49,13 @@ template <typename Model, typename Scalar = double>
     return point;
   }
   const auto pivots = detail::pivots_at<Model, Scalar>(d, inputs.u, q);
-  point.status = detail::regularity_at<Model, Scalar>(pivots, d, inputs.u, q).status;
-  if (is_solvable(point.status)) {
+  const Regularity<Scalar> regularity =
+      detail::regularity_at<Model, Scalar>(pivots, d, inputs.u, q);
+  if (regularity.knows_velocities()) {
+    point.status = regularity.status;
     Model::motion(d, inputs.u, q, inputs.rate, inputs.second_rate, point.motion.velocity,
                   point.motion.acceleration);
-    point.orientation = detail::orientation_of(pivots);
+    point.pivots = pivots.values;
   }
   return point;
 }

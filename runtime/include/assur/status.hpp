@@ -71,6 +71,11 @@ struct Regularity {
   [[nodiscard]] Scalar error() const {
     return margin > Scalar(0) ? rounding / margin : std::numeric_limits<Scalar>::infinity();
   }
+  /// Whether velocities are known. Where they are not, rounding hides which of several branches
+  /// that meet there a configuration is on.
+  [[nodiscard]] bool knows_velocities() const {
+    return is_solvable(status) && error() < Scalar(two_digits);
+  }
 };
 
 }  // namespace assur

@@ -52,6 +52,7 @@ template <typename Model, typename Scalar = double, typename Path>
       std::abs(to - from) * detail::StepLimits<Scalar>().shortest,
       2 * std::numeric_limits<Scalar>::epsilon() * (std::max)(std::abs(from), std::abs(to)));
   Scalar width = to - from;
+  InputMotion<Model, Scalar> reached_inputs = path(from);
   // Where a step was refused the branch may end, like a square root of what is left of the way.
   // That is its first derivative over twice its second, and the next step goes most of it.
   const auto before_end = [&](Scalar step) {
@@ -67,10 +68,11 @@ template <typename Model, typename Scalar = double, typename Path>
     const Scalar next = rest <= std::abs(width) ? to : way.reached + width;
     const InputMotion<Model, Scalar> inputs = path(next);
     BranchPoint<Model, Scalar> end;
-    if (detail::step_along<Model, Scalar>(d, inputs, next - way.reached, inverse_size, way.point,
-                                          end)) {
+    if (detail::step_along<Model, Scalar>(d, reached_inputs, inputs, next - way.reached,
+                                          inverse_size, way.point, end)) {
       way.point = end;
       way.reached = next;
+      reached_inputs = inputs;
       width = halved ? before_end(width) : 2 * width;
       halved = false;
       continue;

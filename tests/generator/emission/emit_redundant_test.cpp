@@ -228,8 +228,11 @@ TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
     EXPECT_EQ(told.count, 1);
     EXPECT_TRUE(std::isnan(told.turning) || std::abs(told.turning - 2) < 1e-2) << told.turning;
     if (!is_float) {
-      EXPECT_EQ(told.regularity == 0, beside >= 1e-3);
+      EXPECT_EQ(told.regularity == 0, beside >= 1e-2);
       EXPECT_EQ(std::isnan(told.turning), beside < 1e-5);
+    }
+    if (told.regularity == 0) {
+      EXPECT_NEAR(told.speeding_up, 0.5, is_float ? 5e-4 : 5e-7);
     }
   }
 }
@@ -242,6 +245,127 @@ TEST(LongEmitRedundant, SolversSayWhereTheyDoNotKnowWhatIsLeft) {
     EXPECT_EQ(told.status, static_cast<int>(AssemblyStatus::unresolved));
     EXPECT_EQ(told.count, 0);
     EXPECT_EQ(told.families, 0);
+  }
+}
+
+/// Two rails, and a platform that two bars keep parallel to the slide: nothing turns. The bars are
+/// upright and inclined.
+nlohmann::ordered_json translating_platform() {
+  SceneMaker scene;
+  scene.line("ground", "rail", {0.1, 0.2}, {1, 0}).line("slide", "rail", {0, 0}, {1, 0});
+  scene.line("ground", "guide", {0.7, 1.5}, {1, 0}).line("platform", "guide", {0, 0}, {1, 0});
+  scene.slide("S", "ground.rail", "slide.rail").slide("G", "ground.guide", "platform.guide");
+  scene.point("slide", "P", 0.4, 0).point("platform", "Q", 0.3, 0);
+  scene.point("slide", "E", 1.1, 0).point("platform", "F", 1.7, 0);
+  scene.bar("upright", {{"P", 0}, {"Q", 1.3}});
+  scene.bar("inclined", {{"E", 0}, {"F", std::hypot(0.7, 1.3)}});
+  nlohmann::ordered_json json = scene.drive("S", 0.3, 1, 0).scene();
+  json["report"] = {{"joints", nlohmann::ordered_json::array()}};
+  return json;
+}
+
+/// A bar whose ends slide along two perpendicular lines, and a crank at its middle.
+nlohmann::ordered_json trammel() {
+  SceneMaker scene;
+  scene.line("ground", "gx", {0, 0}, {1, 0}).line("ground", "gy", {0, 0}, {0, 1});
+  scene.line("bx", "g", {0, 0}, {1, 0}).line("by", "g", {0, 0}, {0, 1});
+  scene.point("bx", "P", 0, 0).point("by", "Q", 0, 0);
+  scene.bar("ground", {{"O", 0}}).bar("cr", {{"O", 0}, {"M", 1}});
+  scene.bar("bar", {{"P", 0}, {"Q", 2}, {"M", 1}});
+  scene.slide("sx", "ground.gx", "bx.g").slide("sy", "ground.gy", "by.g").drive("O", 0.3, 1, 0);
+  nlohmann::ordered_json json = scene.scene();
+  json["report"] = {{"joints", nlohmann::ordered_json::array()}};
+  json["want"] = {"position"};
+  return json;
+}
+
+/// Three parallel cranks, and a rod whose end nearly touches a slot that it cannot pass: two
+/// configurations 4e-7 radians apart.
+nlohmann::ordered_json cranks_and_a_slot() {
+  SceneMaker scene = three_cranks();
+  scene.line("ground", "slot", {3.9392310120487535, 0.6945927106677074},
+             {-0.17364817766693033, 0.984807753012208});
+  scene.bar("ground", {{"K", 0}}).bar("rod", {{"K", 0}, {"N", 4}});
+  nlohmann::ordered_json json = scene.scene();
+  json["joints"]["N"] = {{"type", "pin-in-slot"}, {"between", {"ground.slot", "rod.N"}}};
+  json["report"] = {{"joints", nlohmann::ordered_json::array()}};
+  return json;
+}
+
+/// Counts of configurations of a solver, with its status, where its driver stands at positions.
+std::vector<std::pair<int, int>> counts_of(const nlohmann::ordered_json& scene,
+                                           const std::vector<double>& positions) {
+  const TemporaryDirectory directory;
+  const std::string root = directory.path().string();
+  const auto file = directory.write("counted.json", scene.dump());
+  EXPECT_EQ(run_assur("emit --interface c --scene " + file.string() + " --output " + root).status,
+            0);
+  std::ostringstream given;
+  given.precision(17);
+  for (const double position : positions) {
+    given << position << ", ";
+  }
+  // The C function has to return the same status.
+  const auto source = directory.write("driver.cpp", R"(#include <assur/scenes/counted.hpp>
+#include <assur/scenes/counted.cpp>
+#include <cstdio>
+int main() {
+  using S = assur::scenes::Counted;
+  static std::array<S::State<double>, S::max_configurations> states;
+  for (const double position : {)" + given.str() + R"(}) {
+    S::Drivers<double> drivers;
+    *drivers.positions()[0] = position;
+    const auto found = S::solve(drivers, states);
+    counted_drivers same;
+    counted_defaults(&same);
+    static_assert(sizeof(same) == sizeof(drivers), "drivers are plain numbers");
+    std::memcpy(&same, &drivers, sizeof(same));
+    static counted_solution in_c;
+    const counted_status status = counted_solve(&same, &in_c);
+    const bool agree = found.status == assur::AssemblyStatus::unresolved
+                           ? status == counted_status_unresolved
+                           : static_cast<int>(status) == static_cast<int>(found.status);
+    std::printf("%d %d\n", static_cast<int>(found.status),
+                agree && in_c.count == found.count ? found.count : -1);
+  }
+}
+)");
+  compile_program(source, root + "/driver", directory);
+  EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
+  std::ifstream printed(directory.path() / "printed");
+  std::vector<std::pair<int, int>> counts(positions.size());
+  for (auto& [status, count] : counts) {
+    printed >> status >> count;
+  }
+  return counts;
+}
+
+TEST(EmitRedundant, NoConfigurationIsLostWhereNothingTurns) {
+  for (const auto& [status, count] : counts_of(translating_platform(), {0.3, 0.7})) {
+    EXPECT_EQ(status, static_cast<int>(AssemblyStatus::ok));
+    EXPECT_EQ(count, 1);
+  }
+}
+
+/// Where the trammel without its redundant constraint is singular, rounding may leave nothing.
+TEST(LongEmitRedundant, NoConfigurationIsLostBesideSingularPositions) {
+  constexpr double quarter = std::numbers::pi / 2;
+  int resolved = 0;
+  for (const auto& [status, count] :
+       counts_of(trammel(), {0, 1e-12, 1e-9, 1e-8, 1e-7, 1e-6, 3e-6, 1e-5, 1e-3, 0.1, quarter,
+                             quarter - 1e-6, quarter + 1e-3})) {
+    const bool is_resolved = status == static_cast<int>(AssemblyStatus::ok);
+    EXPECT_TRUE(is_resolved || status == static_cast<int>(AssemblyStatus::unresolved)) << status;
+    EXPECT_EQ(count, is_resolved ? 1 : 0);
+    resolved += is_resolved ? 1 : 0;
+  }
+  EXPECT_GE(resolved, 8);
+}
+
+TEST(LongEmitRedundant, ConfigurationsOfAnotherGroupThatNearlyMeetAreBothListed) {
+  for (const auto& [status, count] : counts_of(cranks_and_a_slot(), {std::numbers::pi / 2, 1})) {
+    EXPECT_EQ(status, static_cast<int>(AssemblyStatus::ok));
+    EXPECT_EQ(count, 2);
   }
 }
 

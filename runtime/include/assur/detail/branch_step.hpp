@@ -1,4 +1,4 @@
-// Turns a point of a branch into the next, or into a refusal where that may lie on another branch.
+// A step along a branch, which is refused where its end may lie on another branch.
 #pragma once
 
 #include <algorithm>
@@ -116,10 +116,36 @@ template <typename Model, typename Scalar>
   }
 }
 
+/// Whether J may have been singular within a step: a pivot changes its sign, or goes to zero from
+/// both ends. The latter is so where the step has passed over a crossing of branches to the one
+/// whose pivots have the same signs, or over a gap in which nothing can be assembled.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool may_pass_singularity(const typename Model::template Dimensions<Scalar>& d,
+                                        const InputMotion<Model, Scalar>& from,
+                                        const BranchPoint<Model, Scalar>& start,
+                                        const InputMotion<Model, Scalar>& to,
+                                        const BranchPoint<Model, Scalar>& end, Scalar width) {
+  constexpr Scalar part = numeric::half_of_digits<Scalar>;
+  const auto vanishing = [&](const InputMotion<Model, Scalar>& inputs,
+                             const BranchPoint<Model, Scalar>& point, Scalar step) {
+    auto u = inputs.u;
+    auto q = point.q;
+    advance(u, Vector<Scalar, Model::input_count>(step * inputs.rate));
+    advance(q, Vector<Scalar, Model::unknown_count>(step * point.motion.velocity));
+    return vanishing_pivots(point.pivots, pivots_at<Model, Scalar>(d, u, q).values, part);
+  };
+  if (changed_pivots(start.pivots, end.pivots) != 0) {
+    return true;
+  }
+  const PivotSet ahead = vanishing(from, start, part * width);
+  return ahead != 0 && (ahead & vanishing(to, end, -part * width)) != 0;
+}
+
 /// One step: predicted to second order, corrected by Newton's steps. False if the end may lie on
 /// another branch.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool step_along(const typename Model::template Dimensions<Scalar>& d,
+                              const InputMotion<Model, Scalar>& from,
                               const InputMotion<Model, Scalar>& inputs, Scalar width,
                               Scalar inverse_size, const BranchPoint<Model, Scalar>& start,
                               BranchPoint<Model, Scalar>& end) {
@@ -134,17 +160,19 @@ template <typename Model, typename Scalar>
     return false;
   }
   const Pivots<Model, Scalar> pivots = pivots_at<Model, Scalar>(d, inputs.u, end.q);
-  end.status = regularity_at<Model, Scalar>(pivots, d, inputs.u, end.q).status;
-  end.orientation = orientation_of(pivots);
-  if (!is_solvable(end.status) || end.orientation != start.orientation) {
+  const Regularity<Scalar> regularity = regularity_at<Model, Scalar>(pivots, d, inputs.u, end.q);
+  if (!regularity.knows_velocities()) {
     return false;
   }
+  end.status = regularity.status;
+  end.pivots = pivots.values;
   Model::motion(d, inputs.u, end.q, inputs.rate, inputs.second_rate, end.motion.velocity,
                 end.motion.acceleration);
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
       width * width * (Scalar(1) / 12) * (start.motion.acceleration - end.motion.acceleration);
-  return turn_of<Model, Scalar>(defect, inverse_size) <= StepLimits<Scalar>().defect;
+  return turn_of<Model, Scalar>(defect, inverse_size) <= StepLimits<Scalar>().defect &&
+         !may_pass_singularity<Model, Scalar>(d, from, start, inputs, end, width);
 }
 
 }  // namespace assur::detail

@@ -59,8 +59,12 @@ template <typename Scalar>
 }
 
 /// The largest difference of two variables, of a direction's cosine or sine.
-[[nodiscard]] inline double apart(double one, double other) { return std::abs(one - other); }
-[[nodiscard]] inline double apart(const Direction<double>& one, const Direction<double>& other) {
+template <typename Scalar>
+[[nodiscard]] inline Scalar apart(Scalar one, Scalar other) {
+  return std::abs(one - other);
+}
+template <typename Scalar>
+[[nodiscard]] inline Scalar apart(const Direction<Scalar>& one, const Direction<Scalar>& other) {
   return (std::max)(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
 }
 

@@ -1,4 +1,5 @@
-// Turns the pivots of a model's structured elimination into a verdict and into an orientation.
+// The pivots of a model's structured elimination, and what they tell of a configuration and of the
+// way to another.
 #pragma once
 
 #include <assur/model.hpp>
@@ -131,14 +132,26 @@ template <typename Model, typename Scalar>
   return firm;
 }
 
-/// The sign of det J; zero only where a pivot vanishes.
-template <typename Model, typename Scalar>
-[[nodiscard]] int orientation_of(const Pivots<Model, Scalar>& pivots) {
-  int sign = Model::determinant_sign;
-  for (const Scalar pivot : pivots.values) {
-    sign *= (pivot > 0 ? 1 : 0) - (pivot < 0 ? 1 : 0);
+/// A set of pivots has a bit for each.
+using PivotSet = unsigned;
+
+/// The pivots that change their sign between two points, or vanish at one: J is singular between.
+template <typename Values>
+[[nodiscard]] PivotSet changed_pivots(const Values& one, const Values& other) {
+  PivotSet changed = 0;
+  for (Eigen::Index index = 0; index < one.size(); ++index) {
+    changed |= static_cast<PivotSet>(!(one(index) * other(index) > 0)) << index;
   }
-  return sign;
+  return changed;
+}
+
+/// The pivots that vanish within twice a step, if they go on as they begin: `beside` are those
+/// where the step has gone by `part` of it. Twice, since a pivot may vanish close to the step's
+/// end, and what it will be there is known but for the square of the step.
+template <typename Values>
+[[nodiscard]] PivotSet vanishing_pivots(const Values& at, const Values& beside,
+                                        typename Values::Scalar part) {
+  return changed_pivots<Values>(at, part * at + 2 * (beside - at));
 }
 
 }  // namespace assur::detail

@@ -255,17 +255,26 @@ class AllConstraints {
     return {origin(0), origin(1), turning};
   }
 
-  /// Solves for a column of all links, which has to be zero before. Returns whether the constraints
-  /// agree.
+  /// How a column of rates or gradients was solved: the norms of the rates of q, of the derivatives
+  /// of f from which they follow, and of what is left of these.
+  struct Solved {
+    Scalar rates, open, left;
+
+    /// Whether more is left than a part of what there was: then the constraints do not agree.
+    [[nodiscard]] bool contradicts(Scalar part, Scalar more = 0) const {
+      return left > part * (open + more);
+    }
+  };
+  /// Solves for a column of all links, which has to be zero before.
   template <typename Column>
-  [[nodiscard]] bool solve_column(const Factors& factors, const Jacobian& J, const Column& column,
-                                  bool twice, Scalar least, Scalar agreement) {
+  [[nodiscard]] Solved solve_column(const Factors& factors, const Jacobian& J, const Column& column,
+                                    bool twice) {
     const Open open = slopes(column, twice);
     const Step rates = -factors.solve(open);
     for (int link = 0; link < static_cast<int>(Links); ++link) {
       column(*links_[static_cast<std::size_t>(link)]) = moved(link, rates);
     }
-    return !((J * rates + open).norm() > agreement * (open.norm() + least));
+    return {rates.norm(), open.norm(), (J * rates + open).norm()};
   }
 
   /// Sets the rates to NaN: the groups alone give those of only one of several motions.
@@ -288,30 +297,29 @@ class AllConstraints {
       forget_rates();
       return true;
     }
-    const bool is_known_twice = Order < 2 || error / firmness < Scalar(two_digits);
-    regularity =
-        error < regular_error<Scalar> && is_known_twice ? Status::ok : Status::near_singular;
+    const Scalar last_error = Order < 2 ? error : error / firmness;  // of the last rates modelled
+    const bool is_known_twice = last_error < Scalar(two_digits);
+    regularity = last_error < Scalar(regular_error<Scalar>) ? Status::ok : Status::near_singular;
     for (Frame* link : links_) {
       link->rates.setZero();
       link->gradient.setZero();
     }
+    constexpr Scalar rounding_of_rates = Scalar(is_fine ? 1e-8 : 1e-3);
     bool agree = true;
     if constexpr (Order > 0) {
       const auto velocity = [](auto& frame) { return frame.rates.col(0); };
-      agree = solve_column(factors, J, velocity, false, 0, Scalar(is_fine ? 1e-8 : 1e-3));
-    }
-    if constexpr (Order > 1) {
-      Scalar square = 0;
-      for (const Frame* link : links_) {
-        square += link->rates(2, 0) * link->rates(2, 0);
-      }
-      const auto acceleration = [](auto& frame) { return frame.rates.col(1); };
-      const bool agree_twice =
-          solve_column(factors, J, acceleration, true, square, Scalar(is_fine ? 1e-4 : 1e-2));
-      agree = agree && (agree_twice || regularity != Status::ok);
-      for (Frame* link : links_) {
-        if (!is_known_twice) {
-          link->rates.col(1).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+      const Solved first = solve_column(factors, J, velocity, false);
+      agree = !first.contradicts(rounding_of_rates);
+      if constexpr (Order > 1) {
+        constexpr Scalar rounding_of_second_rates = Scalar(is_fine ? 1e-4 : 1e-2);
+        const auto acceleration = [](auto& frame) { return frame.rates.col(1); };
+        const Solved second = solve_column(factors, J, acceleration, true);
+        agree = agree && (regularity != Status::ok ||
+                          !second.contradicts(rounding_of_second_rates, first.rates * first.rates));
+        for (Frame* link : links_) {
+          if (!is_known_twice) {
+            link->rates.col(1).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
+          }
         }
       }
     }
@@ -319,7 +327,7 @@ class AllConstraints {
       for (int parameter = 0; parameter < Parameters; ++parameter) {
         const auto gradient = [parameter](auto& frame) { return frame.gradient.col(parameter); };
         // A gradient is not known where constraints without the parameter contradict it.
-        if (!solve_column(factors, J, gradient, false, 0, Scalar(is_fine ? 1e-8 : 1e-3))) {
+        if (solve_column(factors, J, gradient, false).contradicts(rounding_of_rates)) {
           for (Frame* link : links_) {
             gradient(*link).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
           }

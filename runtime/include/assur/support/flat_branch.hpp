@@ -12,7 +12,8 @@
 namespace assur::support {
 
 /// Copies between a branch and numbers, always in the same order: the positions of drivers and
-/// parameters, then for each group u, q, J^-1 and the sign of det J.
+/// parameters, then for each group u, q, J^-1, the
+/// pivots and the firmness.
 template <typename Solver>
 class FlatBranch {
   using Branch = support::Branch<Solver, double>;
@@ -20,6 +21,8 @@ class FlatBranch {
   template <typename Group>
   static constexpr std::size_t inverse_size =
       static_cast<std::size_t>(Group::unknown_count* Group::equation_count);
+  template <typename Group>
+  static constexpr auto pivot_count = static_cast<std::size_t>(Group::pivot_count);
   template <typename Variables>
   static constexpr std::size_t count_of = number_count<Variables, double>;
 
@@ -30,7 +33,8 @@ class FlatBranch {
     static constexpr std::size_t value =
         (std::size_t{0} + ... +
          (count_of<typename Group::template Inputs<double>> +
-          count_of<typename Group::template Configuration<double>> + inverse_size<Group> + 1));
+          count_of<typename Group::template Configuration<double>> + inverse_size<Group> +
+          pivot_count<Group> + 1));
   };
 
  public:
@@ -70,9 +74,8 @@ class FlatBranch {
     visitor(static_cast<void*>(&point.u), count_of<decltype(point.u)>);
     visitor(static_cast<void*>(&point.q), count_of<decltype(point.q)>);
     visitor(point.inverse.data(), inverse_size<Group>);
-    double sign = point.orientation;
-    visitor(&sign, std::size_t{1});
-    point.orientation = static_cast<int>(sign);
+    visitor(point.pivots.data(), pivot_count<Group>);
+    visitor(&point.firmness, std::size_t{1});
   }
 };
 

@@ -57,8 +57,11 @@ class Search {
     Placed placed;
     Own::drive(given, placed);
     proceed<0>(placed, {});
-    if (Own::has_gaps && solution_.families > 0 && solution_.status == AssemblyStatus::ok) {
-      // It is not known here whether the redundant constraints let the families move.
+    const bool is_lost = is_unsure_ && solution_.count == 0;
+    if (Own::has_gaps && (solution_.families > 0 || is_lost) &&
+        solution_.status == AssemblyStatus::ok) {
+      // It is not known here whether the redundant constraints let the families move, or where
+      // groups stand whose neighbours rounding has moved far.
       solution_.status = AssemblyStatus::unresolved;
       solution_.families = solution_.mobility = 0;
     }
@@ -111,8 +114,9 @@ class Search {
       return true;
     };
     const auto is_none_beside = [&](std::size_t one, std::size_t other) {
-      // Two that rounding had kept apart become one when all constraints are closed together.
-      constexpr Scalar equal = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-6);
+      // Two that rounding had kept apart become one when all constraints are closed together: the
+      // constraints hold to 32 eps halfway between, which the square of the distance over 8 misses.
+      constexpr Scalar equal = 16 * numeric::half_of_digits<Scalar>;
       return gaps_[one] > (std::max)(much_more * gaps_[other], rounding)
                  ? are_near(one, other, near)
                  : Own::settles && other < one && are_near(one, other, equal);
@@ -155,21 +159,18 @@ class Search {
       }
     } else if (loose.moving != 0) {
       count_families(loose.moving);
+    } else if constexpr (Own::settles) {
+      // Nearly singular groups may be placed far from where all constraints together hold.
+      Placed settled = placed;
+      if ((placed.regularity == Status::ok || Own::settle(settled)) && Own::keeps_limits(settled)) {
+        keep(settled, placed);
+      } else {
+        ++solution_.left_out;
+      }
     } else {
       if constexpr (Own::has_limits) {
         if (!Own::keeps_limits(placed)) {
           ++solution_.left_out;
-          return;
-        }
-      }
-      if constexpr (Own::settles) {
-        if (placed.regularity != Status::ok) {
-          Placed settled = placed;
-          if (Own::settle(settled)) {
-            keep(settled, placed);
-          } else {
-            ++solution_.left_out;
-          }
           return;
         }
       }
@@ -214,6 +215,7 @@ class Search {
       return;
     }
     const Status before = placed.regularity;
+    is_unsure_ = is_unsure_ || (Own::has_gaps && found.count == 0 && before != Status::ok);
     if (found.mobility > 0) {
       mobilities_[Place] = found.mobility;
       proceed<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
@@ -271,6 +273,7 @@ class Search {
   States& states_;
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
+  bool is_unsure_ = false;  ///< whether a group had no configuration behind nearly singular ones
   Configurations current_;
   std::array<std::size_t, group_count> choices_{};  ///< the numbers of the groups' configurations
   std::array<int, group_count> mobilities_{};       ///< of groups that move

@@ -1,5 +1,5 @@
-// Turns one configuration of an emitted solver into that of the same branch where the drivers stand
-// elsewhere. Solvers include this for all that they call, batches too.
+// Follows a branch of an emitted solver to where the drivers stand elsewhere. Solvers include this
+// for all that they call, batches too.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,8 @@ struct GroupPoint {
   typename Group::template Inputs<Scalar> u;
   typename Group::template Configuration<Scalar> q;
   Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
-  int orientation = 0;  ///< the sign of det J: constant on a branch, opposite on those it may meet
+  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
+  Scalar firmness = 0;  ///< the smallest pivot, in parts of what it could be at most
 };
 
 template <typename Groups, typename Scalar>
@@ -35,7 +36,8 @@ template <typename Solver, typename Scalar = double>
 struct Branch {
   typename Access<Solver, Scalar>::Given given;
   typename GroupPoints<typename Access<Solver, Scalar>::Groups, Scalar>::Type groups;
-  /// ok or near_singular; with any other status nothing can be followed from here.
+  /// ok or near_singular; with any other status nothing can be followed from here. singular also
+  /// where velocities are not known: the branch may be any of those that meet there.
   Status status = Status::singular;
 };
 
@@ -54,8 +56,8 @@ struct LimitedTrack : Track {
 };
 
 /// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
-/// where Newton's steps contract, det J keeps its sign, and the linear predictions from both ends
-/// agree with the way; otherwise it is halved.
+/// where Newton's steps contract, no pivot changes its sign or goes to zero from both ends, and the
+/// linear predictions from both ends agree with the way; otherwise it is halved.
 template <typename Solver, typename Scalar>
 class Tracker {
   using Branch = support::Branch<Solver, Scalar>;
@@ -102,7 +104,9 @@ class Tracker {
       way.status = Status::not_finite;
       return way;
     }
-    const Scalar widest = widest_step(branch.given, to);
+    const Scalar turn = largest_turn(branch.given, to);
+    // No driver turns by more than a radian: after a full turn the groups are held as before.
+    const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;
     const Branch* start = &branch;
     Scalar reached = 0;
@@ -117,7 +121,9 @@ class Tracker {
       Placed placed;
       Own::drive(end.given, placed);
       end.status = Status::ok;
-      if (!step<0>(*start, end, placed)) {
+      StepSize size{turn * (next - reached)};
+      if (!step<0>(*start, end, placed, size) ||
+          (!size.is_small && may_pass_singularity(*start, end))) {
         width = (next - reached) / 2;
         continue;
       }
@@ -148,40 +154,47 @@ class Tracker {
     }
     return result;
   }
-  /// The part of the way in which no driver turns by more than a radian: after a full turn the
-  /// groups are held as before.
-  [[nodiscard]] static Scalar widest_step(Given from, Given to) {
+  /// The largest turn of a driver.
+  [[nodiscard]] static Scalar largest_turn(Given from, Given to) {
     const auto starts = from.positions();
     const auto ends = to.positions();
-    Scalar turn = 1;
+    Scalar turn = 0;
     for (std::size_t index = 0; index < Own::turning_drivers; ++index) {
       turn = (std::max)(turn, std::abs(*ends[index] - *starts[index]));
     }
-    return 1 / turn;
+    return turn;
   }
 
   template <typename Group>
   using Held = HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count>;
 
-  /// Sets the sign of det J where a group stands, and tells how regular the group is there.
+  /// Sets the pivots where a group stands, and tells how regular the group is there; singular where
+  /// it is not known on which branch the group is.
   template <typename Group>
   [[nodiscard]] static Status look(GroupPoint<Group, Scalar>& point) {
     using Model = Specialised<Group>;
     const typename Model::template Dimensions<Scalar> d;
     const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
-    point.orientation = detail::orientation_of(pivots);
-    return detail::regularity_at<Model, Scalar>(pivots, d, point.u, point.q).status;
+    point.pivots = pivots.values;
+    point.firmness = (pivots.values.array().abs() / pivots.sizes.array()).minCoeff();
+    const auto regularity = detail::regularity_at<Model, Scalar>(pivots, d, point.u, point.q);
+    return regularity.knows_velocities() ? regularity.status : Status::singular;
   }
 
-  /// Places a group on the way, and counts its regularity.
+  /// Places a group on the way, and counts its regularity. False where the groups before it are so
+  /// far displaced by rounding that it is not known on which branch the group is.
   template <typename Group>
-  static void place(const Held<Group>& held, const GroupPoint<Group, Scalar>& point, Status status,
-                    Branch& branch, Placed& placed) {
+  [[nodiscard]] static bool place(const Held<Group>& held, const GroupPoint<Group, Scalar>& point,
+                                  Status status, Branch& branch, Placed& placed) {
     const auto group = place_group(held, point.q, status);
     if (group.regularity != Status::ok) {
+      if (!are_derivatives_known(held, point.q)) {
+        return false;
+      }
       branch.status = group.regularity;
     }
     Own::place(group, placed);
+    return true;
   }
 
   template <std::size_t Place, typename Configurations>
@@ -194,21 +207,30 @@ class Tracker {
       Own::hold(placed, held);
       point.u = held.u;
       point.q = std::get<Place>(found);
+      Model::inverse_jacobian(typename Model::template Dimensions<Scalar>(), point.u, point.q,
+                              point.inverse);
       const Status status = look(point);
       if (!is_solvable(status)) {
         branch.status = status;
         return;
       }
-      Model::inverse_jacobian(typename Model::template Dimensions<Scalar>(), point.u, point.q,
-                              point.inverse);
-      place(held, point, status, branch, placed);
+      if (!place(held, point, status, branch, placed)) {
+        branch.status = Status::singular;
+        return;
+      }
       settle<Place + 1>(found, branch, placed);
     }
   }
 
+  /// How far a step goes.
+  struct StepSize {
+    Scalar turn;           ///< the largest of a driver or of a group that is placed, radians
+    bool is_small = true;  ///< so that no pivot can vanish within twice the step
+  };
+
   /// Steps the groups from `Place` on; false where one refuses the step.
   template <std::size_t Place>
-  [[nodiscard]] static bool step(const Branch& start, Branch& end, Placed& placed) {
+  [[nodiscard]] static bool step(const Branch& start, Branch& end, Placed& placed, StepSize& size) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       return true;
     } else {
@@ -217,22 +239,88 @@ class Tracker {
       Held<Group> held;
       Own::hold(placed, held);
       point.u = held.u;
-      if (!advance(std::get<Place>(start.groups), point)) {
-        return false;
-      }
-      const Status status = look(point);
-      if (!is_solvable(status) || point.orientation != std::get<Place>(start.groups).orientation) {
-        return false;
-      }
-      place(held, point, status, end, placed);
-      return step<Place + 1>(start, end, placed);
+      const Status status = advance(std::get<Place>(start.groups), point, size);
+      return is_solvable(status) && place(held, point, status, end, placed) &&
+             step<Place + 1>(start, end, placed, size);
     }
   }
 
-  /// Newton's steps from the linear prediction of the start.
+  /// The largest change of what holds a group.
   template <typename Group>
-  [[nodiscard]] static bool advance(const GroupPoint<Group, Scalar>& start,
-                                    GroupPoint<Group, Scalar>& end) {
+  [[nodiscard]] static Scalar moved(const GroupPoint<Group, Scalar>& start,
+                                    const GroupPoint<Group, Scalar>& end) {
+    Scalar largest = 0;
+    for_each_pair(start.u, end.u, [&largest](const auto& one, const auto& other) {
+      largest = (std::max)(largest, detail::apart(one, other));
+    });
+    return largest;
+  }
+
+  /// For each group the pivots that vanish within twice a step, if they go on as they begin.
+  using PivotSets = std::array<detail::PivotSet, std::tuple_size_v<Groups>>;
+
+  /// Whether a pivot goes to zero from both ends of a step: then the step may have passed over a
+  /// crossing of branches to the one whose pivots have the same signs, or over a gap in which
+  /// nothing can be assembled.
+  [[nodiscard, gnu::noinline]] static bool may_pass_singularity(const Branch& start,
+                                                                const Branch& end) {
+    Scalar largest = 0;
+    std::apply(
+        [&](const auto&... one) {
+          std::apply(
+              [&](const auto&... other) {
+                largest = (std::max)({largest, moved(one, other)...});
+              },
+              end.groups);
+        },
+        start.groups);
+    const Scalar part = (std::min)(numeric::half_of_digits<Scalar> / largest, Scalar(0.5));
+    const PivotSets ahead = vanishing(start, end, part);
+    if (ahead == PivotSets{}) {
+      return false;
+    }
+    const PivotSets behind = vanishing(end, start, part);
+    bool meet = false;
+    for (std::size_t group = 0; group < ahead.size(); ++group) {
+      meet = meet || (ahead[group] & behind[group]) != 0;
+    }
+    return meet;
+  }
+  /// The drivers go by a part of the way, which moves what holds the groups by half of its digits.
+  [[nodiscard]] static PivotSets vanishing(const Branch& from, const Branch& to, Scalar part) {
+    PivotSets sets{};
+    Placed beside;
+    Own::drive(between(from.given, to.given, part), beside);
+    find_vanishing<0>(from, part, beside, sets);
+    return sets;
+  }
+  template <std::size_t Place>
+  static void find_vanishing(const Branch& from, Scalar part, Placed& beside, PivotSets& sets) {
+    if constexpr (Place < std::tuple_size_v<Groups>) {
+      using Group = std::tuple_element_t<Place, Groups>;
+      using Model = Specialised<Group>;
+      const GroupPoint<Group, Scalar>& point = std::get<Place>(from.groups);
+      Held<Group> held;
+      Own::hold(beside, held);
+      Vector<Scalar, Group::equation_count> f;
+      Group::residual(held.u, point.q, f);
+      PlacedGroup<Group, Scalar, Solver::order, Solver::parameter_count> group;
+      group.q = point.q;
+      detail::move_slightly<Model, Scalar>(group.q, -detail::product(point.inverse, f));
+      const typename Model::template Dimensions<Scalar> d;
+      sets[Place] = detail::vanishing_pivots(
+          point.pivots, detail::pivots_at<Model, Scalar>(d, held.u, group.q).values, part);
+      place_links(held, group);
+      Own::place(group, beside);
+      find_vanishing<Place + 1>(from, part, beside, sets);
+    }
+  }
+
+  /// Newton's steps from the linear prediction of the start. The regularity at their end, or
+  /// no_convergence where that may lie on another branch.
+  template <typename Group>
+  [[nodiscard]] static Status advance(const GroupPoint<Group, Scalar>& start,
+                                      GroupPoint<Group, Scalar>& end, StepSize& size) {
     using Model = Specialised<Group>;
     using Unknowns = Vector<Scalar, Group::unknown_count>;
     constexpr Scalar inverse_size = 1;  // the group's lengths are near one
@@ -244,13 +332,26 @@ class Tracker {
     end.q = start.q;
     if (!detail::predict_and_correct<Model, Scalar>(d, end.u, inverse_size, predicted, end.q, way,
                                                     end.inverse)) {
-      return false;
+      return Status::no_convergence;
     }
+    // What holds the group moves in arcs, of which the prediction knows the chord alone: the arc
+    // begins up to half a turn off it. A pivot changes by at most twice its largest size per
+    // radian.
+    const Scalar turn = detail::turn_of<Model, Scalar>(predicted, inverse_size);
+    const Scalar bend = size.turn * (std::max)(moved(start, end), size.turn);
+    size.is_small =
+        size.is_small && 4 * (turn + bend * start.inverse.cwiseAbs().sum()) < start.firmness;
+    size.turn = (std::max)(size.turn, turn);
+    const Status status = look(end);
     Group::residual(start.u, end.q, f);
     const Unknowns back = -detail::product(end.inverse, f);
     const Unknowns defect = way - (predicted - back) / 2;
-    return detail::turn_of<Model, Scalar>(defect, inverse_size) <=
-           detail::StepLimits<Scalar>().defect;
+    if (!(detail::turn_of<Model, Scalar>(defect, inverse_size) <=
+          detail::StepLimits<Scalar>().defect) ||
+        detail::changed_pivots(start.pivots, end.pivots) != 0) {
+      return Status::no_convergence;
+    }
+    return status;
   }
 };
 

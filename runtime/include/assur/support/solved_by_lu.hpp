@@ -15,7 +15,6 @@ template <typename Model>
 struct SolvedByLu {
   static constexpr int pivot_count = 1;
   static constexpr int core_pivot_count = 1;
-  static constexpr int determinant_sign = 1;
   static constexpr std::array<const char*, pivot_count> pivots = {{"a dead centre: det J = 0"}};
 
   /// The one pivot: the reciprocal condition number of J in the maximum norm, with rows and columns
