@@ -3,6 +3,7 @@
 #include <assur/assemblies.hpp>
 #include <assur/tracking.hpp>
 #include <iostream>
+#include <numbers>
 
 #include "largest.hpp"
 #include "runtime/compiled_models.hpp"
@@ -219,6 +220,56 @@ TEST(TrackingReport, IsWithinAFifthOfAPercentOfTheEnd) {
             << "% of the way from where they were followed to; seed " << seed << '\n';
   EXPECT_LT(farthest, 2e-3);
   EXPECT_GT(ended, 300);
+}
+
+TEST(TrackingReport, ChangePointsAndGapsAreNotPassed) {
+  // The crank a of a four-bar passes where it is in line with the frame d, or ends there, or begins
+  // beside; with d = b + c - a branches cross there, and a little longer there is a gap.
+  using Model = dyad::Model01;
+  RandomInputs random(seed);
+  int reached = 0;
+  int stopped = 0;
+  for (int mechanism = 0; mechanism < 3000; ++mechanism) {
+    const double a = 1 + mechanism % 3;
+    const Model::Dimensions<double> d{std::floor(random.between(2, 6)),
+                                      std::floor(random.between(2, 6))};
+    const double opening = mechanism % 2 == 0 ? 0 : std::pow(10, random.between(-13, -1));
+    const double apart = mechanism % 4 < 2 ? d.BC + d.CD - a : a + std::abs(d.BC - d.CD);
+    const double frame = std::max(apart + opening, 0.5);
+    const auto crank = [&](double angle) {
+      const double x = a * std::cos(angle);
+      const double y = a * std::sin(angle);
+      return InputMotion<Model>{{x, y, frame, 0}, {-y, x, 0, 0}, {-x, -y, 0, 0}};
+    };
+    const double in_line = mechanism % 4 < 2 ? std::numbers::pi : 0;
+    const double width = (mechanism % 8 < 4 ? 1 : -1) * std::pow(10, random.between(-2, -0.5));
+    const double from = in_line - width * (mechanism % 3 == 0   ? random.between(0, 1)
+                                           : mechanism % 3 == 1 ? 0.5
+                                                                : 1);
+    const double to = from + width;
+    double margin = std::numeric_limits<double>::infinity();
+    for (const double angle : {from, in_line, to}) {  // the distance of B and D is extreme in line
+      const double r = std::hypot(a * std::cos(angle) - frame, a * std::sin(angle));
+      margin = std::min({margin, d.BC + d.CD - r, r - std::abs(d.BC - d.CD)});
+    }
+    const auto set = compiled::assemblies<Model>(d, crank(from).u);
+    for (int index = 0; index < set.count; ++index) {
+      const auto start =
+          branch_point<Model>(d, crank(from), set.configurations[static_cast<std::size_t>(index)]);
+      const auto way = track<Model>(d, crank, from, to, start);
+      if (way.status != Status::ok) {
+        ++stopped;
+        continue;
+      }
+      ++reached;
+      EXPECT_GT(margin, 0) << "seed " << seed << ", mechanism " << mechanism;
+      EXPECT_GT(way.point.pivots(0) * start.pivots(0), 0) << "mechanism " << mechanism;
+    }
+  }
+  std::cout << reached << " tracks reached their end, " << stopped << " stopped; seed " << seed
+            << '\n';
+  EXPECT_GT(reached, 200);
+  EXPECT_GT(stopped, 1000);
 }
 
 }  // namespace

@@ -312,7 +312,8 @@ std::vector<std::pair<int, int>> counts_of(const nlohmann::ordered_json& scene,
 int main() {
   using S = assur::scenes::Counted;
   static std::array<S::State<double>, S::max_configurations> states;
-  for (const double position : {)" + given.str() + R"(}) {
+  const double positions[] = {)" + given.str() + R"(};
+  for (const double position : positions) {
     S::Drivers<double> drivers;
     *drivers.positions()[0] = position;
     const auto found = S::solve(drivers, states);
