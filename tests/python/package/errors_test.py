@@ -162,6 +162,44 @@ def test_calls(plan, call, error, text):
     assert (type(raised.value).__name__, str(raised.value)) == (error, text)
 
 
+@pytest.mark.parametrize("call, text", [
+    (lambda wrong: assur.Plan(wrong),
+     "scene: expected a Scene, which read_scene and parse_scene return, not "),
+    (lambda wrong: assur.sample(wrong, count=10, seed=1),
+     "scene: expected a Scene, which read_scene and parse_scene return, not "),
+    (lambda wrong: assur.read_scene(wrong),
+     "expected str, bytes or os.PathLike object, not "),
+], ids=["Plan", "sample", "read_scene"])
+@pytest.mark.parametrize("wrong", [None, 2.5, [1]], ids=["None", "a number", "a list"])
+def test_what_is_no_scene(call, text, wrong):
+    with pytest.raises(TypeError) as raised:
+        call(wrong)
+    assert str(raised.value) == text + type(wrong).__name__
+
+
+def bound():
+    """Every function, method and property of the module."""
+    for name, part in vars(assur._assur).items():
+        if not isinstance(part, type):
+            if callable(part):
+                yield name, part
+            continue
+        yield name, part
+        for attribute, member in vars(part).items():
+            member = member.fget if isinstance(member, property) else member
+            if callable(member):
+                yield name + "." + attribute, member
+
+
+@pytest.mark.parametrize("function", dict(bound()).values(), ids=dict(bound()))
+def test_none_in_place_of_everything(function):
+    for count in range(5):
+        try:
+            function(*[None] * count)
+        except (TypeError, assur.Error):
+            pass
+
+
 def test_every_error_is_one_kind():
     for error in (assur.SceneError, assur.ShapeError, assur.UnknownName, assur.NotWanted):
         assert issubclass(error, assur.Error)
