@@ -77,15 +77,23 @@ def test_dictionaries_that_are_no_scenes(parallelogram):
     parallelogram["parameters"]["a"] = float("nan")
     with pytest.raises(assur.SceneError):
         assur.parse_scene(parallelogram)
+    parallelogram["parameters"]["a"] = 2
     for wrong in (None, 3, [1, 2], ""):
         with pytest.raises(assur.SceneError):
             assur.parse_scene(wrong)
+    text = '{"name": "four bars"}'
+    for at, place in ((0, "1:1"), (3, "1:4"), (len(text), f"1:{len(text) + 1}")):
+        with pytest.raises(assur.SceneError, match=f"^scene:{place}: a NUL byte; remove it"):
+            assur.parse_scene(text[:at] + "\0" + text[at:])
+    with pytest.raises(assur.SceneError, match="column 2 of '2.?1'"):
+        assur.parse_scene(parallelogram, a="2\x001")
+    with pytest.raises(ValueError, match="embedded null byte"):
+        assur.read_scene("scene.json\0")
     ring = {}
     ring["name"] = ring
     for wrong in (ring, {(1, 2): 3}, "\ud800"):
         with pytest.raises(assur.ShapeError, match="^scene: "):
             assur.parse_scene(wrong)
-    parallelogram["parameters"]["a"] = 2
     for values, text in (({"a": np.nan}, "a: expected a finite number"),
                          ({"a": [1]}, "a: expected a number, not list"),
                          ({"\ud800": 1}, "a parameter's name holds a surrogate")):
