@@ -48,7 +48,7 @@ class CsvWriter : public TableWriter {
     file_.write(text);
   }
   [[nodiscard]] bool wants_text() const override { return true; }
-  void finish() override { file_.finish(); }
+  void finish() override { file_.flush(); }
 
  private:
   PartialFile& file_;

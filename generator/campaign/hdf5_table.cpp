@@ -128,7 +128,7 @@ class Hdf5Writer : public TableWriter {
     }
     expect(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     expect(file_.close());
-    partial_.finish();
+    partial_.flush();
   }
 
  private:

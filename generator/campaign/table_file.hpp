@@ -24,6 +24,7 @@ class TableWriter {
   /// `text` is what `csv_lines` makes of the rows; only a writer that wants it gets it.
   virtual void add(const std::vector<double>& rows, const std::string& text) = 0;
   [[nodiscard]] virtual bool wants_text() const = 0;
+  /// Brings all rows to the disk.
   virtual void finish() = 0;
 };
 
