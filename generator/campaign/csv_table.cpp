@@ -48,7 +48,7 @@ class CsvWriter : public TableWriter {
     file_.write(text);
   }
   [[nodiscard]] bool wants_text() const override { return true; }
-  void finish() override { file_.finish(); }
+  void finish() override { file_.flush(); }
 
  private:
   PartialFile& file_;
@@ -64,19 +64,20 @@ class CsvReader : public TableReader {
     std::vector<std::pair<std::string, std::string>> written;
     while (next_line() && line_.starts_with("# ")) {
       const std::size_t colon = line_.find(": ");
-      if (colon != std::string::npos) {
-        written.emplace_back(line_.substr(2, colon - 2), line_.substr(colon + 2));
+      if (colon == std::string::npos) {
+        refuse("expected a line '# name: text' of the description; remove it");
       }
+      written.emplace_back(line_.substr(2, colon - 2), line_.substr(colon + 2));
     }
     description_ = Description::read(written, name_);
-    const std::vector<std::string> names = names_in_csv_head(line_);
-    if (names.size() != description_.columns.size()) {
-      throw text::InputError(name_ +
-                             ": the number of columns differs from the number of their names");
+    if (!take_names(line_, description_.columns)) {
+      refuse("expected a name for each column; compute the table again");
     }
-    for (std::size_t column = 0; column < names.size(); ++column) {
-      description_.columns[column].name = names[column];
-    }
+    head_ = number_;
+  }
+
+  [[nodiscard]] std::string place_of(std::uint64_t row) const override {
+    return name_ + ":" + std::to_string(head_ + row);
   }
 
   [[nodiscard]] bool next(std::vector<double>& rows) override {
@@ -89,7 +90,8 @@ class CsvReader : public TableReader {
   }
 
  private:
-  /// Reads the next line. Refuses a last line without a line end, which is incomplete.
+  /// Reads the next line. Refuses a last line without a line end, which is incomplete, and bytes
+  /// that would end messages.
   bool next_line() {
     if (!std::getline(in_, line_)) {
       return false;
@@ -97,6 +99,9 @@ class CsvReader : public TableReader {
     ++number_;
     if (in_.eof()) {
       refuse("it ends within a line; compute it again");
+    }
+    if (line_.find('\0') != std::string::npos) {
+      refuse("the line holds a NUL byte; compute the table again");
     }
     return true;
   }
@@ -147,7 +152,7 @@ class CsvReader : public TableReader {
   std::string name_;
   std::ifstream in_;
   std::string line_;
-  std::size_t number_ = 0;
+  std::size_t number_ = 0, head_ = 0;  ///< of the line, and of the line of names
 };
 
 }  // namespace
@@ -182,6 +187,17 @@ std::vector<std::string> names_in_csv_head(const std::string& line) {
     }
   }
   return names;
+}
+
+bool take_names(const std::string& line, std::vector<Column>& columns) {
+  const std::vector<std::string> names = names_in_csv_head(line);
+  if (names.size() != columns.size()) {
+    return false;
+  }
+  for (std::size_t column = 0; column < names.size(); ++column) {
+    columns[column].name = names[column];
+  }
+  return csv_head(columns) == line;
 }
 
 std::string csv_lines(const std::vector<Column>& columns, const std::vector<double>& rows) {

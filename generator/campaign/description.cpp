@@ -72,6 +72,14 @@ std::vector<std::string> Description::texts_of(const std::string& name) const {
   return texts;
 }
 
+bool Description::has_kinds(std::vector<mechanism::Column::Kind> first) const {
+  if (columns.size() < first.size()) {
+    return false;
+  }
+  first.resize(columns.size(), mechanism::Column::Kind::real);
+  return std::ranges::equal(columns, first, {}, &mechanism::Column::kind);
+}
+
 std::vector<double> Description::numbers_of(const std::string& name) const {
   std::vector<double> numbers;
   std::istringstream words(text_of(name));
@@ -116,11 +124,17 @@ Description Description::read(const std::vector<std::pair<std::string, std::stri
         result.columns.push_back({"", static_cast<mechanism::Column::Kind>(kind - kinds.begin())});
       }
     } else {
-      result.entries.emplace_back(name, text);
+      result.add(name, text);
     }
   }
   if (result.entries.empty() || result.entries[0].first != "assur" || result.columns.empty()) {
     refuse("the file has no description of the rows of a campaign");
+  }
+  const auto canonical = result.written();
+  const auto [own, given] = std::ranges::mismatch(canonical, written);
+  if (own != canonical.end() || given != written.end() || result.items == 0) {
+    refuse("the line '" + (own == canonical.end() ? given->first : own->first) +
+           "' of its description is missing, doubled or changed");
   }
   return result;
 }

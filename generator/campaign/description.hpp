@@ -36,11 +36,13 @@ struct Description {
   [[nodiscard]] std::string text_of(const std::string& name) const;
   /// The numbers of a name; NaN for `-`.
   [[nodiscard]] std::vector<double> numbers_of(const std::string& name) const;
+  /// Whether the first columns hold these kinds of numbers, and all others real ones.
+  [[nodiscard]] bool has_kinds(std::vector<mechanism::Column::Kind> first) const;
   /// The texts of a name that may occur several times.
   [[nodiscard]] std::vector<std::string> texts_of(const std::string& name) const;
 
   /// The description as named texts, and the description that such texts give. `where` is the file,
-  /// for messages; throws InputError.
+  /// for messages; throws InputError, also for texts that are not as `written` gives them.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> written() const;
   [[nodiscard]] static Description read(
       const std::vector<std::pair<std::string, std::string>>& written, const std::string& where);

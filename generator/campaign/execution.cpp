@@ -1,24 +1,24 @@
 #include "campaign/execution.hpp"
 
 #include <assur/text/error.hpp>
-#include <optional>
 
 #include "campaign/csv_table.hpp"
 
 namespace assur::generator::campaign {
 
 bool is_computed(const Execution& execution) {
-  if (execution.table.empty()) {
+  if (execution.outputs.table.empty()) {
     return false;
   }
   std::error_code error;
-  if (!std::filesystem::exists(execution.table, error)) {
-    expect_new(execution.table, execution.may_replace);  // it may be a link that leads nowhere
+  if (!std::filesystem::exists(execution.outputs.table, error)) {
+    expect_new(execution.outputs.table,
+               execution.may_replace);  // it may be a link that leads nowhere
     return false;
   }
   std::string why;
   try {
-    const Description found = table_reader(execution.table)->description();
+    const Description found = table_reader(execution.outputs.table)->description();
     why = difference(found, execution.description);
     if (why.empty() && found.shard.text() != execution.description.shard.text()) {
       why = "shard: " + found.shard.text() + " instead of " + execution.description.shard.text();
@@ -29,7 +29,7 @@ bool is_computed(const Execution& execution) {
   } catch (const text::InputError&) {  // it is no table
   }
   if (!execution.may_replace) {
-    throw text::InputError(execution.table.string() + ": the file exists" +
+    throw text::InputError(execution.outputs.table.string() + ": the file exists" +
                            (why.empty() ? "" : " and holds another table (" + why + ")") +
                            "; give another name, or --force to replace it");
   }
@@ -40,18 +40,15 @@ void execute(const Execution& execution,
              const std::function<void(const std::vector<double>&)>& use) {
   const Description& description = execution.description;
   if (is_computed(execution)) {
-    const std::unique_ptr<TableReader> reader = table_reader(execution.table);
-    for_each_row_block(*reader, execution.table.string(), use);
+    PendingOutputs picture({{}, execution.outputs.picture, execution.outputs.drawing}, description);
+    const std::unique_ptr<TableReader> reader = table_reader(execution.outputs.table);
+    for_each_row_block(*reader, execution.outputs.table.string(), use);
+    picture.finish();
     return;
   }
-  std::optional<PartialFile> file;
-  std::unique_ptr<TableWriter> writer;
-  if (!execution.table.empty()) {
-    file.emplace(execution.table);
-    writer = table_writer(*file, description);
-  }
+  PendingOutputs outputs(execution.outputs, description);
   std::function<std::string(const std::vector<double>&)> encode;
-  if (writer && writer->wants_text()) {
+  if (outputs.wants_text()) {
     encode = [&description](const std::vector<double>& rows) {
       return csv_lines(description.columns, rows);
     };
@@ -61,16 +58,12 @@ void execute(const Execution& execution,
   mechanism::run_campaign(execution.campaign, items, execution.threads, encode,
                           [&](const mechanism::RowBlock& block) {
                             use(block.rows);
-                            if (writer) {
-                              writer->add(block.rows, block.text);
-                            }
+                            outputs.add(block.rows, block.text);
                             if (execution.progress) {
                               execution.progress(block.items.last - items.first);
                             }
                           });
-  if (writer) {
-    writer->finish();
-  }
+  outputs.finish();
 }
 
 }  // namespace assur::generator::campaign

@@ -9,7 +9,6 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "campaign/svg_text.hpp"
 
@@ -39,24 +38,19 @@ constexpr std::array<Counted, 3> counted = {
 
 }  // namespace
 
-std::string axis_text(const NamedAxis& axis) {
-  return axis.name + " " + number_text(axis.from) + " " + number_text(axis.to) + " " +
-         std::to_string(axis.count);
-}
-
 GridSummary::GridSummary(Description description, const std::string& where)
-    : description_(std::move(description)) {
+    : description_(std::move(description)), axes_(axes_of(description_)) {
+  using Kind = mechanism::Column::Kind;
   std::uint64_t items = 1;
-  for (const std::string& text : description_.texts_of("axis")) {
-    NamedAxis axis{};
-    std::istringstream(text) >> axis.name >> axis.from >> axis.to >> axis.count;
+  std::vector<Kind> kinds = {Kind::whole};
+  for (const NamedAxis& axis : axes_) {
     items *= axis.count;
-    axes_.push_back(axis);
+    kinds.push_back(Kind::real);
   }
-  const std::size_t before_outputs = 1 + axes_.size() + columns_of_a_cell;
+  kinds.insert(kinds.end(), {Kind::whole, Kind::whole, Kind::whole, Kind::outcome});
+  const std::size_t before_outputs = kinds.size();
   if (axes_.empty() || items != description_.items || items > mechanism::most_cells ||
-      description_.columns.size() < before_outputs ||
-      description_.columns[before_outputs - 1].kind != mechanism::Column::Kind::outcome) {
+      !description_.has_kinds(kinds)) {
     throw text::InputError(where + ": it is not a table of a map: its axes do not fit its cells");
   }
   const auto [first, last] =

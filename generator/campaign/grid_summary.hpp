@@ -6,16 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "campaign/description.hpp"
+#include "campaign/grid_axes.hpp"
 
 namespace assur::generator::campaign {
-
-/// An axis of the grid, for people.
-struct NamedAxis {
-  std::string name;
-  double from, to;
-  std::uint64_t count;
-};
 
 /// What the rows of one cell say.
 struct Cell {
@@ -60,9 +53,6 @@ class GridSummary {
   std::vector<Cell> cells_;
   std::vector<CoordinateRange> ranges_;
 };
-
-/// The entry of an axis in a description.
-[[nodiscard]] std::string axis_text(const NamedAxis& axis);
 
 [[nodiscard]] std::string grid_text(const GridSummary& summary);
 [[nodiscard]] std::string grid_json(const GridSummary& summary);

@@ -128,7 +128,7 @@ class Hdf5Writer : public TableWriter {
     }
     expect(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     expect(file_.close());
-    partial_.finish();
+    partial_.flush();
   }
 
  private:
@@ -215,6 +215,10 @@ class Hdf5Reader : public TableReader {
     }
   }
 
+  [[nodiscard]] std::string place_of(std::uint64_t row) const override {
+    return name_ + ": row " + std::to_string(row);
+  }
+
   [[nodiscard]] bool next(std::vector<double>& rows) override {
     const std::size_t columns = sets_.size();
     const hsize_t count = std::min(rows_at_once, length_ - read_);
@@ -270,6 +274,9 @@ class Hdf5Reader : public TableReader {
     }
     std::string lines(H5Tget_size(type), ' ');
     (void)expected(H5Aread(attribute, type, lines.data()));
+    if (lines.find('\0') != std::string::npos) {
+      refuse();
+    }
     std::vector<std::pair<std::string, std::string>> written;
     std::istringstream in(lines);
     std::string line;
@@ -282,12 +289,8 @@ class Hdf5Reader : public TableReader {
       written.emplace_back(line.substr(0, colon), line.substr(colon + 2));
     }
     description_ = Description::read(written, name_);
-    const std::vector<std::string> names = names_in_csv_head(line);
-    if (names.size() != description_.columns.size()) {
+    if (!take_names(line, description_.columns)) {
       refuse();
-    }
-    for (std::size_t column = 0; column < names.size(); ++column) {
-      description_.columns[column].name = names[column];
     }
   }
 

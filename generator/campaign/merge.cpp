@@ -77,27 +77,18 @@ ShardFiles shard_files(const std::vector<std::filesystem::path>& files) {
   return result;
 }
 
-void merge(const ShardFiles& shards, const std::filesystem::path& table,
+void merge(const ShardFiles& shards, const Outputs& outputs,
            const std::function<void(const std::vector<double>&)>& use) {
-  std::optional<PartialFile> file;
-  std::unique_ptr<TableWriter> writer;
-  if (!table.empty()) {
-    file.emplace(table);
-    writer = table_writer(*file, shards.description);
-  }
-  const bool wants_text = writer && writer->wants_text();
+  PendingOutputs pending(outputs, shards.description);
   for (const std::filesystem::path& shard : shards.files) {
     const std::unique_ptr<TableReader> reader = table_reader(shard);
     for_each_row_block(*reader, shard.string(), [&](const std::vector<double>& rows) {
       use(rows);
-      if (writer) {
-        writer->add(rows, wants_text ? csv_lines(shards.description.columns, rows) : std::string());
-      }
+      pending.add(
+          rows, pending.wants_text() ? csv_lines(shards.description.columns, rows) : std::string());
     });
   }
-  if (writer) {
-    writer->finish();
-  }
+  pending.finish();
 }
 
 }  // namespace assur::generator::campaign

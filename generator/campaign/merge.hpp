@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "campaign/description.hpp"
+#include "campaign/outputs.hpp"
 
 namespace assur::generator::campaign {
 
@@ -19,9 +19,9 @@ struct ShardFiles {
 /// or shards are missing; the message names them.
 [[nodiscard]] ShardFiles shard_files(const std::vector<std::filesystem::path>& files);
 
-/// Writes the rows of all of them to one table, if it has a name, and hands them over. Throws
-/// InputError where a file is not whole, and leaves no table then.
-void merge(const ShardFiles& shards, const std::filesystem::path& table,
+/// Writes the rows of all of them to one table, and its picture, and hands them over. Throws
+/// InputError where a file does not hold what it should, and writes nothing then.
+void merge(const ShardFiles& shards, const Outputs& outputs,
            const std::function<void(const std::vector<double>&)>& use);
 
 }  // namespace assur::generator::campaign

@@ -8,6 +8,9 @@
 #include <assur/text/error.hpp>
 #include <cerrno>
 #include <cstring>
+#include <utility>
+
+#include "all_or_none.hpp"
 
 namespace assur::generator::campaign {
 
@@ -80,21 +83,24 @@ void PartialFile::write(const std::string& text) {
   }
 }
 
-void PartialFile::finish() {
+void PartialFile::flush() const {
   if (fsync(descriptor_) != 0 && errno != EINVAL) {  // not every file can be synchronised
     fail(errno);
   }
-  if (rename(partial_.c_str(), target_.c_str()) != 0) {
-    fail(errno);
-  }
-  (void)close(descriptor_);
-  descriptor_ = -1;
 }
 
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-  PartialFile partial(file);
-  partial.write(text);
-  partial.finish();
+void PartialFile::take_names(const std::vector<PartialFile*>& files) {
+  std::vector<Renaming> renamings;
+  for (const PartialFile* file : files) {
+    renamings.push_back({file->partial_, file->target_});
+  }
+  if (const auto failed = rename_all(renamings)) {
+    throw text::InputError(failed->to.string() +
+                           ": cannot be written: " + failed->reason.message());
+  }
+  for (PartialFile* file : files) {
+    (void)close(std::exchange(file->descriptor_, -1));
+  }
 }
 
 void expect_directory(const std::filesystem::path& file) {

@@ -23,8 +23,10 @@ class PartialFile {
   [[nodiscard]] const std::filesystem::path& path() const { return partial_; }
   /// Throws InputError where it cannot be written, for lack of room for instance.
   void write(const std::string& text);
-  /// Brings everything to the disk and gives the file its name.
-  void finish();
+  /// Brings everything to the disk.
+  void flush() const;
+  /// Gives files their names, all of them or none. Throws InputError.
+  static void take_names(const std::vector<PartialFile*>& files);
   /// Throws an InputError that names the file and the reason, which is the system's error number.
   [[noreturn]] void fail(int reason) const;
 
@@ -32,9 +34,6 @@ class PartialFile {
   std::filesystem::path target_, partial_;
   int descriptor_ = -1;
 };
-
-/// Writes a whole text in this way.
-void write_whole(const std::filesystem::path& file, const std::string& text);
 
 /// Throws InputError where the directory of the file is missing: a mistyped one is not made.
 void expect_directory(const std::filesystem::path& file);

@@ -139,8 +139,8 @@ Json histogram_json(const mechanism::Histogram& histogram, double nominal) {
 
 SampleSummary::SampleSummary(Description description, const std::string& where)
     : description_(std::move(description)) {
-  if (description_.columns.size() < columns_before_outputs ||
-      description_.columns[1].kind != mechanism::Column::Kind::outcome) {
+  using Kind = mechanism::Column::Kind;
+  if (!description_.has_kinds({Kind::whole, Kind::outcome})) {
     throw text::InputError(where + ": it is not a table of a sample: its columns differ");
   }
   const std::size_t numbers = description_.columns.size() - columns_before_outputs;

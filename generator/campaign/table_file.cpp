@@ -1,10 +1,10 @@
 #include "campaign/table_file.hpp"
 
-#include <assur/mechanism/campaign.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/quoted.hpp>
 
 #include "campaign/csv_table.hpp"
+#include "campaign/expected_rows.hpp"
 #include "campaign/hdf5_table.hpp"
 
 namespace assur::generator::campaign {
@@ -33,28 +33,21 @@ std::unique_ptr<TableReader> table_reader(const std::filesystem::path& file) {
 
 void for_each_row_block(TableReader& reader, const std::string& file,
                         const std::function<void(const std::vector<double>&)>& use) {
-  const Description& description = reader.description();
-  const auto [first, last] =
-      mechanism::part_of(description.items, description.shard.number, description.shard.count);
-  std::uint64_t next = first;  // an item that has no row yet
+  ExpectedRows expected(reader.description());
+  const std::size_t width = reader.description().columns.size();
+  std::uint64_t row = 0;
   std::vector<double> rows;
   while (reader.next(rows)) {
-    for (std::size_t at = 0; at < rows.size(); at += description.columns.size()) {
-      const bool is_next = next < last && rows[at] == static_cast<double>(next);
-      const bool goes_on = next > first && rows[at] == static_cast<double>(next - 1);
-      if (!is_next && !goes_on) {
-        throw text::InputError(file + ": after item " + std::to_string(next) + " of " +
-                               std::to_string(last) +
-                               " the rows are not in order; compute the table again");
+    for (std::size_t at = 0; at < rows.size(); at += width) {
+      ++row;
+      if (const std::string fault = expected.fault(&rows[at]); !fault.empty()) {
+        throw text::InputError(reader.place_of(row) + ": " + fault + "; compute the table again");
       }
-      next += is_next ? 1 : 0;
     }
     use(rows);
   }
-  if (next != last) {
-    throw text::InputError(file + ": the table is incomplete: it ends at item " +
-                           std::to_string(next) + " of " + std::to_string(last) +
-                           "; compute it again");
+  if (const std::string lack = expected.lack(); !lack.empty()) {
+    throw text::InputError(file + ": " + lack + "; compute it again");
   }
 }
 

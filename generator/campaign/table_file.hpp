@@ -24,6 +24,7 @@ class TableWriter {
   /// `text` is what `csv_lines` makes of the rows; only a writer that wants it gets it.
   virtual void add(const std::vector<double>& rows, const std::string& text) = 0;
   [[nodiscard]] virtual bool wants_text() const = 0;
+  /// Brings all rows to the disk.
   virtual void finish() = 0;
 };
 
@@ -36,6 +37,8 @@ class TableReader {
   virtual ~TableReader() = default;
 
   [[nodiscard]] const Description& description() const { return description_; }
+  /// Where a row stands, from 1, for messages.
+  [[nodiscard]] virtual std::string place_of(std::uint64_t row) const = 0;
   /// Replaces `rows` by the next rows, and returns false if there are none. Throws InputError where
   /// the file is not complete.
   [[nodiscard]] virtual bool next(std::vector<double>& rows) = 0;
@@ -52,8 +55,8 @@ void expect_table_name(const std::filesystem::path& file, const std::string& opt
                                                         const Description& description);
 [[nodiscard]] std::unique_ptr<TableReader> table_reader(const std::filesystem::path& file);
 
-/// Hands a file's rows over, and throws InputError where they are not those of its shard: one or
-/// more rows for each item, in the order of the items.
+/// Hands a file's rows over, and throws InputError where they are not those of its shard; the
+/// message names the first row that is not.
 void for_each_row_block(TableReader& reader, const std::string& file,
                         const std::function<void(const std::vector<double>&)>& use);
 

@@ -52,12 +52,12 @@ bool compute_on_ranks(const Ranks& ranks, campaign::Execution whole, const Campa
   ranks.together([&] {
     campaign::Execution own = whole;
     own.description.shard = {ranks.number() + 1, ranks.count()};
-    own.table = files[ranks.number()];
+    own.outputs = {files[ranks.number()], {}, {}};
     campaign::execute(own, [](const std::vector<double>&) {});
   });
   ranks.together([&] {
     if (ranks.is_first()) {
-      campaign::merge(campaign::shard_files(files), whole.table, use);
+      campaign::merge(campaign::shard_files(files), whole.outputs, use);
       for (const fs::path& file : files) {
         fs::remove(file);
       }
@@ -68,10 +68,10 @@ bool compute_on_ranks(const Ranks& ranks, campaign::Execution whole, const Campa
 
 }  // namespace
 
-CampaignFiles files_of(const CampaignOptions& options, const std::vector<std::string>& inputs) {
+campaign::Outputs files_of(const CampaignOptions& options, const std::vector<std::string>& inputs) {
   const fs::path output = options.output;
   const fs::path plot = options.plot;
-  CampaignFiles files;
+  campaign::Outputs files;
   if (output.extension() == ".svg") {
     if (!plot.empty()) {
       throw text::InputError("--plot: " + plot.string() + ": the output is a picture already");
@@ -119,7 +119,7 @@ CampaignScene campaign_scene(const std::string& campaign, const CampaignOptions&
   return result;
 }
 
-bool compute(const CampaignOptions& options, const CampaignFiles& files,
+bool compute(const CampaignOptions& options, const campaign::Outputs& files,
              const mechanism::Campaign& campaign, const campaign::Description& description,
              const Use& use) {
   const Ranks ranks;
@@ -127,7 +127,7 @@ bool compute(const CampaignOptions& options, const CampaignFiles& files,
       description.items / description.shard.count / ranks.count();  // roughly, for the bar alone
   ProgressBar bar;
   campaign::Execution execution{
-      campaign, description, files.table, options.force, threads_of(options, ranks), nullptr};
+      campaign, description, files, options.force, threads_of(options, ranks), nullptr};
   execution.progress = [&](std::uint64_t done) {
     if (ranks.is_first()) {
       bar.show(done, items);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/description.hpp"
+#include "campaign/outputs.hpp"
 
 namespace assur::generator::command {
 
@@ -42,15 +42,11 @@ void run_sample(const SampleOptions& options);
 void run_map(const MapOptions& options);
 void run_merge(const MergeOptions& options);
 
-/// Where the rows go, if they are kept, and where the picture goes, if there is one.
-struct CampaignFiles {
-  std::filesystem::path table, picture;
-};
 /// `--output` by its extension, and `--plot`. Throws InputError for other extensions, for names
 /// that no file can have, for files that are read (`inputs`), for a picture of a shard, and where a
 /// picture has a name that is taken.
-[[nodiscard]] CampaignFiles files_of(const CampaignOptions& options,
-                                     const std::vector<std::string>& inputs);
+[[nodiscard]] campaign::Outputs files_of(const CampaignOptions& options,
+                                         const std::vector<std::string>& inputs);
 
 /// The scene, its text's hash and the settings.
 struct CampaignScene {
@@ -60,9 +56,10 @@ struct CampaignScene {
 [[nodiscard]] CampaignScene campaign_scene(const std::string& campaign,
                                            const CampaignOptions& options);
 
-/// Computes and writes the rows, on this rank or on all of them together, and hands over those of
-/// the shard that the options name. Returns false, without rows, on any rank but the first.
-[[nodiscard]] bool compute(const CampaignOptions& options, const CampaignFiles& files,
+/// Computes and writes the rows and the picture, on this rank or on all of them together, and hands
+/// over those of the shard that the options name. Returns false, without rows, on any rank but the
+/// first.
+[[nodiscard]] bool compute(const CampaignOptions& options, const campaign::Outputs& files,
                            const mechanism::Campaign& campaign,
                            const campaign::Description& description,
                            const std::function<void(const std::vector<double>&)>& use);

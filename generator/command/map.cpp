@@ -104,7 +104,7 @@ void tell_refused_cells(const campaign::GridSummary& summary) {
 }
 
 void map(const MapOptions& options, CampaignScene& scene) {
-  const CampaignFiles files = files_of(options, {options.scene});
+  campaign::Outputs files = files_of(options, {options.scene});
   mechanism::Mechanism& mechanism = scene.scene.mechanism;
   const mechanism::Request& request = scene.scene.request;
   const std::vector<WrittenAxis> written = written_axes(options.over, options.settings, mechanism);
@@ -122,12 +122,10 @@ void map(const MapOptions& options, CampaignScene& scene) {
     campaign::expect_drawable(description, files.picture.string());
   }
   campaign::GridSummary summary(description, options.scene);
+  files.drawing = [&summary] { return campaign::grid_picture(summary); };
   if (!compute(options, files, campaign, description,
                [&summary](const std::vector<double>& rows) { summary.add(rows); })) {
     return;
-  }
-  if (!files.picture.empty()) {
-    campaign::write_whole(files.picture, campaign::grid_picture(summary));
   }
   tell_refused_cells(summary);
   print(options.format == "json" ? campaign::grid_json(summary) : campaign::grid_text(summary));

@@ -15,26 +15,24 @@ namespace assur::generator::command {
 namespace {
 
 template <typename Summary, typename Picture, typename Text>
-void merge_and_report(const campaign::ShardFiles& shards, const CampaignFiles& files,
+void merge_and_report(const campaign::ShardFiles& shards, campaign::Outputs outputs,
                       const Picture& picture, const Text& text) {
   Summary summary(shards.description, shards.files.front().string());
+  outputs.drawing = [&] { return picture(summary); };
   ProgressBar bar;
   std::uint64_t done = 0;
-  campaign::merge(shards, files.table, [&](const std::vector<double>& rows) {
+  campaign::merge(shards, outputs, [&](const std::vector<double>& rows) {
     summary.add(rows);
     done += rows.size() / shards.description.columns.size();
     bar.show(done, shards.description.items);
   });
-  if (!files.picture.empty()) {
-    campaign::write_whole(files.picture, picture(summary));
-  }
   print(text(summary));
 }
 
 }  // namespace
 
 void run_merge(const MergeOptions& options) {
-  const CampaignFiles files = files_of(options, options.files);
+  const campaign::Outputs files = files_of(options, options.files);
   if (!files.table.empty()) {
     campaign::expect_new(files.table, options.force);
   }

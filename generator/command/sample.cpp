@@ -56,7 +56,7 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
   const std::uint64_t count = whole_number(options.count, 1, most_samples, "--count");
   const std::uint64_t seed =
       whole_number(options.seed, 0, std::numeric_limits<std::uint64_t>::max(), "--seed");
-  const CampaignFiles files = files_of(options, {options.scene});
+  campaign::Outputs files = files_of(options, {options.scene});
   const mechanism::Mechanism& mechanism = scene.scene.mechanism;
   const mechanism::Request& request = scene.scene.request;
   const mechanism::Sampling sampling(mechanism, request, static_cast<std::size_t>(options.branch),
@@ -73,12 +73,10 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
   description.add("tolerances", tolerances_of(mechanism, sampling.deviations()));
   campaign::describe_nominal(sampling.nominal(), description);
   campaign::SampleSummary summary(description, options.scene);
+  files.drawing = [&summary] { return campaign::histogram_picture(summary); };
   if (!compute(options, files, campaign, description,
                [&summary](const std::vector<double>& rows) { summary.add(rows); })) {
     return;
-  }
-  if (!files.picture.empty()) {
-    campaign::write_whole(files.picture, campaign::histogram_picture(summary));
   }
   tell_lost_samples(mechanism, sampling, summary);
   print(options.format == "json" ? campaign::sample_json(summary) : campaign::sample_text(summary));

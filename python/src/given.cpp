@@ -11,10 +11,6 @@ namespace assur::python {
 
 namespace {
 
-std::string type_of(const py::handle& value) {
-  return py::cast<std::string>(py::type::handle_of(value).attr("__name__"));
-}
-
 std::string shape_of(const py::handle& array) {
   return py::cast<std::string>(py::str(array.attr("shape")));
 }
@@ -75,6 +71,10 @@ py::array_t<double> array_of(const std::string& name, const py::handle& value) {
 }
 
 }  // namespace
+
+std::string type_of(const py::handle& value) {
+  return py::cast<std::string>(py::type::handle_of(value).attr("__name__"));
+}
 
 std::string utf8_of(const py::handle& value, const std::string& what) {
   if (PyUnicode_Check(value.ptr()) == 0) {
@@ -166,9 +166,10 @@ Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given) {
   Columns columns;
   std::string first;
   for (const auto& [name, value] : given) {
-    columns.parameters.push_back(parameter_named(mechanism, name));
-    columns.values.push_back(array_of(name, value));
-    const py::array_t<double>& array = columns.values.back();
+    const mechanism::ParameterIndex parameter = parameter_named(mechanism, name);
+    const py::array_t<double>& array = columns.owners.emplace_back(array_of(name, value));
+    columns.columns.push_back({parameter, reinterpret_cast<const char*>(array.data()),
+                               array.ndim() == 0 ? 0 : array.strides(0)});
     if (array.ndim() == 0) {
       continue;
     }
@@ -188,14 +189,11 @@ Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given) {
 
 std::vector<std::pair<mechanism::ParameterIndex, double>> Columns::row(py::ssize_t at) const {
   std::vector<std::pair<mechanism::ParameterIndex, double>> row;
-  row.reserve(parameters.size());
-  for (std::size_t column = 0; column < parameters.size(); ++column) {
-    const py::array_t<double>& array = values[column];
-    const auto* const first = static_cast<const char*>(array.request().ptr);
-    const py::ssize_t stride = array.ndim() == 0 ? 0 : array.strides(0);
+  row.reserve(columns.size());
+  for (const Column& column : columns) {
     double value = 0;
-    std::memcpy(&value, first + at * stride, sizeof value);  // it may not be aligned
-    row.emplace_back(parameters[column], value);
+    std::memcpy(&value, column.first + at * column.stride, sizeof value);  // it may not be aligned
+    row.emplace_back(column.parameter, value);
   }
   return row;
 }

@@ -13,6 +13,8 @@
 
 namespace assur::python {
 
+/// The name of a value's type.
+[[nodiscard]] std::string type_of(const py::handle& value);
 /// A text of Python in UTF-8. Throws ShapeError for a value that is no text or has no UTF-8.
 [[nodiscard]] std::string utf8_of(const py::handle& value, const std::string& what);
 /// A whole number, zero or more. Throws ShapeError for any other value.
@@ -35,10 +37,17 @@ using Given = std::vector<std::pair<std::string, py::object>>;
 [[nodiscard]] std::vector<std::pair<std::string, double>> numbers_of(
     const mechanism::Mechanism& mechanism, const Given& given);
 
-/// Parameters, and an array of `count` values for each of them.
+/// Parameters, and `count` values for each of them. Rows are read without the interpreter's lock,
+/// so they come from plain memory, which the arrays only keep alive.
 struct Columns {
-  std::vector<mechanism::ParameterIndex> parameters;
-  std::vector<py::array_t<double>> values;
+  struct Column {
+    mechanism::ParameterIndex parameter;
+    const char* first;
+    py::ssize_t stride;  ///< in bytes; zero where all rows share one number
+  };
+
+  std::vector<Column> columns;
+  std::vector<py::array_t<double>> owners;
   py::ssize_t count = 0;
 
   [[nodiscard]] std::vector<std::pair<mechanism::ParameterIndex, double>> row(py::ssize_t at) const;

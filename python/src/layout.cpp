@@ -88,9 +88,10 @@ std::vector<std::string> names_at(const text::Table<Index, Item>& table,
 
 }  // namespace
 
+// No table of fields is destroyed: a daemon's thread may still solve when the process ends.
 template <>
 const std::vector<Field<Frame>>& fields<Frame>() {
-  static const std::vector<Field<Frame>> all = {
+  static const auto& all = *new std::vector<Field<Frame>>{
       {"pose",
        {3},
        Need::position,
@@ -119,7 +120,7 @@ const std::vector<Field<Frame>>& fields<Frame>() {
 
 template <>
 const std::vector<Field<SlideState>>& fields<SlideState>() {
-  static const std::vector<Field<SlideState>> all = {
+  static const auto& all = *new std::vector<Field<SlideState>>{
       {"displacement",
        {},
        Need::position,
@@ -146,7 +147,7 @@ const std::vector<Field<SlideState>>& fields<SlideState>() {
 
 template <>
 const std::vector<Field<Point>>& fields<Point>() {
-  static const std::vector<Field<Point>> all = {
+  static const auto& all = *new std::vector<Field<Point>>{
       {"position",
        {2},
        Need::position,

@@ -1,5 +1,5 @@
 // Turns the library of mechanisms into the extension module of the Python package.
-#include <pybind11/pybind11.h>
+#include <pybind11/numpy.h>
 
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/version.hpp>
@@ -16,6 +16,8 @@ PYBIND11_MODULE(_assur, module) {
   options.disable_function_signatures();
   module.doc() = "Planar linkages in closed form; see the package assur.";
   module.attr("__version__") = version;
+  // The first use of NumPy imports it. If two threads made it, each could wait for the other.
+  (void)py::dtype::of<double>();
   translate_errors();
   bind_scene(module);
   bind_parts(module);

@@ -4,6 +4,7 @@
 
 #include "bindings.hpp"
 #include "given.hpp"
+#include "long_call.hpp"
 #include "names.hpp"
 #include "solved_scene.hpp"
 
@@ -37,7 +38,7 @@ std::vector<GroupOfPlan> groups_of(const PlannedScene& planned) {
 SharedSolution solved(const SharedPlan& planned, const py::object& values,
                       const py::kwargs& keywords, Asked asked, std::size_t number = 0) {
   auto replaced = numbers_of(planned->plan.mechanism(), given(values, keywords));
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return std::make_shared<SolvedScene>(planned, std::move(replaced), asked, number);
 }
 
@@ -60,6 +61,14 @@ void bind_group(py::module_& module) {
 
 }  // namespace
 
+SharedScene scene_given(const py::handle& value) {
+  if (!py::isinstance<ReadScene>(value)) {
+    throw py::type_error("scene: expected a Scene, which read_scene and parse_scene return, not " +
+                         type_of(value));
+  }
+  return py::cast<SharedScene>(value);
+}
+
 PlannedScene::PlannedScene(SharedScene of)
     : scene(std::move(of)),
       plan(planned_of(*scene)),
@@ -80,8 +89,9 @@ void bind_plan(py::module_& module) {
       "Raises SceneError for a scene that cannot be solved, and its subclass OverConstrained for "
       "one\n"
       "with more constraints than freedoms.");
-  plan.def(py::init([](const SharedScene& scene) {
-             const py::gil_scoped_release others_run;
+  plan.def(py::init([](const py::object& given_scene) {
+             const SharedScene scene = scene_given(given_scene);
+             const OthersRun others_run;
              return std::make_shared<PlannedScene>(scene);
            }),
            py::arg("scene"), py::pos_only())

@@ -19,6 +19,9 @@ struct ReadScene : mechanism::Scene {
 };
 using SharedScene = std::shared_ptr<ReadScene>;
 
+/// The scene that a caller gives. Throws TypeError for anything else.
+[[nodiscard]] SharedScene scene_given(const pybind11::handle& value);
+
 /// A plan, the scene that it is of, and the layouts of rows: of a configuration, and of the rates
 /// of the motions through one.
 struct PlannedScene {

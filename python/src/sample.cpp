@@ -39,9 +39,10 @@ void expect_count(std::uint64_t count, std::size_t width) {
   }
 }
 
-std::shared_ptr<Sampled> sampled(const SharedScene& scene, const py::object& count_of,
+std::shared_ptr<Sampled> sampled(const py::object& scene_of, const py::object& count_of,
                                  const py::object& seed_of, const py::object& branch_of,
                                  const py::object& threads_of) {
+  const SharedScene scene = scene_given(scene_of);
   const std::uint64_t count = whole_number(count_of, "count");
   const std::uint64_t seed = whole_number(seed_of, "seed");
   const auto branch = static_cast<std::size_t>(place_number(branch_of, "branch"));

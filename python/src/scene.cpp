@@ -1,13 +1,14 @@
 // Turns scene files, their text and dictionaries into scenes, and scenes into pictures.
 #include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
+#include <filesystem>
 
 #include "bindings.hpp"
 #include "drawing.hpp"
 #include "given.hpp"
+#include "long_call.hpp"
 #include "names.hpp"
 #include "plan.hpp"
 
@@ -23,10 +24,19 @@ SharedScene scene_of(const std::string& text, const std::string& file,
       Scene{mechanism::parse_scene(text, file, settings), {text, settings}});
 }
 
-SharedScene read(const std::filesystem::path& file, const py::object& values,
-                 const py::kwargs& keywords) {
+/// A file's name as `open` takes it, and with the errors that `open` raises.
+std::filesystem::path path_given(const py::object& path) {
+  PyObject* bytes = nullptr;
+  if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) {
+    throw py::error_already_set();
+  }
+  return {std::string(py::reinterpret_steal<py::bytes>(bytes))};
+}
+
+SharedScene read(const py::object& path, const py::object& values, const py::kwargs& keywords) {
+  const std::filesystem::path file = path_given(path);
   const std::vector<std::string> settings = settings_of(given(values, keywords));
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return scene_of(text::read_input_file(file), file.string(), settings);
 }
 
@@ -57,19 +67,19 @@ std::string json_text_of(const py::object& scene) {
 SharedScene parse(const py::object& scene, const py::object& values, const py::kwargs& keywords) {
   const std::vector<std::string> settings = settings_of(given(values, keywords));
   const std::string text = json_text_of(scene);
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return scene_of(text, "scene", settings);
 }
 
 std::string svg_of_scene(const Scene& scene, const py::object& configuration, bool nearest) {
   const int number = place_number(configuration, "configuration");
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return svg_of(scene, {}, {number, nearest});
 }
 
 std::string moving_svg(const Scene& scene, const py::object& branch) {
   const int number = place_number(branch, "branch");
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_svg(
         mechanism::moving_drawing_of(scene.mechanism, scene.request, number));
@@ -78,7 +88,7 @@ std::string moving_svg(const Scene& scene, const py::object& branch) {
 
 std::string dxf(const Scene& scene, const py::object& configuration, bool nearest) {
   const int number = place_number(configuration, "configuration");
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_dxf(
         mechanism::drawing_of(scene.mechanism, scene.request, {number, nearest}));
@@ -86,7 +96,7 @@ std::string dxf(const Scene& scene, const py::object& configuration, bool neares
 }
 
 std::string page(const Scene& scene) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_page(scene.mechanism, scene.request, scene.source);
   });

@@ -9,6 +9,7 @@
 #include "bindings.hpp"
 #include "drawing.hpp"
 #include "errors.hpp"
+#include "long_call.hpp"
 #include "solved_scene.hpp"
 
 namespace assur::python {
@@ -36,7 +37,7 @@ py::object status_of(const SolvedScene& solved) {
 }
 
 std::string reason_of(const SolvedScene& solved) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return solved.solution.status == mechanism::SolutionStatus::no_assembly
              ? solved.planned->plan.obstacle(solved.values())
              : solved.solution.reason;
@@ -52,10 +53,10 @@ SolvedConfiguration configuration_at(const SharedSolution& solved, py::ssize_t a
   return {{solved->rows, place}, solved, static_cast<std::size_t>(place)};
 }
 
-py::tuple families_of(const SharedSolution& solved) {
+py::tuple families_of(SolvedScene& solved) {
   py::list families;
-  for (const Family& family : solved->solution.families) {
-    families.append(SolvedFamily{solved, &family});
+  for (const Family& family : solved.solution.families) {
+    families.append(SolvedFamily{solved.shared_from_this(), &family});
   }
   return {families};
 }
@@ -95,7 +96,7 @@ std::optional<Nearest> nearest_of(const SolvedScene& solved) {
 }
 
 std::string svg(const SolvedScene& solved, mechanism::DrawingChoice choice) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   choice.nearest = solved.asked == SolvedScene::Asked::nearest;
   return svg_of(*solved.planned->scene, solved.replaced, choice);
 }
@@ -120,12 +121,12 @@ py::object picture(const Solved& solved, std::string (*svg)(const Solved&)) {
 }
 
 std::string text_of(const SolvedScene& solved) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return mechanism::report_text(solved.report(solved.values()));
 }
 
 std::string json_of(const SolvedScene& solved) {
-  const py::gil_scoped_release others_run;
+  const OthersRun others_run;
   return mechanism::report_json(solved.report(solved.values()));
 }
 

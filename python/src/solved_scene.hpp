@@ -12,7 +12,7 @@
 namespace assur::python {
 
 /// All configurations at one set of values, or the one that was asked for.
-struct SolvedScene : RowsView {
+struct SolvedScene : RowsView, std::enable_shared_from_this<SolvedScene> {
   /// What is solved for: all configurations, the one of a number, or the nearest to the reference.
   enum class Asked : unsigned char { all, numbered, nearest };
 

@@ -2,7 +2,11 @@
 // standard error that names the place, the fault and the remedy.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <utility>
 #include <vector>
 
 #include "command/one_line.hpp"
@@ -256,6 +260,51 @@ TEST(BadFile, Huge) {
   std::filesystem::resize_file(file, std::uintmax_t{1} << 30);
   expect_one_line(run_assur("solve " + file.string()), "longer than 8 MiB");
 }
+/// The text of an example with a NUL byte before the byte at a place, or behind its end.
+std::string with_nul(const std::string& file, std::size_t place) {
+  std::string text = read_file(file);
+  return text.insert(std::min(place, text.size()), 1, '\0');
+}
+
+TEST(BadFile, NulBytes) {
+  const TemporaryDirectory directory;
+  const std::string scene = ASSUR_EXAMPLES "/four_bar_coupler_curve.json";
+  const std::string audits = ASSUR_EXAMPLES "/audit/";
+  const auto refused = [&](const std::string& call, const std::string& name,
+                           const std::string& text, const std::string& place) {
+    const std::string file = directory.write(name, text).string();
+    expect_one_line(run_assur(call + file), file + ":" + place +
+                                                ": a NUL byte; remove it, or save the file as "
+                                                "UTF-8");
+  };
+  const std::size_t end = std::string::npos;
+  const std::string out = " --output " + (directory.path() / "out").string();
+  for (const auto& [at, place] : std::vector<std::pair<std::size_t, std::string>>{
+           {0, "1:1"}, {1, "1:2"}, {2, "2:1"}, {13, "2:12"}, {end, "28:1"}}) {
+    refused("solve ", "scene.json", with_nul(scene, at), place);
+  }
+  refused("solve ", "scene.json", with_nul(scene, end) + "text that nobody reads", "28:1");
+  for (const std::string call :
+       {"solve --format csv ", "draw --output DIR.svg ",
+        "sample --count 2 --seed 1 --output DIR.csv ", "map --over phi=0:1:2 --output DIR.csv "}) {
+    refused(std::regex_replace(call, std::regex(" --output DIR"), out), "scene.json",
+            with_nul(scene, end), "28:1");
+  }
+  refused("emit" + out + " --scene ", "scene.json", with_nul(scene, end), "28:1");
+  refused("emit" + out + " --closures ", "a.audit", with_nul(audits + "slider_crank.audit", 0),
+          "1:1");
+  refused("audit ", "a.audit", with_nul(audits + "slider_crank.audit", 0), "1:1");
+  const std::string paper = audits + "quintero_2011";
+  refused("audit --map " + paper + ".map ", "a.tex", with_nul(paper + ".tex", 0), "1:1");
+  refused("audit " + paper + ".tex --map ", "a.map", with_nul(paper + ".map", 0), "1:1");
+  // The message stands at the line of the audit that names the program.
+  const std::string own = audits + "own_model/gear_five_bar";
+  (void)directory.write("gear_five_bar.cpp", with_nul(own + ".cpp", end));
+  const auto audit = directory.write("gear_five_bar.audit", read_file(own + ".audit"));
+  expect_one_line(run_assur("audit " + audit.string()), ": a NUL byte; remove it");
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "out"));
+}
+
 TEST(BadFile, ListsInLists) {
   const TemporaryDirectory directory;
   for (const std::string text : {"[", "{\"links\":"}) {

@@ -223,7 +223,7 @@ TEST_F(Campaigns, MergeOnlyWhatBelongsTogether) {
       merging({"1.csv", "short.csv", "3.csv"}).find("the table is incomplete: it ends at item"),
       std::string::npos);
   std::string forged = read("1.csv");
-  forged.replace(forged.find("whole outcome"), 13, "whole whole  ");
+  forged.replace(forged.find("whole outcome"), 13, "whole whole");
   forged = std::regex_replace(forged, std::regex(",regular,"), ",99,");
   (void)directory_.write("forged.csv", std::regex_replace(forged, std::regex("1/3"), "1/1"));
   EXPECT_NE(merging({"forged.csv"}).find("its columns differ"), std::string::npos);
@@ -249,6 +249,33 @@ TEST_F(Campaigns, LeaveNothingOnAFullDisk) {
   EXPECT_EQ(full.status, 2);
   EXPECT_TRUE(full.messages.starts_with("error: standard output"));
   EXPECT_EQ(files_in(directory_.path()), std::set<std::string>{"b.csv"});  // the rows are kept
+}
+
+/// There is room for the table, and not for the picture.
+TEST_F(Campaigns, WriteATableAndItsPictureOrNeither) {
+  const auto sampled = [&](const std::string& seed, unsigned long largest_file) {
+    return run_process({"sample", four_bar, "--seed", seed, "--count", "30", "--force", "--output",
+                        path("a.csv"), "--plot", path("a.svg")},
+                       opened("/dev/null"), largest_file);
+  };
+  const auto expect_refusal = [&] {
+    const ProcessResult result = sampled("2", 8192);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.messages, "error: " + path("a.svg") + ": cannot be written: File too large\n");
+  };
+  expect_refusal();
+  EXPECT_TRUE(files_in(directory_.path()).empty());
+  ASSERT_EQ(sampled("1", 0).status, 0);
+  const std::string table = read("a.csv");
+  const std::string picture = read("a.svg");
+  expect_refusal();
+  EXPECT_EQ(files_in(directory_.path()), (std::set<std::string>{"a.csv", "a.svg"}));
+  EXPECT_EQ(read("a.csv"), table);
+  EXPECT_EQ(read("a.svg"), picture);
+  EXPECT_EQ(sampled("2", 0).status, 0);
+  EXPECT_NE(read("a.csv"), table);
+  EXPECT_NE(read("a.svg"), picture);
+  EXPECT_EQ(files_in(directory_.path()), (std::set<std::string>{"a.csv", "a.svg"}));
 }
 
 TEST_F(Campaigns, SummariseAsJson) {

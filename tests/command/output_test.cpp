@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -152,6 +153,50 @@ TEST(EmittedOutput, DoesNotReplaceTheSceneThatItReads) {
   EXPECT_NE(result.messages.find(" that is read; give another name\n"), std::string::npos)
       << result.messages;
   EXPECT_EQ(read_file(file), read_file(four_bar));
+}
+
+ProcessResult emitted_in_c(const TemporaryDirectory& directory, unsigned long largest_file = 0) {
+  return run_process(
+      {"emit", "--scene", four_bar, "--interface", "c", "--output", directory.path().string()},
+      opened("/dev/null"), largest_file);
+}
+
+/// What stands in the files that `emit --interface c` replaces.
+std::map<std::string, std::string> texts_in(const TemporaryDirectory& directory) {
+  std::map<std::string, std::string> texts;
+  for (const auto& entry : fs::recursive_directory_iterator(directory.path())) {
+    if (entry.is_regular_file()) {
+      texts[entry.path().lexically_relative(directory.path()).string()] = read_file(entry.path());
+    }
+  }
+  return texts;
+}
+
+TEST(EmittedOutput, OfThreeFilesIsAllOrNone) {
+  const std::string name = "assur/scenes/four_bar_coupler_curve.";
+  for (const std::string taken : {"hpp", "h", "cpp"}) {
+    const TemporaryDirectory directory;
+    fs::create_directories(directory.path() / (name + taken) / "below");
+    std::map<std::string, std::string> old;
+    for (const std::string ending : {"hpp", "h", "cpp"}) {
+      if (ending != taken) {
+        (void)directory.write(name + ending, old[name + ending] = "old " + ending);
+      }
+    }
+    expect_refusal_of_directory(emitted_in_c(directory));
+    EXPECT_EQ(texts_in(directory), old) << taken;
+  }
+  // There is room for one file or two, and not for the header in C++.
+  for (const unsigned long room : {4096UL, 8192UL}) {
+    const TemporaryDirectory directory;
+    expect_refusal_of_directory(emitted_in_c(directory, room));
+    EXPECT_TRUE(fs::is_empty(directory.path()));
+    EXPECT_EQ(emitted_in_c(directory).status, 0);
+    const auto whole = texts_in(directory);
+    EXPECT_EQ(whole.size(), 3U);
+    expect_refusal_of_directory(emitted_in_c(directory, room));
+    EXPECT_EQ(texts_in(directory), whole);
+  }
 }
 
 TEST(EmittedOutput, WhereADirectoryHasItsNameLeavesNoFile) {

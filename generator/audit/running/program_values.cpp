@@ -191,7 +191,7 @@ std::vector<std::vector<double>> program_values(const UserProgram& program, cons
     for (std::string word; words >> word;) {
       char* last = nullptr;
       entries.push_back(std::strtod(word.c_str(), &last));
-      if (last == word.c_str() || *last != '\0') {
+      if (last == word.c_str() || last != word.c_str() + word.size()) {
         throw ProgramError("it gave '" + word.substr(0, 40) + "', which is not a number",
                            values.size());
       }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "all_or_none.hpp"
+
 namespace assur::generator::emission::cpp {
 
 namespace fs = std::filesystem;
@@ -60,6 +62,9 @@ class PendingFiles {
     for (const auto& [beside, target] : written_) {
       fs::remove(beside, ignored);
     }
+    for (const fs::path& made : made_) {  // one with a file in it stays
+      fs::remove(made, ignored);
+    }
   }
 
   void write(const EmittedFile& file) {
@@ -68,6 +73,11 @@ class PendingFiles {
     // Two runs at the same time must not write the same file.
     beside += ".part" + std::to_string(getpid());
     std::error_code error;
+    auto place = made_.begin();
+    for (fs::path folder = target.parent_path(); !folder.empty() && !fs::exists(folder, error);
+         folder = folder.parent_path()) {
+      place = made_.insert(place, folder) + 1;
+    }
     fs::create_directories(target.parent_path(), error);
     if (error) {
       throw text::InputError("--output: " + target.string() +
@@ -81,7 +91,7 @@ class PendingFiles {
     errno = 0;
     std::ofstream out(beside, std::ios::binary);
     if (out) {
-      written_.emplace_back(beside, target);
+      written_.push_back({beside, target});
     }
     out << file.text;
     out.close();
@@ -92,19 +102,16 @@ class PendingFiles {
   }
 
   void replace_all() {
-    for (const auto& [beside, target] : written_) {
-      std::error_code error;
-      fs::rename(beside, target, error);
-      if (error) {
-        throw text::InputError("--output: " + target.string() +
-                               " cannot be written: " + error.message() + "; give another name");
-      }
+    if (const auto failed = rename_all(written_)) {
+      throw text::InputError("--output: " + failed->to.string() + " cannot be written: " +
+                             failed->reason.message() + "; give another name");
     }
   }
 
  private:
   fs::path directory_;
-  std::vector<std::pair<fs::path, fs::path>> written_;
+  std::vector<Renaming> written_;
+  std::vector<fs::path> made_;  ///< directories, each before those that hold it
 };
 
 }  // namespace

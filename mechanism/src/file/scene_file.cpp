@@ -4,6 +4,7 @@
 #include <assur/text/input_file.hpp>
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
+#include <assur/text/utf8.hpp>
 
 #include "json_values.hpp"
 #include "scene_keys.hpp"
@@ -385,6 +386,7 @@ namespace assur::mechanism {
 
 Scene parse_scene(const std::string& text, const std::string& file,
                   const std::vector<std::string>& settings, const std::string& settings_name) {
+  text::expect_no_nul(text, file);
   Scene scene{file, Mechanism(), {}};
   try {
     file::SceneReader(file::parsed(text), settings, settings_name, scene).read();

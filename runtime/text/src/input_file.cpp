@@ -1,6 +1,7 @@
 #include <array>
 #include <assur/text/error.hpp>
 #include <assur/text/input_file.hpp>
+#include <assur/text/utf8.hpp>
 #include <fstream>
 
 namespace assur::text {
@@ -28,6 +29,7 @@ std::string read_input_file(const std::filesystem::path& file) {
                        " MiB, the limit of input files; divide it");
     }
   }
+  expect_no_nul(text, file.string());
   return text;
 }
 

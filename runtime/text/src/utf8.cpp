@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <assur/text/error.hpp>
 #include <assur/text/utf8.hpp>
 
 namespace assur::text {
@@ -28,6 +30,17 @@ std::size_t first_byte_outside_utf8(const std::string& text) {
     at += length;
   }
   return text.size();
+}
+
+void expect_no_nul(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find('\0');
+  if (at == std::string::npos) {
+    return;
+  }
+  const auto line = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  const std::size_t column = at - (line == 0 ? 0 : text.rfind('\n', at) + 1) + 1;
+  throw InputError(name + ":" + std::to_string(line + 1) + ":" + std::to_string(column) +
+                   ": a NUL byte; remove it, or save the file as UTF-8");
 }
 
 }  // namespace assur::text

@@ -77,15 +77,23 @@ def test_dictionaries_that_are_no_scenes(parallelogram):
     parallelogram["parameters"]["a"] = float("nan")
     with pytest.raises(assur.SceneError):
         assur.parse_scene(parallelogram)
+    parallelogram["parameters"]["a"] = 2
     for wrong in (None, 3, [1, 2], ""):
         with pytest.raises(assur.SceneError):
             assur.parse_scene(wrong)
+    text = '{"name": "four bars"}'
+    for at, place in ((0, "1:1"), (3, "1:4"), (len(text), f"1:{len(text) + 1}")):
+        with pytest.raises(assur.SceneError, match=f"^scene:{place}: a NUL byte; remove it"):
+            assur.parse_scene(text[:at] + "\0" + text[at:])
+    with pytest.raises(assur.SceneError, match="column 2 of '2.?1'"):
+        assur.parse_scene(parallelogram, a="2\x001")
+    with pytest.raises(ValueError, match="embedded null byte"):
+        assur.read_scene("scene.json\0")
     ring = {}
     ring["name"] = ring
     for wrong in (ring, {(1, 2): 3}, "\ud800"):
         with pytest.raises(assur.ShapeError, match="^scene: "):
             assur.parse_scene(wrong)
-    parallelogram["parameters"]["a"] = 2
     for values, text in (({"a": np.nan}, "a: expected a finite number"),
                          ({"a": [1]}, "a: expected a number, not list"),
                          ({"\ud800": 1}, "a parameter's name holds a surrogate")):
@@ -160,6 +168,44 @@ def test_calls(plan, call, error, text):
     with pytest.raises(assur.Error) as raised:
         call(plan)
     assert (type(raised.value).__name__, str(raised.value)) == (error, text)
+
+
+@pytest.mark.parametrize("call, text", [
+    (lambda wrong: assur.Plan(wrong),
+     "scene: expected a Scene, which read_scene and parse_scene return, not "),
+    (lambda wrong: assur.sample(wrong, count=10, seed=1),
+     "scene: expected a Scene, which read_scene and parse_scene return, not "),
+    (lambda wrong: assur.read_scene(wrong),
+     "expected str, bytes or os.PathLike object, not "),
+], ids=["Plan", "sample", "read_scene"])
+@pytest.mark.parametrize("wrong", [None, 2.5, [1]], ids=["None", "a number", "a list"])
+def test_what_is_no_scene(call, text, wrong):
+    with pytest.raises(TypeError) as raised:
+        call(wrong)
+    assert str(raised.value) == text + type(wrong).__name__
+
+
+def bound():
+    """Every function, method and property of the module."""
+    for name, part in vars(assur._assur).items():
+        if not isinstance(part, type):
+            if callable(part):
+                yield name, part
+            continue
+        yield name, part
+        for attribute, member in vars(part).items():
+            member = member.fget if isinstance(member, property) else member
+            if callable(member):
+                yield name + "." + attribute, member
+
+
+@pytest.mark.parametrize("function", dict(bound()).values(), ids=dict(bound()))
+def test_none_in_place_of_everything(function):
+    for count in range(5):
+        try:
+            function(*[None] * count)
+        except (TypeError, assur.Error):
+            pass
 
 
 def test_every_error_is_one_kind():

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 namespace assur::support {
 
@@ -166,6 +167,26 @@ class AllConstraints {
     }
   }
 
+  /// J^+ b. Eigen's own solution allocates memory where J has not full rank.
+  [[nodiscard]] static Step shortest_solution(const Factors& factors, Open b) {
+    const Eigen::Index rank = factors.rank();
+    b.applyOnTheLeft(factors.householderQ().setLength(rank).adjoint());
+    Step x = Step::Zero();
+    x.head(rank) = factors.matrixT()
+                       .topLeftCorner(rank, rank)
+                       .template triangularView<Eigen::Upper>()
+                       .solve(b.head(rank));
+    for (Eigen::Index row = 0; row < rank && rank < columns; ++row) {
+      std::swap(x(row), x(rank - 1));
+      Scalar workspace = 0;
+      x.tail(columns - rank + 1)
+          .applyHouseholderOnTheLeft(factors.matrixQTZ().row(row).tail(columns - rank).adjoint(),
+                                     factors.zCoeffs()(row), &workspace);
+      std::swap(x(row), x(rank - 1));
+    }
+    return factors.colsPermutation() * x;
+  }
+
   void close() {
     constexpr int most_tries = 40;
     constexpr Scalar longest_step = static_cast<Scalar>(0.1);
@@ -175,7 +196,7 @@ class AllConstraints {
       Factors factors;
       factors.setThreshold(least_firmness);
       factors.compute(jacobian());
-      Step step = -factors.solve(open);
+      Step step = -shortest_solution(factors, open);
       step *= (std::min)(Scalar(1), longest_step / step.cwiseAbs().maxCoeff());
       bool is_better = false;
       for (int halving = 0; halving < 4 && !is_better; ++halving, step /= 2) {
@@ -270,7 +291,7 @@ class AllConstraints {
   [[nodiscard]] Solved solve_column(const Factors& factors, const Jacobian& J, const Column& column,
                                     bool twice) {
     const Open open = slopes(column, twice);
-    const Step rates = -factors.solve(open);
+    const Step rates = -shortest_solution(factors, open);
     for (int link = 0; link < static_cast<int>(Links); ++link) {
       column(*links_[static_cast<std::size_t>(link)]) = moved(link, rates);
     }

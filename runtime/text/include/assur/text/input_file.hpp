@@ -6,7 +6,8 @@
 
 namespace assur::text {
 
-/// The whole text. Throws InputError where there is no file to read, or one of more than 8 MiB.
+/// The whole text. Throws InputError where there is no file to read, one of more than 8 MiB, or one
+/// with a NUL byte.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& file);
 
 }  // namespace assur::text
