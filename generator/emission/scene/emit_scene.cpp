@@ -107,6 +107,11 @@ class SceneEmitter {
     view_.set("driver_count", std::to_string(names.size()));
     branch_numbers_ += names.size();
     view_.set("turning_drivers", std::to_string(turning.size()));
+    bool has_laws = false;
+    for (const mechanism::DriverIndex driver : solver_.mechanism().drivers().keys()) {
+      has_laws = has_laws || !solver_.is_argument(driver);
+    }
+    view_.set("has_laws", has_laws);
     turning.insert(turning.end(), sliding.begin(), sliding.end());
     view_.set("driver_positions", text::joined(turning, ", ", [](const std::string& name) {
                 return "&" + name + ".position";

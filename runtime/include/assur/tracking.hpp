@@ -62,13 +62,23 @@ template <typename Model, typename Scalar = double, typename Path>
     const Scalar most = (std::max)(Scalar(0.75) * left, Scalar(1.5) * shortest);
     return std::copysign((std::min)(std::abs(step), most), step);
   };
+  // Inputs that are at rest in one place at both ends of a step may have gone round in between.
+  const auto goes_round = [&](const InputMotion<Model, Scalar>& start,
+                              const InputMotion<Model, Scalar>& end, Scalar next) {
+    const auto stays = [&start](const auto& u) {
+      return detail::largest_difference<Scalar>(start.u, u) <= 0;
+    };
+    return start.rate.isZero(0) && end.rate.isZero(0) && stays(end.u) &&
+           !stays(path(way.reached + (next - way.reached) / 2).u);
+  };
   bool halved = false;
   while (way.reached != to) {
     const Scalar rest = std::abs(to - way.reached);
     const Scalar next = rest <= std::abs(width) ? to : way.reached + width;
     const InputMotion<Model, Scalar> inputs = path(next);
     BranchPoint<Model, Scalar> end;
-    if (detail::step_along<Model, Scalar>(d, reached_inputs, inputs, next - way.reached,
+    if (!goes_round(reached_inputs, inputs, next) &&
+        detail::step_along<Model, Scalar>(d, reached_inputs, inputs, next - way.reached,
                                           inverse_size, way.point, end)) {
       way.point = end;
       way.reached = next;

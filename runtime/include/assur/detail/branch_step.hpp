@@ -116,9 +116,40 @@ template <typename Model, typename Scalar>
   }
 }
 
-/// Whether J may have been singular within a step: a pivot changes its sign, or goes to zero from
-/// both ends. The latter is so where the step has passed over a crossing of branches to the one
-/// whose pivots have the same signs, or over a gap in which nothing can be assembled.
+/// The largest difference of two lists of variables.
+template <typename Scalar, typename Variables>
+[[nodiscard]] Scalar largest_difference(const Variables& one, const Variables& other) {
+  Scalar largest = 0;
+  for_each_pair(one, other, [&largest](const auto& x, const auto& y) {
+    largest = (std::max)(largest, apart(x, y));
+  });
+  return largest;
+}
+
+/// The pivots of J that may vanish within twice a step, as far as this can be told from its one
+/// end: those that are heading for zero there. `beside` is where the inputs are after a part of the
+/// step, `pivots_beside` are those there. Where the inputs do not begin as they go on, as if they
+/// begin at rest, turn back, or go round in a circle, any pivot may vanish: their tangent and their
+/// chord then differ by more than half of the longer one.
+template <typename Scalar, typename Inputs, typename Values>
+[[nodiscard]] PivotSet pivots_that_may_vanish(const Inputs& from, const Inputs& beside,
+                                              const Inputs& to, const Values& pivots,
+                                              const Values& pivots_beside, Scalar part) {
+  Inputs straight = from;
+  for_each_pair(beside, straight, [part](const auto& next, auto& member) {
+    member = extrapolated(member, next, part);
+  });
+  const Scalar tangent = largest_difference<Scalar>(straight, from);
+  const Scalar chord = largest_difference<Scalar>(to, from);
+  if (!(2 * largest_difference<Scalar>(straight, to) <= (std::max)(tangent, chord))) {
+    return ~PivotSet{};
+  }
+  return vanishing_pivots(pivots, pivots_beside, part);
+}
+
+/// Whether J may have been singular within a step: a pivot changes its sign, or may vanish as seen
+/// from both ends. The latter is so where the step has passed over a crossing of branches to the
+/// one whose pivots have the same signs, or over a gap in which nothing can be assembled.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool may_pass_singularity(const typename Model::template Dimensions<Scalar>& d,
                                         const InputMotion<Model, Scalar>& from,
@@ -126,19 +157,21 @@ template <typename Model, typename Scalar>
                                         const InputMotion<Model, Scalar>& to,
                                         const BranchPoint<Model, Scalar>& end, Scalar width) {
   constexpr Scalar part = numeric::half_of_digits<Scalar>;
-  const auto vanishing = [&](const InputMotion<Model, Scalar>& inputs,
-                             const BranchPoint<Model, Scalar>& point, Scalar step) {
+  const auto may_vanish = [&](const InputMotion<Model, Scalar>& inputs,
+                              const BranchPoint<Model, Scalar>& point,
+                              const InputMotion<Model, Scalar>& other, Scalar step) {
     auto u = inputs.u;
     auto q = point.q;
     advance(u, Vector<Scalar, Model::input_count>(step * inputs.rate));
     advance(q, Vector<Scalar, Model::unknown_count>(step * point.motion.velocity));
-    return vanishing_pivots(point.pivots, pivots_at<Model, Scalar>(d, u, q).values, part);
+    return pivots_that_may_vanish<Scalar>(inputs.u, u, other.u, point.pivots,
+                                          pivots_at<Model, Scalar>(d, u, q).values, part);
   };
   if (changed_pivots(start.pivots, end.pivots) != 0) {
     return true;
   }
-  const PivotSet ahead = vanishing(from, start, part * width);
-  return ahead != 0 && (ahead & vanishing(to, end, -part * width)) != 0;
+  const PivotSet ahead = may_vanish(from, start, to, part * width);
+  return ahead != 0 && (ahead & may_vanish(to, end, from, -part * width)) != 0;
 }
 
 /// One step: predicted to second order, corrected by Newton's steps. False if the end may lie on

@@ -68,4 +68,16 @@ template <typename Scalar>
   return (std::max)(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
 }
 
+/// Where a variable would be after a whole step if it went on as in a part of it; a direction's
+/// cosine and sine go along straight lines.
+template <typename Scalar>
+[[nodiscard]] inline Scalar extrapolated(Scalar from, Scalar beside, Scalar part) {
+  return from + (beside - from) / part;
+}
+template <typename Scalar>
+[[nodiscard]] inline Direction<Scalar> extrapolated(const Direction<Scalar>& from,
+                                                    const Direction<Scalar>& beside, Scalar part) {
+  return {extrapolated(from.cos, beside.cos, part), extrapolated(from.sin, beside.sin, part)};
+}
+
 }  // namespace assur::detail

@@ -41,6 +41,12 @@ template <typename Solver>
 inline constexpr bool
     has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
 
+/// Whether a solver computes laws of drivers that read joints.
+template <typename Solver, typename = void>
+inline constexpr bool has_laws = false;
+template <typename Solver>
+inline constexpr bool has_laws<Solver, std::void_t<decltype(Solver::has_laws)>> = true;
+
 /// The arguments of a solver: its drivers.
 template <typename Solver, typename Scalar, bool HasParameters = has_parameters<Solver>>
 struct GivenTo {

@@ -105,6 +105,7 @@ class Tracker {
       return way;
     }
     const Scalar turn = largest_turn(branch.given, to);
+    const bool moves_by_formulas = has_laws<Solver> || parameters_move(branch.given, to);
     // No driver turns by more than a radian: after a full turn the groups are held as before.
     const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;
@@ -121,7 +122,7 @@ class Tracker {
       Placed placed;
       Own::drive(end.given, placed);
       end.status = Status::ok;
-      StepSize size{turn * (next - reached)};
+      StepSize size{turn * (next - reached), !moves_by_formulas};
       if (!step<0>(*start, end, placed, size) ||
           (!size.is_small && may_pass_singularity(*start, end))) {
         width = (next - reached) / 2;
@@ -163,6 +164,17 @@ class Tracker {
       turn = (std::max)(turn, std::abs(*ends[index] - *starts[index]));
     }
     return turn;
+  }
+
+  [[nodiscard]] static bool parameters_move(Given from, Given to) {
+    const auto starts = from.positions();
+    const auto ends = to.positions();
+    bool move = false;
+    for (std::size_t index = Own::drivers_of(from).positions().size(); index < starts.size();
+         ++index) {
+      move = move || *starts[index] != *ends[index];
+    }
+    return move;
   }
 
   template <typename Group>
@@ -224,8 +236,8 @@ class Tracker {
 
   /// How far a step goes.
   struct StepSize {
-    Scalar turn;           ///< the largest of a driver or of a group that is placed, radians
-    bool is_small = true;  ///< so that no pivot can vanish within twice the step
+    Scalar turn;    ///< the largest of a driver or of a group that is placed, radians
+    bool is_small;  ///< so that no pivot can vanish within twice the step; not known of formulas
   };
 
   /// Steps the groups from `Place` on; false where one refuses the step.
@@ -245,23 +257,12 @@ class Tracker {
     }
   }
 
-  /// The largest change of what holds a group.
-  template <typename Group>
-  [[nodiscard]] static Scalar moved(const GroupPoint<Group, Scalar>& start,
-                                    const GroupPoint<Group, Scalar>& end) {
-    Scalar largest = 0;
-    for_each_pair(start.u, end.u, [&largest](const auto& one, const auto& other) {
-      largest = (std::max)(largest, detail::apart(one, other));
-    });
-    return largest;
-  }
-
-  /// For each group the pivots that vanish within twice a step, if they go on as they begin.
+  /// For each group the pivots that may vanish within twice a step.
   using PivotSets = std::array<detail::PivotSet, std::tuple_size_v<Groups>>;
 
-  /// Whether a pivot goes to zero from both ends of a step: then the step may have passed over a
-  /// crossing of branches to the one whose pivots have the same signs, or over a gap in which
-  /// nothing can be assembled.
+  /// Whether a pivot may vanish as seen from both ends of a step: then the step may have passed
+  /// over a crossing of branches to the one whose pivots have the same signs, or over a gap in
+  /// which nothing can be assembled.
   [[nodiscard, gnu::noinline]] static bool may_pass_singularity(const Branch& start,
                                                                 const Branch& end) {
     Scalar largest = 0;
@@ -269,7 +270,8 @@ class Tracker {
         [&](const auto&... one) {
           std::apply(
               [&](const auto&... other) {
-                largest = (std::max)({largest, moved(one, other)...});
+                largest =
+                    (std::max)({largest, detail::largest_difference<Scalar>(one.u, other.u)...});
               },
               end.groups);
         },
@@ -291,11 +293,12 @@ class Tracker {
     PivotSets sets{};
     Placed beside;
     Own::drive(between(from.given, to.given, part), beside);
-    find_vanishing<0>(from, part, beside, sets);
+    find_vanishing<0>(from, to, part, beside, sets);
     return sets;
   }
   template <std::size_t Place>
-  static void find_vanishing(const Branch& from, Scalar part, Placed& beside, PivotSets& sets) {
+  static void find_vanishing(const Branch& from, const Branch& to, Scalar part, Placed& beside,
+                             PivotSets& sets) {
     if constexpr (Place < std::tuple_size_v<Groups>) {
       using Group = std::tuple_element_t<Place, Groups>;
       using Model = Specialised<Group>;
@@ -308,11 +311,12 @@ class Tracker {
       group.q = point.q;
       detail::move_slightly<Model, Scalar>(group.q, -detail::product(point.inverse, f));
       const typename Model::template Dimensions<Scalar> d;
-      sets[Place] = detail::vanishing_pivots(
-          point.pivots, detail::pivots_at<Model, Scalar>(d, held.u, group.q).values, part);
+      sets[Place] = detail::pivots_that_may_vanish<Scalar>(
+          point.u, held.u, std::get<Place>(to.groups).u, point.pivots,
+          detail::pivots_at<Model, Scalar>(d, held.u, group.q).values, part);
       place_links(held, group);
       Own::place(group, beside);
-      find_vanishing<Place + 1>(from, part, beside, sets);
+      find_vanishing<Place + 1>(from, to, part, beside, sets);
     }
   }
 
@@ -338,7 +342,8 @@ class Tracker {
     // begins up to half a turn off it. A pivot changes by at most twice its largest size per
     // radian.
     const Scalar turn = detail::turn_of<Model, Scalar>(predicted, inverse_size);
-    const Scalar bend = size.turn * (std::max)(moved(start, end), size.turn);
+    const Scalar bend =
+        size.turn * (std::max)(detail::largest_difference<Scalar>(start.u, end.u), size.turn);
     size.is_small =
         size.is_small && 4 * (turn + bend * start.inverse.cwiseAbs().sum()) < start.firmness;
     size.turn = (std::max)(size.turn, turn);
