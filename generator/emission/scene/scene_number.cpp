@@ -70,7 +70,8 @@ GiNaC::ex evaluated_power(const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::e
     return power_derivative(a, b, by_base, by_exponent).hold();
   }
   GiNaC::ex factor = 1;
-  for (int taken = 0; taken < by_base; ++taken) {
+  const int times = GiNaC::ex_to<GiNaC::numeric>(by_base).to_int();
+  for (int taken = 0; taken < times; ++taken) {
     factor *= b - taken;
   }
   return factor.is_zero() ? factor : factor * GiNaC::pow(a, b - by_base);
