@@ -44,10 +44,8 @@ std::vector<Statement> parse_statements(const std::string& text, const std::stri
       text.substr(text.starts_with(byte_order_mark) ? byte_order_mark.size() : 0));
   std::string line;
   for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    const auto control = std::ranges::find_if(line, text::is_control_character);
-    if (control != line.end()) {
-      const auto column = static_cast<std::size_t>(control - line.begin()) + 1;
-      throw AuditSyntaxError(file, {number, column}, "a control character; remove it");
+    if (const std::size_t at = text::first_control_character(line); at < line.size()) {
+      throw AuditSyntaxError(file, {number, at + 1}, "a control character; remove it");
     }
     const bool indented = !line.empty() && is_space(line[0]);
     const PlacedText content = trimmed({line.substr(0, line.find('#')), {number, 1}});

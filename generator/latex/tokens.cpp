@@ -39,11 +39,11 @@ void expect_utf8(const std::string& text, const std::string& file) {
       throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
                              " is not UTF-8; save the file as UTF-8");
     }
-    if (text::is_control_character(text[at])) {
-      throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
-                             " is a control character; remove it");
-    }
     at += length;
+  }
+  if (const std::size_t at = text::first_control_character(text); at < text.size()) {
+    throw text::InputError(file + ": the byte at offset " + std::to_string(at) +
+                           " is a control character; remove it");
   }
 }
 

@@ -40,7 +40,7 @@ TEST_P(BadScene, GetsOneLine) {
   expect_one_line(run_assur("solve " + file.string()), fault.message);
 }
 
-constexpr std::array<Fault, 98> faults = {{
+constexpr std::array<Fault, 105> faults = {{
     {"UnknownTopLevelKey", "/drivrs", "{}",
      "scene.json: unknown key 'drivrs' (did you mean 'drivers'?)"},
     {"LinksMissing", "/links", "", "the key 'links' is missing"},
@@ -48,6 +48,16 @@ constexpr std::array<Fault, 98> faults = {{
     {"LinksNoObject", "/links", "[]", "links: expected an object {...}, found array"},
     {"LinkNoObject", "/links/rod", "3", "links.rod: expected an object"},
     {"NameNoText", "/name", "7", "name: expected a text, found number"},
+    {"NameThatTurnsRound", "/name", "\"a\\u202eb\"",
+     "scene.json: name: the byte at offset 1 of 'a?b' is a control character; remove it"},
+    {"NameThatRings", "/name", "\"\\u0007\"", "name: the byte at offset 0 of '?' is a control"},
+    {"UnitThatTurnsRound", "/unit", "\"mm\\u2066\"", "unit: the byte at offset 2 of 'mm?'"},
+    {"LinkThatTurnsRound", "/links/a\u200f", "{}", "links: the byte at offset 1 of 'a?' is"},
+    {"FeatureThatTurnsRound", "/links/rod/P\u200e", "[0, 0]", "of 'P?' is a control character"},
+    {"JointThatTurnsRound", "/joints/J\u061c", R"({"type": "revolute", "between": []})",
+     "joints: the byte at offset 1 of 'J?' is a control character"},
+    {"OutputThatTurnsRound", "/outputs/M\u200f", "\"rod.B\"",
+     "outputs: the byte at offset 1 of 'M?' is a control character"},
     {"UnknownLink", "/joints/B/between/1", "\"rood.B\"",
      "joints.B.between[1]: no link named 'rood' (did you mean 'rod'?)"},
     {"UnknownFeature", "/joints/B/between/1", "\"rod.Z\"",

@@ -19,6 +19,9 @@ browser = shutil.which("chromium")
 if browser is None:
     print("chromium is not installed: pages are not tested in a browser")
     sys.exit(SKIPPED)
+if subprocess.run([browser, "--version"], capture_output=True).returncode != 0:
+    print("chromium does not work: pages are not tested in a browser")
+    sys.exit(SKIPPED)
 
 READ = """(() => {
   const page = window.page;

@@ -150,6 +150,24 @@ TEST(Solve, DriverAloneIsAMechanismWithoutGroups) {
 }
 
 // In both motions of a flat parallelogram angular accelerations cancel: they are shown as 0.
+/// Accelerations grow with the square of the velocity: at 1e160 they leave the range of double.
+TEST(Solve, RatesBeyondTheRangeOfDoubleAreUnknownAndNotRegular) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0]}, "crank": {"A": [0, 0], "B": [1, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]}},
+    "drivers": {"A": {"position": 1, "velocity": 1e160}}, "outputs": {"B": "crank.B"}})");
+  const TemporaryDirectory directory;
+  const auto configuration = [&] {
+    return solved(directory.write("crank.json", scene.dump()).string())["configurations"][0];
+  };
+  const Json fast = configuration();
+  EXPECT_EQ(fast["regularity"], "near-singular");
+  EXPECT_TRUE(fast["outputs"]["B"]["acceleration"][0].is_null());
+  EXPECT_EQ(fast["outputs"]["B"]["velocity"][1].get<double>(), 1e160 * std::cos(1.0));
+  scene["want"] = {"position", "velocity"};
+  EXPECT_EQ(configuration()["regularity"], "regular");
+}
+
 TEST(Solve, TextShowsNoRoundingInPlaceOfZero) {
   const TemporaryDirectory directory;
   const auto file = directory.write("scene.json", R"({

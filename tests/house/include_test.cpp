@@ -179,7 +179,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
   static const std::vector<std::pair<const char*, std::regex>> storeys = {
       {"what models are made of",
        std::regex("(version|model_tables|status|assemblies|model|"
-                  "directions|variables|columns|detail/(index|members|numbers))")},
+                  "directions|variables|columns|detail/(index|members|numbers|refused_options))")},
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
        std::regex("detail/"
@@ -190,7 +190,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "support/"
                   "(all_constraints|batch_limits|batch_order|configuration_order|derivative_digits|"
                   "discriminant|displaced_frame|flat_variables|limits|nearest|placed_link|"
-                  "position_polynomial|"
+                  "position_polynomial|power_derivative|"
                   "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
       {"answers at a configuration",
        std::regex("batch_kinematics|branch_point|kinematics|normal_form|second_order|"

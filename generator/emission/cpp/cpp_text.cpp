@@ -364,9 +364,10 @@ std::string fitted_to_width(const std::string& text) {
     const std::size_t indentation = line.find_first_not_of(' ');
     const std::size_t slash = line.find("//");
     const bool comment = slash != std::string::npos;
+    const bool directive = line.starts_with('#');  // ends with its line
     const std::string slashes =
         comment ? std::string(slash, ' ') + line.substr(slash, line.find(' ', slash) - slash) : "";
-    while (line.size() > line_width) {
+    while (line.size() > line_width && !directive) {
       const std::string lead = comment ? slashes + "     " : std::string(indentation + 4, ' ');
       const std::size_t start = std::max(lead.size(), indentation + 1);
       const std::size_t at = comment ? break_of_comment(line, start) : break_of_code(line, start);

@@ -1,6 +1,7 @@
 #include "emission/cpp/page.hpp"
 
 #include <algorithm>
+#include <assur/text/quoted.hpp>
 #include <kainjow/mustache.hpp>
 #include <sstream>
 #include <string_view>
@@ -66,6 +67,7 @@ std::string boolean(bool value) { return value ? "true" : "false"; }
 std::string comment_text(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+  text = text::on_one_line(text);
   std::replace(text.begin(), text.end(), '\\', '/');
   // Before C++17 and in C99 these three characters are a backslash that continues the comment.
   for (std::size_t at = text.find("?\?/"); at != std::string::npos; at = text.find("?\?/", at)) {

@@ -1,5 +1,6 @@
 #include "emission/scene/c_interface.hpp"
 
+#include <algorithm>
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 
@@ -64,7 +65,8 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   solver.set("header", stem);
   solver.set("prefix", prefix);
   solver.set("columns", columns_of(parameters));
-  solver.set("branch_numbers", std::to_string(branch_numbers));
+  // C has no empty arrays.
+  solver.set("branch_numbers", std::to_string(std::max<std::size_t>(branch_numbers, 1)));
   show_given(prefix, solver);
   // C has no empty structures: points of which nothing is wanted are left out.
   const bool moves = stands(solver, "velocity") || stands(solver, "acceleration");

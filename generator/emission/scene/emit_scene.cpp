@@ -238,12 +238,16 @@ class SceneEmitter {
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));
     view_.set("has_outputs", !solver_.mechanism().outputs().empty());
-    view_.set("listing", shown(listing_statements(solver_, reported)));
+    const std::vector<std::string> listing = listing_statements(solver_, reported);
+    view_.set("listing", shown(listing));
     show_state_members(solver_, !links.empty(), !reported.empty(), view_);
-    view_.set("in_packs", redundant.empty() && !mention(statements_, "std::") &&
-                                  !mention(statements_, "support::angle_between")
-                              ? "true"
-                              : "false");
+    const auto computes = [&](const std::string& name) {
+      return mention(statements_, name) || mention(listing, name);
+    };
+    view_.set("has_own_rates", computes(".rates.row(") || computes("Rates(Scalar("));
+    view_.set("in_packs", cpp::boolean(redundant.empty() && !computes("std::") &&
+                                       !computes("support::angle_between") &&
+                                       !computes("support::power_derivative")));
   }
 
   /// For each group the groups that hold it, directly or through others, as a number with one bit

@@ -149,7 +149,15 @@ class FormulaText {
       if (GiNaC::is_a<GiNaC::function>(factor)) {
         std::vector<std::string> arguments;
         std::transform(factor.begin(), factor.end(), std::back_inserter(arguments), whole);
-        return "std::" + GiNaC::ex_to<GiNaC::function>(factor).get_name() + "(" +
+        std::string name = "std::" + GiNaC::ex_to<GiNaC::function>(factor).get_name();
+        if (arguments.size() == 4) {
+          const auto order = [&factor](std::size_t place) {
+            return std::to_string(GiNaC::ex_to<GiNaC::numeric>(factor.op(place)).to_int());
+          };
+          name = "support::power_derivative<" + order(2) + ", " + order(3) + ">";
+          arguments.resize(2);
+        }
+        return name + "(" +
                text::joined(arguments, ", ", [](const std::string& one) { return one; }) + ")";
       }
       const SignedText inner = FormulaText::factor(factor);

@@ -6,6 +6,7 @@
 #include <assur/text/identifiers.hpp>
 #include <assur/text/names.hpp>
 #include <cctype>
+#include <cmath>
 #include <functional>
 #include <iterator>
 #include <regex>
@@ -179,7 +180,9 @@ SceneLines::Gradient SceneLines::gradient_of(const Direction<SceneNumber>& direc
 SceneLines::Gradient SceneLines::constant_gradient(const mechanism::Dual& number) const {
   Gradient texts;
   for (const double slope : parameters_.gradient(number)) {
-    texts.push_back(slope == 0 ? "" : cpp::round_trip(slope));
+    texts.push_back(slope == 0          ? ""
+                    : std::isnan(slope) ? "std::numeric_limits<Scalar>::quiet_NaN()"
+                                        : cpp::round_trip(slope));
   }
   return texts;
 }

@@ -64,7 +64,30 @@ std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
   return root.expand();
 }
 
+GiNaC::ex evaluated_power(const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& by_base,
+                          const GiNaC::ex& by_exponent) {
+  if (!GiNaC::is_a<GiNaC::numeric>(b) || !by_exponent.is_zero()) {
+    return power_derivative(a, b, by_base, by_exponent).hold();
+  }
+  GiNaC::ex factor = 1;
+  const int times = GiNaC::ex_to<GiNaC::numeric>(by_base).to_int();
+  for (int taken = 0; taken < times; ++taken) {
+    factor *= b - taken;
+  }
+  return factor.is_zero() ? factor : factor * GiNaC::pow(a, b - by_base);
+}
+
+GiNaC::ex differentiated_power(const GiNaC::ex& a, const GiNaC::ex& b, const GiNaC::ex& by_base,
+                               const GiNaC::ex& by_exponent, unsigned argument) {
+  return argument == 0 ? power_derivative(a, b, by_base + 1, by_exponent)
+                       : power_derivative(a, b, by_base, by_exponent + 1);
+}
+
 }  // namespace
+
+// The macro is GiNaC's.
+REGISTER_FUNCTION(power_derivative,  // NOLINT
+                  eval_func(evaluated_power).derivative_func(differentiated_power))
 
 GiNaC::ex SceneSymbols::root_of(const GiNaC::ex& radicand) {
   for (const Root& root : roots_) {
@@ -169,12 +192,6 @@ SceneNumber sqrt(const SceneNumber& a) {
     return bool(a.symbols()->value_of(*root) < 0) ? GiNaC::ex(-*root) : *root;
   });
 }
-SceneNumber exp(const SceneNumber& a) {
-  return unary(exp(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::exp(f); });
-}
-SceneNumber log(const SceneNumber& a) {
-  return unary(log(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::log(f); });
-}
 SceneNumber sin(const SceneNumber& a) {
   return unary(sin(a.number()), a, [](const GiNaC::ex& f) { return GiNaC::sin(f); });
 }
@@ -200,6 +217,12 @@ SceneNumber atan2(const SceneNumber& y, const SceneNumber& x) {
 SceneNumber pow(const SceneNumber& a, double exponent) {
   return unary(pow(a.number(), exponent), a,
                [exponent](const GiNaC::ex& f) { return GiNaC::pow(f, cpp::exact(exponent)); });
+}
+SceneNumber pow(const SceneNumber& a, const SceneNumber& b) {
+  return binary(pow(a.number(), b.number()), a, b,
+                [](const GiNaC::ex& f, const GiNaC::ex& g) -> GiNaC::ex {
+                  return power_derivative(f, g, 0, 0);
+                });
 }
 
 }  // namespace assur::generator::emission::scene

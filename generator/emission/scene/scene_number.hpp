@@ -80,8 +80,6 @@ SceneNumber operator*(const SceneNumber& a, const SceneNumber& b);
 SceneNumber operator/(const SceneNumber& a, const SceneNumber& b);
 SceneNumber operator/(const SceneNumber& a, double b);
 SceneNumber sqrt(const SceneNumber& a);
-SceneNumber exp(const SceneNumber& a);
-SceneNumber log(const SceneNumber& a);
 SceneNumber sin(const SceneNumber& a);
 SceneNumber cos(const SceneNumber& a);
 SceneNumber tan(const SceneNumber& a);
@@ -90,6 +88,12 @@ SceneNumber acos(const SceneNumber& a);
 SceneNumber atan(const SceneNumber& a);
 SceneNumber atan2(const SceneNumber& y, const SceneNumber& x);
 SceneNumber pow(const SceneNumber& a, double exponent);
+SceneNumber pow(const SceneNumber& a, const SceneNumber& b);
+
+/// The derivative of a^b, by a and by b as often as the third and the fourth argument say; with a
+/// constant exponent it is a power of GiNaC, as long as it is not differentiated by the exponent.
+// The macro is GiNaC's.
+DECLARE_FUNCTION_4P(power_derivative)  // NOLINT
 
 /// The formula with sin^2 x + cos^2 x = 1, if that makes it shorter.
 [[nodiscard]] GiNaC::ex shortened(const GiNaC::ex& formula);

@@ -15,7 +15,16 @@ namespace {
 /// the cube.
 constexpr std::size_t most_links = 1000;
 
+/// Names and titles come to be lines of messages and comments of emitted code.
+void expect_no_control_character(const std::string& text, const std::string& part) {
+  if (const std::size_t at = text::first_control_character(text); at < text.size()) {
+    throw MechanismError(part, "the byte at offset " + std::to_string(at) + " of " +
+                                   text::in_quotes(text) + " is a control character; remove it");
+  }
+}
+
 void expect_new(bool is_known, const std::string& name, const std::string& part) {
+  expect_no_control_character(name, part);
   if (name.empty()) {
     throw MechanismError(part, "a name is empty; give each part a name");
   }
@@ -36,6 +45,16 @@ bool is_always_zero(const Number& number) {
 }  // namespace assur::mechanism::description
 
 namespace assur::mechanism {
+
+void Mechanism::set_name(const std::string& name) {
+  description::expect_no_control_character(name, "name");
+  name_ = name;
+}
+
+void Mechanism::set_unit(const std::string& unit) {
+  description::expect_no_control_character(unit, "unit");
+  unit_ = unit;
+}
 
 ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
   const auto found = parameter_of_name_.find(name);

@@ -1,7 +1,9 @@
 #include "models/series_functions.hpp"
 
+#include <algorithm>
 #include <assur/directions.hpp>
 #include <cmath>
+#include <limits>
 
 namespace assur::mechanism::models {
 
@@ -68,6 +70,18 @@ Series exp(const Series& a) {
   return taylor({e, e, e / 2, e / 6, e / 24}, a);
 }
 Series log(const Series& a) { return integral(std::log(a.value()), rate_of(a) / a); }
+Series pow(const Series& base, const Series& exponent) {
+  if (std::all_of(exponent.c.begin() + 1, exponent.c.end(), [](double c) { return c == 0; })) {
+    return pow(base, exponent.value());
+  }
+  if (base.value() > 0) {
+    return exp(exponent * log(base));
+  }
+  Series result;
+  result.c.fill(std::numeric_limits<double>::quiet_NaN());
+  result.c[0] = std::pow(base.value(), exponent.value());
+  return result;
+}
 
 Series sin(const Series& a) {
   const double s = std::sin(a.value());

@@ -8,6 +8,8 @@ namespace assur::mechanism::models {
 
 [[nodiscard]] Series operator/(const Series& a, const Series& b);
 [[nodiscard]] Series pow(const Series& base, double exponent);
+/// Where the exponent moves and the base is not positive, all but the value is unknown, NaN.
+[[nodiscard]] Series pow(const Series& base, const Series& exponent);
 [[nodiscard]] Series sqrt(const Series& a);
 [[nodiscard]] Series exp(const Series& a);
 [[nodiscard]] Series log(const Series& a);

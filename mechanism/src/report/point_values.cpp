@@ -14,6 +14,17 @@ void expect_derivatives(const Point& point, const Spread& spread) {
   }
 }
 
+/// The deviations by the tolerances; a derivative may be unknown where there is none.
+Eigen::Matrix2Xd by_tolerances(const Point& point, const Spread& spread) {
+  Eigen::Matrix2Xd result = point.follows.first * spread.tolerances.asDiagonal();
+  for (Eigen::Index column = 0; column < result.cols(); ++column) {
+    if (spread.tolerances(column) == 0) {
+      result.col(column).setZero();
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::report
@@ -22,12 +33,12 @@ namespace assur::mechanism {
 
 Eigen::Vector2d worst_case(const Point& point, const Spread& spread) {
   report::expect_derivatives(point, spread);
-  return point.follows.first.cwiseAbs() * spread.tolerances;
+  return report::by_tolerances(point, spread).cwiseAbs().rowwise().sum();
 }
 
 Eigen::Vector2d root_sum_square(const Point& point, const Spread& spread) {
   report::expect_derivatives(point, spread);
-  return (point.follows.first * spread.tolerances.asDiagonal()).rowwise().norm();
+  return report::by_tolerances(point, spread).rowwise().norm();
 }
 
 PointSpread spread_of(const Point& point, const Spread& spread) {

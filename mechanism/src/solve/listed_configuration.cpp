@@ -1,9 +1,38 @@
 #include "listed_configuration.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "branch_motions.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
+
+namespace {
+
+bool are_finite(double rate) { return std::isfinite(rate); }
+template <typename Vector>
+bool are_finite(const Vector& rates) {
+  return rates.allFinite();
+}
+
+/// Whether the velocities and accelerations that are wanted are within the range of double.
+bool are_rates_finite(const Request& request, const Configuration& configuration) {
+  const auto is_finite = [&](const auto& item) {
+    return (!request.want.velocity || are_finite(item.velocity)) &&
+           (!request.want.acceleration || are_finite(item.acceleration));
+  };
+  bool finite = std::ranges::all_of(configuration.outputs.items(), is_finite);
+  for (const LinkIndex link : configuration.links.keys()) {
+    finite = finite && (!request.reported.has(link) || is_finite(configuration.links[link]));
+  }
+  for (const SlideState& slide : configuration.slides) {
+    finite = finite && (!request.reported.has(slide.joint) || is_finite(slide));
+  }
+  return finite;
+}
+
+}  // namespace
 
 void write_configuration(const Placement& placement, Configuration& result) {
   const PlacedLinks& placed = placement.placed();
@@ -26,6 +55,9 @@ void write_configuration(const Placement& placement, Configuration& result) {
   result.rates_known = placed.rates_known;
   result.path_known = placed.path_known;
   result.residual = placed.residual;
+  if (!are_rates_finite(placement.plan().request, result)) {
+    result.regularity = Status::near_singular;
+  }
   result.branches.clear();
   result.determinants = placed.determinants;
   result.plan = placement.shared_plan();

@@ -67,16 +67,17 @@ struct RoundedNumber {
   const double length = std::hypot(x.value, y.value);
   return rounded_to(std::atan2(y.value, x.value), (x.error + y.error) / length);
 }
-[[nodiscard]] inline RoundedNumber exp(const RoundedNumber& a) {
-  const double value = std::exp(a.value);
-  return rounded_to(value, value * a.error);
-}
-[[nodiscard]] inline RoundedNumber log(const RoundedNumber& a) {
-  return rounded_to(std::log(a.value), a.error / std::abs(a.value));
-}
 [[nodiscard]] inline RoundedNumber pow(const RoundedNumber& a, double exponent) {
   const double value = std::pow(a.value, exponent);
   return rounded_to(value, std::abs(exponent * std::pow(a.value, exponent - 1)) * a.error);
+}
+[[nodiscard]] inline RoundedNumber pow(const RoundedNumber& a, const RoundedNumber& b) {
+  const RoundedNumber power = pow(a, b.value);
+  return b.error > 0 && power.value != 0
+             ? RoundedNumber(
+                   power.value,
+                   power.error + std::abs(power.value * std::log(std::abs(a.value))) * b.error)
+             : power;
 }
 
 }  // namespace assur::mechanism::values

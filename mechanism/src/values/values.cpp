@@ -247,7 +247,8 @@ Dual Values::evaluated(NumberIndex index,
 
 void Values::expect_derivatives(NumberIndex index, const Dual& value) const {
   const std::string& part = plan_->mechanism.numbers()[index].part;
-  if (!value.derivatives().allFinite()) {
+  // Those that do not exist are unknown; see `pow` of two numbers.
+  if (value.derivatives().array().isInf().any()) {
     throw MechanismError(part, "the derivative with respect to the parameters is not finite here");
   }
   if (!value.hessian().allFinite()) {

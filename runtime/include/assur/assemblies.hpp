@@ -12,9 +12,9 @@ enum class [[nodiscard]] AssemblyStatus : unsigned char{
     ok,          ///< the list is complete; it is empty if the links cannot reach
     degenerate,  ///< no configuration is isolated: the group moves freely
     not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
-    /// Rounding has no bound, because of how the program was compiled (-ffast-math and its parts,
-    /// x87) or how the processor is set, or the processor flushes such short lengths to zero:
-    /// nothing is listed.
+    /// Rounding has no bound, because of how the program was compiled, without the compiler telling
+    /// (parts of -ffast-math), or how the processor is set, or the processor flushes such short
+    /// lengths to zero: nothing is listed.
     unsound_arithmetic,
     /// The precision does not decide how many configurations there are, and the program chose not
     /// to use double: nothing is listed.

@@ -148,9 +148,7 @@ std::size_t assemblies(std::size_t count,
                        const BatchAssemblies<Model>& result) {
   static_assert(Model::rigid, "a degenerate model has no closed form");
   const detail::Batch<Model> batch{count, dimensions, inputs, result};
-  if constexpr (!numeric::rounds_as_written<double>) {
-    // Each group is solved by itself, with the status unsound_arithmetic.
-  } else if constexpr (detail::has_closed_form<Model>) {
+  if constexpr (detail::has_closed_form<Model>) {
     if (count >= Lanes) {
       return detail::solve_closed<Model, Lanes>(batch);
     }

@@ -3,7 +3,6 @@
 
 #include <assur/detail/pivots.hpp>
 #include <assur/kinematics.hpp>
-#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 
 namespace assur {
@@ -39,10 +38,6 @@ template <typename Model, typename Scalar = double>
   static_assert(Model::rigid, "a degenerate model has no inverse Jacobian");
   BranchPoint<Model, Scalar> point;
   point.q = q;
-  if (!numeric::tells_nan) {
-    point.status = Status::unsound_arithmetic;
-    return point;
-  }
   if (!is_finite(d) || !is_finite(inputs.u) || !is_finite(q) || !is_finite(inputs.rate) ||
       !is_finite(inputs.second_rate)) {
     point.status = Status::not_finite;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <assur/detail/refused_options.hpp>
 #include <assur/model_tables.hpp>
 #include <cstddef>
 #include <tuple>

@@ -6,7 +6,6 @@
 #include <assur/detail/members.hpp>
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
-#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -103,7 +102,7 @@ template <typename Scalar>
 /// lines only, of which the first two are parallel, so that the group is degenerate or a
 /// relabelling is needed; or there are not two or three features. not_finite: a feature is not
 /// finite, or the link has points only, and the square of the distance of the first two leaves the
-/// range of the scalar. unsound_arithmetic.
+/// range of the scalar.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
@@ -111,9 +110,6 @@ template <typename Scalar>
   result.dimension_count = 0;
   if (count < 2 || count > 3) {
     return Status::singular;
-  }
-  if (!numeric::tells_nan) {
-    return Status::unsound_arithmetic;
   }
   const auto joints = static_cast<std::size_t>(count);
   std::array<const LinkFeature<Scalar>*, 3> points{};

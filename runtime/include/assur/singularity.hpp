@@ -3,7 +3,6 @@
 
 #include <Eigen/SVD>
 #include <assur/model.hpp>
-#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -20,7 +19,7 @@ enum class SingularityType : unsigned char {
 template <typename Scalar>
 struct Singularity {
   /// ok: the rest is set. singular: J vanishes, and no direction is nearer to its range than
-  /// another. not_finite; unsound_arithmetic.
+  /// another. not_finite.
   Status status = Status::singular;
   SingularityType type = SingularityType::fold;
   /// |w F_t| / |F_t| for the unit left null vector w of J and F_t = F_d dd/dt + F_u du/dt: how far
@@ -44,10 +43,6 @@ template <typename Model, typename Scalar>
   using Square = Matrix<Scalar, Model::equation_count, Model::unknown_count>;
   using std::sqrt;
   Singularity<Scalar> result;
-  if (!numeric::tells_nan) {
-    result.status = Status::unsound_arithmetic;
-    return result;
-  }
   if (!is_finite(d) || !is_finite(u) || !is_finite(q) || !is_finite(d_rate) || !is_finite(u_rate)) {
     result.status = Status::not_finite;
     return result;

@@ -6,7 +6,6 @@
 #include <assur/detail/index.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/model.hpp>
-#include <assur/numeric/arithmetic.hpp>
 #include <assur/status.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -36,7 +35,7 @@ class SpecialPointSystem {
 
   /// status(): ok, near_singular (the rates may keep fewer than six digits), singular,
   /// point_at_infinity (|n_1 x n_2| <= 4 epsilon, or a side has no line, or the point is so far
-  /// that no digit would hold), not_finite or unsound_arithmetic.
+  /// that no digit would hold) or not_finite.
   ///
   /// The bound. With columns scaled as those of J, L and the sums are of the size of S, the group's
   /// size over |n_1 x n_2|, and rounded in proportion. N turns that into a backward error of J, and
@@ -47,10 +46,6 @@ class SpecialPointSystem {
   SpecialPointSystem(const typename Model::template Dimensions<Scalar>& d,
                      const typename Model::template Inputs<Scalar>& u,
                      const typename Model::template Configuration<Scalar>& q) {
-    if (!numeric::tells_nan) {
-      status_ = Status::unsound_arithmetic;
-      return;
-    }
     if (!is_finite(d) || !is_finite(u) || !is_finite(q)) {
       status_ = Status::not_finite;
       return;

@@ -2,6 +2,7 @@
 // exceptions.
 #pragma once
 
+#include <assur/detail/refused_options.hpp>
 #include <limits>
 
 namespace assur {
@@ -14,8 +15,8 @@ enum class [[nodiscard]] Status : unsigned char{
     not_finite,         ///< an input is NaN or infinite; nothing was computed
     no_convergence,     ///< Newton's iteration did not settle; the last iterate is returned
     point_at_infinity,  ///< a special point's lines are parallel or nearly; nothing was computed
-    /// The program was compiled, or the processor is set, so that NaN is not told from numbers or
-    /// rounding has no bound (-ffast-math and its parts, x87); nothing was computed.
+    /// The program was compiled, without the compiler telling, or the processor is set, so that
+    /// rounding has no bound (parts of -ffast-math, the rounding mode); nothing was computed.
     unsound_arithmetic,
 };
 
@@ -55,7 +56,7 @@ inline constexpr double two_digits = 5e-3;
 template <typename Scalar>
 struct Regularity {
   /// ok; near_singular where derivatives may keep fewer digits than are promised, six in double and
-  /// three in float; singular where there are none; not_finite; unsound_arithmetic.
+  /// three in float; singular where there are none; not_finite.
   Status status = Status::singular;
   /// The derivatives' relative error is about rounding/margin: the product of what the core's
   /// determinant keeps of its terms and of how firmly the closures hold the unknowns. One at best,

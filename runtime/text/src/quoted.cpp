@@ -7,22 +7,45 @@ namespace {
 /// Whether a byte continues a letter of UTF-8, so that a text cannot be cut before it.
 bool continues_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
+bool is_white(char letter) { return letter >= '\t' && letter <= '\r'; }
+
+/// The bytes of the control character at a place in UTF-8, white space but for the space among
+/// them; zero for any other character.
+std::size_t bytes_of_control_character(const std::string& text, std::size_t at) {
+  const auto byte = [&](std::size_t ahead) {
+    return at + ahead < text.size() ? static_cast<unsigned char>(text[at + ahead]) : 0U;
+  };
+  if (byte(0) < 0x20 || byte(0) == 0x7F) {
+    return 1;  // C0 and DEL
+  }
+  const bool is_c1 = byte(0) == 0xC2 && byte(1) >= 0x80 && byte(1) < 0xA0;
+  const bool is_arabic_mark = byte(0) == 0xD8 && byte(1) == 0x9C;  // U+061C
+  if (is_c1 || is_arabic_mark) {
+    return 2;
+  }
+  const unsigned last = byte(2);
+  const bool is_mark_or_embedding =  // U+200E, U+200F, and U+2028, which ends a line, to U+202E
+      byte(1) == 0x80 && (last == 0x8E || last == 0x8F || (last >= 0xA8 && last <= 0xAE));
+  const bool is_isolate = byte(1) == 0x81 && last >= 0xA6 && last <= 0xA9;  // U+2066 to U+2069
+  return byte(0) == 0xE2 && (is_mark_or_embedding || is_isolate) ? 3 : 0;
+}
+
 }  // namespace
 
-bool is_control_character(char letter) {
-  constexpr unsigned char deletion = 0x7F;
-  constexpr unsigned char space = 0x20;
-  const auto byte = static_cast<unsigned char>(letter);
-  const bool is_white = letter >= '\t' && letter <= '\r';
-  return (byte < space && !is_white) || byte == deletion;
+std::size_t first_control_character(const std::string& text) {
+  std::size_t at = 0;
+  while (at < text.size() && (is_white(text[at]) || bytes_of_control_character(text, at) == 0)) {
+    ++at;
+  }
+  return at;
 }
 
 std::string on_one_line(const std::string& text) {
-  constexpr unsigned char deletion = 0x7F;
   std::string shown;
-  for (const char letter : text) {
-    const auto byte = static_cast<unsigned char>(letter);
-    shown += byte < 0x20 || byte == deletion ? '?' : letter;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t bytes = bytes_of_control_character(text, at);
+    shown += bytes > 0 ? '?' : text[at];
+    at += bytes > 0 ? bytes : 1;
   }
   return shown;
 }

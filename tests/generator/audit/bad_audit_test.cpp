@@ -69,6 +69,8 @@ INSTANTIATE_TEST_SUITE_P(
             "f.audit:1:8: '2a' cannot be a name; use letters, digits and underscores, but no digit "
             "first"},
         Fault{"ControlCharacter", "length r\x01\n", "f.audit:1:9: a control character; remove it"},
+        Fault{"TextThatTurnsRound", "length r # \xE2\x80\x8F\n",
+              "f.audit:1:12: a control character; remove it"},
         Fault{"Reserved", "length sin\n",
               "f.audit:1:8: 'sin' cannot be a name: formulas give it a meaning"},
         Fault{"UnknownOfNothing", "length ab\nunknown ac\n",

@@ -1,5 +1,6 @@
 # Turns compilers and their options for arithmetic into a comparison of answers.cpp with what it says
-# without options: every answer is the same, or it says that the arithmetic is unsound.
+# without options: every answer is the same, or it says that the arithmetic is unsound. Options of
+# which a compiler tells are refused by the headers.
 #   cmake -DCOMPILERS="g++;clang++" -DFLAGS="-I..." -DWORK=... -DREFERENCE=<answers of the dyads>
 #     -P arithmetic.cmake
 #   cmake ... -DASSUR=<the command> -DSCENE=<four-bar.json> -P arithmetic.cmake
@@ -56,11 +57,42 @@ function(compare compiler refused setting)
   endif()
 endfunction()
 
+# read(COMPILER SENTENCE OPTION...): the preprocessor accepts the headers with these options, or
+# refuses them with the sentence if there is one.
+function(read compiler sentence)
+  execute_process(COMMAND ${compiler} ${flags} ${ARGN} -E ${source} RESULT_VARIABLE status
+    OUTPUT_QUIET ERROR_VARIABLE said)
+  if(sentence AND (status EQUAL 0 OR NOT said MATCHES "${sentence}"))
+    message(SEND_ERROR "${compiler} ${ARGN}: not refused with \"${sentence}\": ${said}")
+  elseif(NOT sentence AND NOT status EQUAL 0)
+    message(SEND_ERROR "${compiler} ${ARGN}: refused: ${said}")
+  endif()
+endfunction()
+
+set(as_written "error: .*assur needs every operation rounded as it is written: compile without -ffast-math")
+set(once "error: .*assur needs every operation rounded once, .*compile with -msse2 -mfpmath=sse")
+foreach(compiler IN LISTS COMPILERS)
+  read(${compiler} "" -O2)
+  read(${compiler} "" -O2 -march=native -ffp-contract=fast)
+  read(${compiler} "" -fno-math-errno -fno-signed-zeros -fno-trapping-math)
+  foreach(option -ffast-math -Ofast -ffinite-math-only)
+    read(${compiler} "${as_written}" ${option})
+  endforeach()
+  if(compiler MATCHES "clang")
+    read(${compiler} "${as_written}" -ffp-model=fast)
+  else()
+    read(${compiler} "${as_written}" -funsafe-math-optimizations)
+    read(${compiler} "${as_written}" ${associative})
+    read(${compiler} "${as_written}" -freciprocal-math)
+    read(${compiler} "${once}" -mfpmath=387)
+    read(${compiler} "${once}" -mfpmath=sse+387)
+  endif()
+endforeach()
+
 list(GET COMPILERS 0 first)
 if(NOT ASSUR)
   execute_process(COMMAND ${REFERENCE} OUTPUT_VARIABLE expected COMMAND_ERROR_IS_FATAL ANY)
   string(REGEX MATCHALL "[^\n]+" expected "${expected}")
-  compare(${first} TRUE "" -O1 -m32 -mfpmath=387)
   compare(${first} TRUE "" -O1 ${associative} untold)
   return()
 endif()
@@ -83,11 +115,8 @@ foreach(compiler IN LISTS COMPILERS)
   foreach(harmless -fno-math-errno -fno-signed-zeros -fno-trapping-math)
     compare(${compiler} FALSE "" -O2 ${harmless})
   endforeach()
-  compare(${compiler} TRUE "" -O2 -m32 -mfpmath=387)
+  compare(${compiler} FALSE "" -O2 -march=native -ffp-contract=fast)
   compare(${compiler} TRUE "" -O2 -m32 -mfpmath=387 untold)
-  compare(${compiler} TRUE "" -O2 -ffast-math)
-  compare(${compiler} TRUE "" -Ofast)
-  compare(${compiler} TRUE "" -O2 -ffinite-math-only)
   foreach(level -O1 -O2 -O3)
     compare(${compiler} TRUE "" ${level} -funsafe-math-optimizations untold)
     compare(${compiler} TRUE "" ${level} ${associative} untold)
@@ -99,9 +128,3 @@ foreach(compiler IN LISTS COMPILERS)
   compare(${compiler} FALSE "" -O2 -fno-builtin -DASSUR_FMA_ROUNDS_TWICE)
   compare(${compiler} TRUE "" -O2 -fno-builtin -DASSUR_FMA_ROUNDS_TWICE -DFP_FAST_FMA)
 endforeach()
-# Options that GCC reveals by macros are refused when a program is compiled.
-if(first MATCHES "g\\+\\+")
-  compare(${first} TRUE "" -O2 -freciprocal-math)
-  compare(${first} TRUE "" -O2 ${associative})
-  compare(${first} TRUE "" -O2 -mfpmath=sse+387)
-endif()

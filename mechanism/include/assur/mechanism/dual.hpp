@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <assur/mechanism/eigen_alignment.hpp>
+#include <assur/support/power_derivative.hpp>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace assur::mechanism {
@@ -67,6 +69,23 @@ class Dual {
     return result;
   }
 
+  /// The same number where some derivatives of the function that gave it do not exist: those of it
+  /// are unknown, NaN, that follow an argument.
+  [[nodiscard]] Dual without_what_follows(const Dual& argument) && {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    for (Eigen::Index i = 0; i < argument.derivatives_.size(); ++i) {
+      if (argument.derivatives_(i) != 0) {
+        derivatives_(i) = none;
+      }
+      for (Eigen::Index j = 0; has_hessian() && j < hessian_.cols(); ++j) {
+        const bool follows = argument.derivatives_(i) != 0 || argument.derivatives_(j) != 0 ||
+                             (argument.has_hessian() && argument.hessian_(i, j) != 0);
+        hessian_(i, j) = follows ? none : hessian_(i, j);
+      }
+    }
+    return std::move(*this);
+  }
+
   friend bool operator==(const Dual& a, const Dual& b) { return a.value_ == b.value_; }
   friend bool operator>(const Dual& a, const Dual& b) { return a.value_ > b.value_; }
 
@@ -105,14 +124,6 @@ inline Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value());
   return Dual::chained(root, a, 0.5 / root, -0.25 / (root * a.value()));
 }
-inline Dual exp(const Dual& a) {
-  const double power = std::exp(a.value());
-  return Dual::chained(power, a, power, power);
-}
-inline Dual log(const Dual& a) {
-  const double inverse = 1 / a.value();
-  return Dual::chained(std::log(a.value()), a, inverse, -inverse * inverse);
-}
 inline Dual sin(const Dual& a) {
   const double sine = std::sin(a.value());
   return Dual::chained(sine, a, std::cos(a.value()), -sine);
@@ -149,14 +160,29 @@ inline Dual atan2(const Dual& y, const Dual& x) {
       std::atan2(y.value(), x.value()), y, x,
       {c / radius, -s / radius, -curvature, (s - c) * (s + c) / radius / radius, curvature});
 }
-/// A constant power of any base. Where the factor that comes from the exponent is zero, so is the
-/// term, although the power of the base may be infinite, as 0^(n - 2) is.
+/// A constant power of any base.
 inline Dual pow(const Dual& a, double exponent) {
-  const auto term = [&](double factor, double power) {
-    return factor == 0 ? 0.0 : factor * std::pow(a.value(), power);
-  };
-  return Dual::chained(std::pow(a.value(), exponent), a, term(exponent, exponent - 1),
-                       term(exponent * (exponent - 1), exponent - 2));
+  return Dual::chained(std::pow(a.value(), exponent), a,
+                       support::power_derivative<1, 0>(a.value(), exponent),
+                       support::power_derivative<2, 0>(a.value(), exponent));
+}
+/// A power whose exponent may follow parameters, too. What follows the exponent is unknown, NaN,
+/// where there is no derivative by it.
+inline Dual pow(const Dual& a, const Dual& b) {
+  if (b.derivatives().size() == 0) {
+    return pow(a, b.value());
+  }
+  const double x = a.value();
+  const double n = b.value();
+  const double by_exponent = support::power_derivative<0, 1>(x, n);
+  const bool is_known = !std::isnan(by_exponent);
+  const auto known = [is_known](double slope) { return is_known ? slope : 0; };
+  Dual result = Dual::chained(
+      std::pow(x, n), a, b,
+      {support::power_derivative<1, 0>(x, n), known(by_exponent),
+       support::power_derivative<2, 0>(x, n), known(support::power_derivative<1, 1>(x, n)),
+       known(support::power_derivative<0, 2>(x, n))});
+  return is_known ? result : std::move(result).without_what_follows(b);
 }
 
 }  // namespace assur::mechanism

@@ -96,7 +96,7 @@ class Formula {
       case Step::Kind::unary:
         stack.back() = text::applied<Scalar>(step.operation, stack.back());
         break;
-      case Step::Kind::constant_power:  // no logarithm, so any base
+      case Step::Kind::constant_power:  // without a derivative by the exponent
         stack.back() = Scalar(pow(stack.back(), step.number));
         break;
       case Step::Kind::binary: {

@@ -143,10 +143,10 @@ class Mechanism {
   OutputIndex add_output(const std::string& name, const std::string& point);
 
   [[nodiscard]] const std::string& name() const { return name_; }
-  void set_name(const std::string& name) { name_ = name; }
+  void set_name(const std::string& name);
   /// The name of the unit of length; empty if it was not given.
   [[nodiscard]] const std::string& unit() const { return unit_; }
-  void set_unit(const std::string& unit) { unit_ = unit; }
+  void set_unit(const std::string& unit);
   [[nodiscard]] const Table<ParameterIndex, Parameter>& parameters() const { return parameters_; }
   [[nodiscard]] const Table<NumberIndex, Number>& numbers() const { return numbers_; }
   [[nodiscard]] const Table<FeatureIndex, Feature>& features() const { return features_; }

@@ -6,29 +6,16 @@
 
 namespace assur::numeric {
 
-/// Whether comparisons tell NaN and infinity from numbers; under -ffinite-math-only they do not.
-#if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-inline constexpr bool tells_nan = false;
-#else
-inline constexpr bool tells_nan = true;
-#endif
-
 /// Whether the compiler promises to round every sum, product and quotient once, where it is
 /// written, and to half an ulp of the scalar, double or float. Bounds of rounding are derived from
 /// that. Where float is computed in double, it is rounded twice.
-#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
-    (defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0))
 template <typename Scalar>
-inline constexpr bool rounds_as_written = false;
-#else
-template <typename Scalar>
-inline constexpr bool rounds_as_written = tells_nan&& std::numeric_limits<Scalar>::is_iec559 &&
+inline constexpr bool rounds_as_written = std::numeric_limits<Scalar>::is_iec559 &&
                                           (std::numeric_limits<Scalar>::digits == 53
 #if !defined(__FLT_EVAL_METHOD__) || __FLT_EVAL_METHOD__ != 1
                                            || std::numeric_limits<Scalar>::digits == 24
 #endif
                                           );
-#endif
 
 /// Whether error-free sums and products are exact. Not every compiler tells what it rearranges, and
 /// none tells how the processor rounds, so some are computed here, at run time.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <assur/detail/refused_options.hpp>
 #include <limits>
 
 namespace assur::numeric {

@@ -245,6 +245,9 @@ template <typename Scalar, int Parameters>
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
     const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
+    if (detail::entry(tolerances, parameter) == 0) {
+      continue;  // its derivative may be unknown
+    }
     sum[0] += abs(gradient(0, parameter)) * tolerance;
     sum[1] += abs(gradient(1, parameter)) * tolerance;
   }
@@ -261,6 +264,9 @@ template <typename Scalar, int Parameters>
 #pragma GCC unroll 16
   for (int parameter = 0; parameter < Parameters; ++parameter) {
     const auto tolerance = static_cast<Scalar>(detail::entry(tolerances, parameter));
+    if (detail::entry(tolerances, parameter) == 0) {
+      continue;
+    }
     const std::array<Scalar, 2> part = {gradient(0, parameter) * tolerance,
                                         gradient(1, parameter) * tolerance};
     sum[0] += part[0] * part[0];

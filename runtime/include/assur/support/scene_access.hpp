@@ -5,9 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <assur/assembly.hpp>
+#include <assur/numeric/precision.hpp>
 #include <assur/support/placed_group.hpp>
+#include <assur/support/power_derivative.hpp>
+#include <assur/support/scene_columns.hpp>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -41,12 +46,6 @@ template <typename Solver>
 inline constexpr bool
     has_parameters<Solver, std::void_t<typename Solver::template Parameters<double>>> = true;
 
-/// Whether a solver computes laws of drivers that read joints.
-template <typename Solver, typename = void>
-inline constexpr bool has_laws = false;
-template <typename Solver>
-inline constexpr bool has_laws<Solver, std::void_t<decltype(Solver::has_laws)>> = true;
-
 /// The arguments of a solver: its drivers.
 template <typename Solver, typename Scalar, bool HasParameters = has_parameters<Solver>>
 struct GivenTo {
@@ -70,6 +69,11 @@ struct GivenTo<Solver, Scalar, true> {
     }
   };
 };
+
+/// Arguments below this, and their products, are far from the end of the range of the scalar.
+template <typename Scalar>
+inline constexpr Scalar moderate =
+    numeric::power_of_two<Scalar>(std::numeric_limits<Scalar>::max_exponent / 8);
 
 /// The private parts of a solver that its search and its tracking use.
 template <typename Solver, typename Scalar>
@@ -100,6 +104,18 @@ struct Access {
   /// Whether it closes all constraints together where it is nearly singular without the redundant
   /// ones.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
+  template <typename Those>
+  static auto laws_of(int) -> decltype(Those::has_laws, std::true_type());
+  template <typename Those>
+  static std::false_type laws_of(...);
+  /// Whether the solver computes laws of drivers that read joints.
+  static constexpr bool has_laws = decltype(laws_of<Solver>(0))::value;
+  template <typename Those>
+  static auto own_rates_of(int) -> decltype(Those::has_own_rates, std::true_type());
+  template <typename Those>
+  static std::false_type own_rates_of(...);
+  /// Whether rates follow that are no arguments of the solver.
+  static constexpr bool has_own_rates = decltype(own_rates_of<Solver>(0))::value;
   /// For each group the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
@@ -126,17 +142,21 @@ struct Access {
     }
   }
   /// Whether no position, and no rate, is NaN or infinite.
-  [[nodiscard]] static bool is_finite(Given given) {
-    bool finite = true;
+  [[nodiscard]] static bool is_finite(const Given& given) {
+    return are_below(given, std::numeric_limits<Scalar>::infinity());
+  }
+  /// Whether no position, and no rate, reaches a limit.
+  [[nodiscard]] static bool are_below(Given given, Scalar limit) {
+    bool below = true;
     for (const Scalar* position : given.positions()) {
-      finite = finite && std::isfinite(*position);
+      below = below && std::abs(*position) < limit;
     }
     if constexpr (Solver::order > 0) {
       for (const Scalar* rate : drivers_of(given).rates()) {
-        finite = finite && std::isfinite(*rate);
+        below = below && std::abs(*rate) < limit;
       }
     }
-    return finite;
+    return below;
   }
   /// Sets where a group's external joints are held.
   template <typename Held>
@@ -148,8 +168,15 @@ struct Access {
   static void place(const Group& group, Placed& placed) {
     Parts::place(group, placed);
   }
-  /// Fills a state from what is placed.
+  /// Fills a state from what is placed; rates that are not finite are unknown.
   static void list(const Placed& placed, typename Solver::template State<Scalar>& state) {
+    list_moderate(placed, state);
+    if constexpr (Solver::order > 0) {
+      mark_infinite_rates(state);
+    }
+  }
+  /// The same where arguments are below `moderate` and no other rates follow.
+  static void list_moderate(const Placed& placed, typename Solver::template State<Scalar>& state) {
     Parts::list(placed, state);
   }
   /// Whether all joints keep their limits where everything is placed.

@@ -150,7 +150,12 @@ class SceneBatch {
       return unsure;
     }
     State<Pack> state;
-    Own::list(placed, state);
+    Own::list_moderate(placed, state);
+    if constexpr (Solver::order > 0 && Own::has_own_rates) {
+      const unsigned finite = is_sum_of_rates_finite(state).bits();
+      unsure |= lanes & ~finite;
+      lanes &= finite;
+    }
     typename Own::Key key;
     Own::key(placed, key);
     put(pack, lanes, state, key);
@@ -165,19 +170,19 @@ class SceneBatch {
     most_ = {};
     left_out_ = {};
     typename Search::Given given;
-    Sets infinite{};
+    Sets immoderate{};
     for (std::size_t pack = 0; pack < filled; ++pack) {
-      Truth finite = Pack(0) == Pack(0);
+      Truth below = Pack(0) == Pack(0);
       given[pack] = lone_.template given_at<Pack>(first + pack * Lanes, [&](const double* number) {
         const Pack loaded = Pack::load(number);
-        finite = finite & (loaded * Pack(0) == Pack(0));
+        below = below & (abs(loaded) < Pack(moderate<double>));
         return loaded;
       });
-      infinite[pack] = (!finite).bits();
+      immoderate[pack] = (!below).bits();
     }
     Sets unsure = Search(*this).run(given, filled);
     for (std::size_t pack = 0; pack < filled; ++pack) {
-      unsure[pack] |= infinite[pack];
+      unsure[pack] |= immoderate[pack];
       if constexpr (capacity > 1) {
         unsure[pack] |= put_in_order(pack);
       }
@@ -322,8 +327,7 @@ class SceneBatch {
 /// for numbers, and what is kept of all configurations fits on a stack.
 template <typename Solver>
 inline constexpr bool is_solved_in_packs =
-    Access<Solver, double>::in_packs&& Solver::max_configurations <= 256 &&
-    numeric::rounds_as_written<double>;
+    Access<Solver, double>::in_packs&& Solver::max_configurations <= 256;
 
 /// Solves `count` instances of an emitted solver. Returns how many were solved by themselves.
 template <typename Solver, std::size_t Lanes>

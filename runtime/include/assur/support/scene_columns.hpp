@@ -2,7 +2,10 @@
 #pragma once
 
 #include <assur/model.hpp>
+#include <assur/status.hpp>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -46,6 +49,45 @@ void visit(Part& part, Use& use, Scalar* numbers) {
   std::apply([&](auto&... member) { (visit(member, use, numbers), ...); }, part.members());
 }
 
+template <typename Part, typename = void>
+inline constexpr bool has_velocity = false;
+template <typename Part>
+inline constexpr bool has_velocity<Part, std::void_t<decltype(std::declval<Part&>().velocity)>> =
+    true;
+template <typename Part, typename = void>
+inline constexpr bool has_acceleration = false;
+template <typename Part>
+inline constexpr bool
+    has_acceleration<Part, std::void_t<decltype(std::declval<Part&>().acceleration)>> = true;
+
+/// Calls `use` with every velocity and acceleration of a part of a state.
+template <typename Scalar, typename Part, typename Use>
+void visit_rates(Part& part, Use& use, Scalar* numbers) {
+  if constexpr (has_velocity<Part>) {
+    visit(part.velocity, use, numbers);
+  }
+  if constexpr (has_acceleration<Part>) {
+    visit(part.acceleration, use, numbers);
+  }
+  if constexpr (!has_velocity<Part> && !has_acceleration<Part> && has_members<Part>) {
+    std::apply([&](auto&... member) { (visit_rates(member, use, numbers), ...); }, part.members());
+  }
+}
+
+/// The sum of all velocities and accelerations of a part of a state.
+template <typename Scalar, typename Part>
+[[nodiscard]] Scalar sum_of_rates(Part& part, Scalar* numbers) {
+  Scalar sum(0);
+  const auto add = [&](const Scalar& rate) { sum = sum + rate; };
+  if constexpr (has_velocity<Part> || has_acceleration<Part>) {
+    visit_rates(part, add, numbers);
+  } else if constexpr (has_members<Part>) {
+    // Sums of parts do not wait for one another.
+    std::apply([&](auto&... member) { (add(sum_of_rates(member, numbers)), ...); }, part.members());
+  }
+  return sum;
+}
+
 /// How many numbers there are in a part.
 template <typename Scalar>
 constexpr std::size_t count(const Scalar* /*part*/, const Scalar* /*numbers*/) {
@@ -87,6 +129,37 @@ void for_each_column(Variables<Scalar>& variables, const Use& use) {
   std::size_t column = 0;
   const auto use_next = [&](Scalar& number) { use(number, column++); };
   columns::visit(variables, use_next, static_cast<Scalar*>(nullptr));
+}
+
+/// Makes a state one of which nothing is known yet.
+template <template <typename> class State, typename Scalar>
+void clear_state(State<Scalar>& state) {
+  for_each_column(state, [](Scalar& number, std::size_t) {
+    number = std::numeric_limits<Scalar>::quiet_NaN();
+  });
+  state.regularity = Status::singular;
+}
+
+/// Whether the sum of all velocities and accelerations of a state is finite, so that each of them
+/// is; for packs, in which lanes.
+template <template <typename> class State, typename Scalar>
+[[nodiscard]] auto is_sum_of_rates_finite(State<Scalar>& state) {
+  const Scalar sum = columns::sum_of_rates(state, static_cast<Scalar*>(nullptr));
+  return sum - sum == Scalar(0);
+}
+
+/// Makes a state whose rates leave the range of the scalar near-singular, and these rates NaN.
+template <template <typename> class State, typename Scalar>
+void mark_infinite_rates(State<Scalar>& state) {
+  if (!is_sum_of_rates_finite(state)) {
+    const auto mark = [&](Scalar& rate) {
+      if (!std::isfinite(rate)) {
+        rate = std::numeric_limits<Scalar>::quiet_NaN();
+        state.regularity = Status::near_singular;
+      }
+    };
+    columns::visit_rates(state, mark, static_cast<Scalar*>(nullptr));
+  }
 }
 
 /// The column of every number of a solver's drivers, parameters or states:

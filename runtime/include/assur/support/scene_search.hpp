@@ -50,7 +50,8 @@ class Search {
 
   /// Every configuration within the limits of joints, in the order of `assur solve`.
   [[nodiscard, gnu::flatten]] Solution run(const typename Own::Given& given) {
-    if (Own::is_looked_at && !Own::is_finite(given)) {
+    is_moderate_ = Own::is_looked_at && Own::are_below(given, moderate<Scalar>);
+    if (Own::is_looked_at && !is_moderate_ && !Own::is_finite(given)) {
       solution_.status = AssemblyStatus::not_finite;
       return solution_;
     }
@@ -180,7 +181,11 @@ class Search {
   /// Lists a configuration. Redundant constraints are measured where the groups alone place it.
   void keep(const Placed& placed, const Placed& by_groups) {
     const auto slot = static_cast<std::size_t>(solution_.count++);
-    Own::list(placed, states_[slot]);
+    if (is_moderate_ && !Own::has_own_rates) {
+      Own::list_moderate(placed, states_[slot]);
+    } else {
+      Own::list(placed, states_[slot]);
+    }
     Own::key(placed, keys_[slot]);
     if constexpr (Own::has_gaps) {
       gaps_[slot] = Own::gap(by_groups);
@@ -274,6 +279,7 @@ class Search {
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
   bool is_unsure_ = false;  ///< whether a group had no configuration behind nearly singular ones
+  bool is_moderate_ = false;  ///< whether all arguments are
   Configurations current_;
   std::array<std::size_t, group_count> choices_{};  ///< the numbers of the groups' configurations
   std::array<int, group_count> mobilities_{};       ///< of groups that move

@@ -105,7 +105,7 @@ class Tracker {
       return way;
     }
     const Scalar turn = largest_turn(branch.given, to);
-    const bool moves_by_formulas = has_laws<Solver> || parameters_move(branch.given, to);
+    const bool moves_by_formulas = Own::has_laws || parameters_move(branch.given, to);
     // No driver turns by more than a radian: after a full turn the groups are held as before.
     const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <sstream>
+#include <vector>
 
 #include "command/command.hpp"
 
@@ -70,6 +72,67 @@ TEST(CHeader, IsC99AndCppWithAnyNames) {
   const std::string header = read_file(directory.path() / "assur/scenes/class.h");
   EXPECT_EQ(header.find("velocity"), std::string::npos);
   EXPECT_EQ(header.find("sensitivity"), std::string::npos);
+}
+
+/// A structure, of which nothing moves, with a long name; or a crank alone. It wants positions.
+std::string still_scene(const std::string& name, const std::string& outputs, bool has_group) {
+  const std::string links =
+      has_group ? R"("p": {"A": [0, 0], "C": [2, 0]}, "q": {"B": [0, 0], "C": [2.5, 0]})"
+                : R"("p": {"A": [0, 0], "C": [2, 0]})";
+  const std::string joints = has_group
+                                 ? R"(, "B": {"type": "revolute", "between": ["ground.B", "q.B"]},
+                                        "C": {"type": "revolute", "between": ["p.C", "q.C"]})"
+                                 : "";
+  return R"({"name": ")" + name + R"(", "links": {"ground": {"A": [0, 0], "B": [3, 1]}, )" + links +
+         R"(}, "joints": {"A": {"type": "revolute", "between": ["ground.A", "p.A"]})" + joints +
+         "}, " + (has_group ? "" : R"("drivers": {"A": {"position": 1}}, )") + R"("outputs": {)" +
+         outputs + R"(}, "want": ["position"]})";
+}
+
+/// Compiles a solver's files, both, as users do: optimised and with warnings.
+void compile_both(const std::string& stem, const TemporaryDirectory& directory) {
+  check_syntax("-x c -std=c99", "#include <assur/scenes/" + stem + ".h>\n", directory);
+  for (const std::string compiler : {ASSUR_COMPILER, ASSUR_CLANG}) {
+    const std::string errors = (directory.path() / "errors").string();
+    const std::string root = directory.path().string();
+    const std::string line = compiler +
+                             " -std=c++17 -O2 -Wall -Wextra -Wconversion -Wshadow -Werror "
+                             "-I" ASSUR_RUNTIME " -isystem " ASSUR_EIGEN " -I" +
+                             root + " -c " + root + "/assur/scenes/" + stem + ".cpp -o " + root +
+                             "/object.o 2> " + errors;
+    if (!compiler.empty()) {
+      EXPECT_EQ(std::system(line.c_str()), 0) << compiler << "\n" << read_file(errors);
+    }
+  }
+}
+
+TEST(CHeader, OfStructuresWithLongNamesCompilesOptimised) {
+  const TemporaryDirectory directory;
+  const std::string stem(80, 'n');
+  const fs::path scene = directory.write(
+      stem + ".json", still_scene(std::string(300, 'x') + " y", R"("C": "p.C")", true));
+  ASSERT_EQ(emit(scene, directory, "--interface c").status, 0);
+  compile_both(stem, directory);
+  for (const std::string ending : {".h", ".cpp", ".hpp"}) {
+    std::istringstream lines(read_file(directory.path() / "assur/scenes" / (stem + ending)));
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_FALSE(line == "#ifndef" || line == "#define" || line == "#include") << ending;
+    }
+  }
+}
+
+TEST(LongCHeader, OfScenesOfWhichLittleIsWantedCompilesOptimised) {
+  const TemporaryDirectory directory;
+  const std::vector<std::pair<std::string, std::string>> scenes = {
+      {"namespace", still_scene("1 2", "", true)},
+      {"1_digit", still_scene("int", R"("C": "p.C")", false)},
+      {"nothing", still_scene("class", "", false)}};
+  for (const auto& [stem, text] : scenes) {
+    const fs::path scene = directory.write(stem + ".json", text);
+    ASSERT_EQ(emit(scene, directory, "--interface c").status, 0);
+    compile_both(fs::exists(directory.path() / ("assur/scenes/" + stem + ".h")) ? stem : "_" + stem,
+                 directory);
+  }
 }
 
 TEST(CHeader, IsAskedForOfScenesAlone) {

@@ -102,12 +102,11 @@ template <typename Scalar>
   }
 }
 
-/// The operation on its two arguments. A power is taken by the logarithm of its base.
+/// The operation on its two arguments.
 template <typename Scalar>
 [[nodiscard]] Scalar applied(Operation operation, const Scalar& first, const Scalar& second) {
   using std::atan2;
-  using std::exp;
-  using std::log;
+  using std::pow;
   switch (operation) {
     case Operation::add:
       return Scalar(first + second);
@@ -118,7 +117,7 @@ template <typename Scalar>
     case Operation::divide:
       return Scalar(first / second);
     case Operation::power:
-      return Scalar(exp(second * log(first)));
+      return Scalar(pow(first, second));
     case Operation::atan2:
       return Scalar(atan2(first, second));
     default:
@@ -141,7 +140,7 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
     return applied<Scalar>(expression.operation, first);
   }
   if (expression.operation == Operation::power && is_constant(expression.arguments[1])) {
-    using std::pow;  // no logarithm, so any base
+    using std::pow;  // without a derivative by the exponent
     return Scalar(pow(first, constant_value(expression.arguments[1])));
   }
   return applied<Scalar>(expression.operation, first,

@@ -5,10 +5,13 @@
 
 namespace assur::text {
 
-/// Whether a letter moves the cursor, or changes how a terminal writes, and is no white space.
-[[nodiscard]] bool is_control_character(char letter);
+/// The offset of the first character, other than white space, that moves the cursor, begins a line
+/// or changes how, or in which order, a terminal or an editor shows the others: of C0, C1 or
+/// bidirectional text. The text's size if there is none.
+[[nodiscard]] std::size_t first_control_character(const std::string& text);
 
-/// The text on one line: control characters become question marks.
+/// The text on one line: control characters and white space other than spaces become question
+/// marks.
 [[nodiscard]] std::string on_one_line(const std::string& text);
 
 /// The first letters of a text on one line, with `...` where some are left out.

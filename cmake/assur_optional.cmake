@@ -1,0 +1,117 @@
+# Turns packages and programs that a machine need not have into those that work. One that is there but
+# does not work is left out as one that is absent; a line says so. The switch
+# CMAKE_DISABLE_FIND_PACKAGE_<name> leaves out any of them.
+set(assur_optional_folder ${CMAKE_CURRENT_LIST_DIR})
+
+# assur_optional_package(NAME FIND CODE TARGETS TARGET... HEADERS HEADER... [TITLE TEXT] LOSS TEXT
+# [REQUIRED]): CODE, which must not contain dollars or semicolons, finds the package and makes the
+# targets. Another process runs it first and builds a library of the headers and the targets, since
+# what is half installed can stop CMake. Where that library is built, CODE runs here and <name>_WORKS
+# is true. LOSS says what is left out otherwise; with REQUIRED that is an error.
+macro(assur_optional_package name)
+  assur_try_package(${name} ${ARGN})
+  if(${name}_WORKS)
+    cmake_language(EVAL CODE "${${name}_FIND}")
+  endif()
+endmacro()
+
+function(assur_try_package name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "REQUIRED" "FIND;TITLE;LOSS" "TARGETS;HEADERS")
+  set(work ${PROJECT_BINARY_DIR}/optional/${name})
+  set(fault "is not installed")
+  if(NOT CMAKE_DISABLE_FIND_PACKAGE_${name})
+    # What the user has set and what is known of the compiler holds for that process, too.
+    get_cmake_property(variables CACHE_VARIABLES)
+    set(settings "")
+    foreach(variable IN LISTS variables)
+      get_property(type CACHE ${variable} PROPERTY TYPE)
+      get_property(value CACHE ${variable} PROPERTY VALUE)
+      if(NOT type MATCHES "INTERNAL|STATIC" AND NOT value MATCHES "NOTFOUND$")
+        string(APPEND settings "set(${variable} [==[${value}]==] CACHE STRING \"\" FORCE)\n")
+      endif()
+    endforeach()
+    foreach(variable FIND TARGETS HEADERS)
+      string(APPEND settings
+        "set(${variable} [==[${arg_${variable}}]==] CACHE STRING \"\" FORCE)\n")
+    endforeach()
+    file(WRITE ${work}.cmake "${settings}")
+    file(COPY ${PROJECT_BINARY_DIR}/CMakeFiles/${CMAKE_VERSION} DESTINATION ${work}/CMakeFiles)
+    set(log OUTPUT_FILE ${work}.txt ERROR_FILE ${work}.txt RESULT_VARIABLE status)
+    execute_process(COMMAND ${CMAKE_COMMAND} -C ${work}.cmake -G ${CMAKE_GENERATOR}
+      -S ${assur_optional_folder}/optional_package -B ${work} ${log})
+    if(status EQUAL 0 AND NOT EXISTS ${work}/absent)
+      execute_process(COMMAND ${CMAKE_COMMAND} --build ${work} ${log})
+    endif()
+    if(NOT status EQUAL 0)
+      set(fault "does not work (${work}.txt says why)")
+    elseif(NOT EXISTS ${work}/absent)
+      set(fault "")
+    endif()
+  endif()
+  assur_say_fault("${fault}")
+  if(fault)
+    set(${name}_WORKS FALSE PARENT_SCOPE)
+  else()
+    set(${name}_WORKS TRUE PARENT_SCOPE)
+  endif()
+  set(${name}_FIND "${arg_FIND}" PARENT_SCOPE)
+endfunction()
+
+# assur_optional_program(NAME VARIABLE PROGRAM [RUN ARGUMENT...] [TITLE TEXT] LOSS TEXT): the path of a
+# program that ends well with these arguments, --version if none are given, or nothing.
+function(assur_optional_program name variable program)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "TITLE;LOSS" "RUN")
+  if(NOT DEFINED arg_RUN)
+    set(arg_RUN --version)
+  endif()
+  set(fault "is not installed")
+  if(NOT CMAKE_DISABLE_FIND_PACKAGE_${name})
+    find_program(${variable} ${program})
+    mark_as_advanced(${variable})
+    if(${variable})
+      set(fault "")
+      execute_process(COMMAND ${${variable}} ${arg_RUN} RESULT_VARIABLE status
+        OUTPUT_QUIET ERROR_QUIET)
+      if(NOT status EQUAL 0)
+        list(JOIN arg_RUN " " run)
+        set(fault "does not work (${${variable}} ${run} fails)")
+      endif()
+    endif()
+  endif()
+  assur_say_fault("${fault}")
+  if(fault)
+    set(${variable} "" PARENT_SCOPE)
+  endif()
+endfunction()
+
+# Says, for the two functions above, what is left out.
+macro(assur_say_fault fault)
+  if(NOT DEFINED arg_TITLE)
+    set(arg_TITLE ${name})
+  endif()
+  if(NOT "${fault}" STREQUAL "")
+    set(level STATUS)
+    if(arg_REQUIRED)
+      set(level FATAL_ERROR)
+    endif()
+    message(${level} "${arg_TITLE} ${fault}: ${arg_LOSS}")
+  endif()
+endmacro()
+
+# assur_find_files(TARGET HEADER HEADER [BELOW FOLDER] [LIBRARIES LIBRARY...]): the target of a package
+# that has no file for CMake, where its header and its libraries are found.
+function(assur_find_files target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "HEADER;BELOW" "LIBRARIES")
+  find_path(${target}_FOLDER ${arg_HEADER} PATH_SUFFIXES ${arg_BELOW})
+  set(folder ${${target}_FOLDER})
+  set(files "")
+  foreach(library IN LISTS arg_LIBRARIES)
+    find_library(${target}_${library} ${library})
+    list(APPEND files ${${target}_${library}})
+  endforeach()
+  if(NOT "${folder};${files}" MATCHES "NOTFOUND")
+    add_library(${target} INTERFACE IMPORTED)
+    target_include_directories(${target} INTERFACE ${folder})
+    target_link_libraries(${target} INTERFACE ${files})
+  endif()
+endfunction()

@@ -1,0 +1,13 @@
+// Turns options of a compiler, where it tells of them, under which no error bound and no test for
+// NaN holds into an error. numeric/arithmetic.hpp finds the others when a program runs.
+#pragma once
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error \
+    "assur needs every operation rounded as it is written: compile without -ffast-math, -Ofast and their parts."
+#endif
+#if defined(__FLT_EVAL_METHOD__) && (__FLT_EVAL_METHOD__ == 2 || __FLT_EVAL_METHOD__ < 0)
+#error \
+    "assur needs every operation rounded once, which x87 does not: compile with -msse2 -mfpmath=sse."
+#endif
