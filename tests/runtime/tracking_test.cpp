@@ -224,7 +224,8 @@ TEST(TrackingReport, IsWithinAFifthOfAPercentOfTheEnd) {
 
 TEST(TrackingReport, ChangePointsAndGapsAreNotPassed) {
   // The crank a of a four-bar passes where it is in line with the frame d, or ends there, or begins
-  // beside; with d = b + c - a branches cross there, and a little longer there is a gap.
+  // beside; with d = b + c - a branches cross there, and a little longer there is a gap. It goes at
+  // one speed, or begins at rest, or ends at rest as well.
   using Model = dyad::Model01;
   RandomInputs random(seed);
   int reached = 0;
@@ -236,27 +237,37 @@ TEST(TrackingReport, ChangePointsAndGapsAreNotPassed) {
     const double opening = mechanism % 2 == 0 ? 0 : std::pow(10, random.between(-13, -1));
     const double apart = mechanism % 4 < 2 ? d.BC + d.CD - a : a + std::abs(d.BC - d.CD);
     const double frame = std::max(apart + opening, 0.5);
-    const auto crank = [&](double angle) {
-      const double x = a * std::cos(angle);
-      const double y = a * std::sin(angle);
-      return InputMotion<Model>{{x, y, frame, 0}, {-y, x, 0, 0}, {-x, -y, 0, 0}};
-    };
     const double in_line = mechanism % 4 < 2 ? std::numbers::pi : 0;
     const double width = (mechanism % 8 < 4 ? 1 : -1) * std::pow(10, random.between(-2, -0.5));
     const double from = in_line - width * (mechanism % 3 == 0   ? random.between(0, 1)
                                            : mechanism % 3 == 1 ? 0.5
                                                                 : 1);
     const double to = from + width;
+    const auto crank = [&](double time) {
+      const std::array<double, 3> gone =  // and its derivatives
+          mechanism % 5 == 0 ? std::array{time * time, 2 * time, 2.0}
+          : mechanism % 5 == 1
+              ? std::array{time * time * (3 - 2 * time), 6 * time * (1 - time), 6 - 12 * time}
+              : std::array{time, 1.0, 0.0};
+      const double x = a * std::cos(from + width * gone[0]);
+      const double y = a * std::sin(from + width * gone[0]);
+      const double rate = width * gone[1];
+      const double second = width * gone[2];
+      return InputMotion<Model>{
+          {x, y, frame, 0},
+          {-y * rate, x * rate, 0, 0},
+          {-x * rate * rate - y * second, -y * rate * rate + x * second, 0, 0}};
+    };
     double margin = std::numeric_limits<double>::infinity();
     for (const double angle : {from, in_line, to}) {  // the distance of B and D is extreme in line
       const double r = std::hypot(a * std::cos(angle) - frame, a * std::sin(angle));
       margin = std::min({margin, d.BC + d.CD - r, r - std::abs(d.BC - d.CD)});
     }
-    const auto set = compiled::assemblies<Model>(d, crank(from).u);
+    const auto set = compiled::assemblies<Model>(d, crank(0).u);
     for (int index = 0; index < set.count; ++index) {
       const auto start =
-          branch_point<Model>(d, crank(from), set.configurations[static_cast<std::size_t>(index)]);
-      const auto way = track<Model>(d, crank, from, to, start);
+          branch_point<Model>(d, crank(0), set.configurations[static_cast<std::size_t>(index)]);
+      const auto way = track<Model>(d, crank, 0, 1, start);
       if (way.status != Status::ok) {
         ++stopped;
         continue;
@@ -270,6 +281,30 @@ TEST(TrackingReport, ChangePointsAndGapsAreNotPassed) {
             << '\n';
   EXPECT_GT(reached, 200);
   EXPECT_GT(stopped, 1000);
+}
+
+TEST(TrackingReport, AWholeTurnFromRestToRestIsNotTakenForNoWay) {
+  // Nothing can be assembled where the crank is stretched out, and both ends of the way are alike.
+  using Model = dyad::Model01;
+  const Model::Dimensions<double> d{1.5, 2};
+  const auto crank = [](double time) {
+    const double t = time * time * time;
+    const double angle = 0.3 + 2 * std::numbers::pi * t * (10 + time * (6 * time - 15));
+    const double rate = 60 * std::numbers::pi * time * time * (1 - time) * (1 - time);
+    const double x = 2 * std::cos(angle);
+    const double y = 2 * std::sin(angle);
+    const double second = 120 * std::numbers::pi * time * (1 - time) * (1 - 2 * time);
+    return InputMotion<Model>{{x, y, 3, 0},
+                              {-y * rate, x * rate, 0, 0},
+                              {-x * rate * rate - y * second, -y * rate * rate + x * second, 0, 0}};
+  };
+  const auto set = compiled::assemblies<Model>(d, crank(0).u);
+  ASSERT_EQ(set.count, 2);
+  for (const auto& q : {set.configurations[0], set.configurations[1]}) {
+    const auto way = track<Model>(d, crank, 0, 1, branch_point<Model>(d, crank(0), q));
+    EXPECT_EQ(way.status, Status::no_convergence);
+    EXPECT_LT(way.reached, 0.5);
+  }
 }
 
 }  // namespace
