@@ -6,8 +6,6 @@
 #include <assur/support/redundant.hpp>
 #include <assur/support/rigid_motion.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "plan/plan_data.hpp"
 
@@ -22,7 +20,6 @@ using Eigen::Vector2d;
 Vector2d across(const Vector2d& arm) { return {-arm.y(), arm.x()}; }
 
 Vector2d place_of(const Pose<double>& pose) { return {pose.x, pose.y}; }
-Vector2d axis_of(const Pose<double>& pose) { return {pose.direction.cos, pose.direction.sin}; }
 
 /// The second derivative of c = R(-theta) d along i and j, from that of d and from first
 /// derivatives: R(-theta) d_ij - theta_ij J c - theta_i J c_j - theta_j J c_i + theta_i theta_j c,
@@ -77,9 +74,6 @@ Frame seen_from(const Frame& one, const Frame& other) {
   return result;
 }
 
-/// The angle reduced to [-pi, pi].
-double reduced(double angle) { return std::remainder(angle, 2 * std::numbers::pi); }
-
 }  // namespace
 
 Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
@@ -95,38 +89,70 @@ AllConstraints::AllConstraints(const Values& values)
       mechanism_(values.plan().mechanism),
       pairs_(held_pairs(mechanism_, values.plan().redundant)),
       column_of_(mechanism_.links().size(), -1),
-      pivot_on_(mechanism_.links().size(), FeatureIndex()) {
+      body_({}, 0) {
   for (const HeldPair& pair : pairs_) {
-    rows_ += std::ranges::count(pair.holds, true);
     for (const FeatureIndex feature : {pair.first, pair.second}) {
       const LinkIndex link = mechanism_.features()[feature].link;
       if (link != mechanism_.ground() && column_of_[link] < 0) {
         column_of_[link] = unknowns();
-        pivot_on_[link] = feature;
         moving_.push_back(link);
       }
     }
   }
 }
 
-template <typename Visit>
-void AllConstraints::for_each_row(const Visit& visit) const {
-  Eigen::Index row = 0;
+AllConstraints::Body::Pairs AllConstraints::held() const {
+  const auto place_of_link = [this](FeatureIndex feature) {
+    const Eigen::Index column = column_of_[mechanism_.features()[feature].link];
+    return column < 0 ? -1 : static_cast<int>(column / 3);
+  };
+  Body::Pairs held;
   for (const HeldPair& pair : pairs_) {
-    for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
-      if (pair.holds[static_cast<std::size_t>(coordinate)]) {
-        visit(row++, coordinate, pair);
-      }
+    held.push_back({place_of_link(pair.first), place_of_link(pair.second),
+                    values_.frame(pair.first).pose, values_.frame(pair.second).pose, pair.holds});
+    if (pair.driver.exists()) {
+      held.back().driven = pair.driven;
+      held.back().wanted = values_.motion(pair.driver).position.value();
     }
+  }
+  return held;
+}
+
+AllConstraints::Body::Poses AllConstraints::moving_poses(const Poses& links) const {
+  Body::Poses poses;
+  for (const LinkIndex link : moving_) {
+    poses.push_back(links[link]);
+  }
+  return poses;
+}
+
+void AllConstraints::place(const Body::Poses& moved, Poses& links) const {
+  for (std::size_t place = 0; place < moving_.size(); ++place) {
+    links[moving_[place]] = moved[place];
   }
 }
 
-Pose<double> AllConstraints::placed(FeatureIndex feature, const Poses& links) const {
-  return support::pose_in(links[mechanism_.features()[feature].link], values_.frame(feature).pose);
+void AllConstraints::measure(const Poses& links) {
+  body_ = Body(held(), static_cast<int>(moving_.size()));
+  body_.measure(moving_poses(links));
 }
 
-Vector2d AllConstraints::pivot(LinkIndex link, const Poses& links) const {
-  return place_of(placed(pivot_on_[link], links));
+Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
+  return body_.misses(moving_poses(links));
+}
+
+Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
+  return body_.jacobian(moving_poses(links));
+}
+
+void AllConstraints::move(const Eigen::VectorXd& step, Poses& links) const {
+  Body::Poses poses = moving_poses(links);
+  body_.move(step, poses);
+  place(poses, links);
+}
+
+Eigen::VectorXd AllConstraints::step(const Poses& from, const Poses& to) const {
+  return body_.step(moving_poses(from), moving_poses(to));
 }
 
 Frame AllConstraints::relative(const HeldPair& pair, const Links& links) const {
@@ -155,101 +181,11 @@ void AllConstraints::set_slides(const Links& links, std::vector<SlideState>& sli
   }
 }
 
-void AllConstraints::measure(const Poses& links) {
-  double longest = 0;
-  double farthest = 0;
-  const auto include = [&](FeatureIndex feature) {
-    const LinkIndex link = mechanism_.features()[feature].link;
-    const Vector2d at = place_of(placed(feature, links));
-    farthest = std::max(farthest, at.norm());
-    if (column_of_[link] >= 0) {
-      longest = std::max(longest, (at - pivot(link, links)).norm());
-      farthest = std::max(farthest, place_of(values_.frame(feature).pose).norm());
-    }
-  };
-  for (const HeldPair& pair : pairs_) {
-    include(pair.first);
-    include(pair.second);
-    longest = std::max(
-        longest,
-        (place_of(placed(pair.second, links)) - place_of(placed(pair.first, links))).norm());
-  }
-  size_ = longest > 0 ? longest : std::max(farthest, std::numeric_limits<double>::min());
-  reach_ = 1 + farthest / size_;
-}
-
-Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
-  Eigen::VectorXd result(rows_);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
-    const Pose<double> one = placed(pair.first, links);
-    const Pose<double> other = placed(pair.second, links);
-    const Vector2d apart = place_of(other) - place_of(one);
-    const Vector2d axis = axis_of(one);
-    const double wanted = pair.driver.exists() && pair.driven == coordinate
-                              ? values_.motion(pair.driver).position.value()
-                              : 0;
-    if (coordinate == 2) {
-      result(row) = reduced(angle_of(turned(other.direction, reversed(one.direction))) - wanted);
-    } else {
-      result(row) = ((coordinate == 0 ? axis : across(axis)).dot(apart) - wanted) / size_;
-    }
-  });
-  return result;
-}
-
-// The first feature carries the frame in which the second one is seen. So when the first link
-// moves, the second feature appears to move as a point of that link would, but the opposite way.
-Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rows_, unknowns());
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
-    const Vector2d at = place_of(placed(pair.second, links));
-    const Vector2d axis = axis_of(placed(pair.first, links));
-    const Vector2d seen = coordinate == 0 ? axis : across(axis);
-    for (const auto& [feature, sense] :
-         {std::pair(pair.first, -1.0), std::pair(pair.second, 1.0)}) {
-      const LinkIndex link = mechanism_.features()[feature].link;
-      const Eigen::Index column = column_of_[link];
-      if (column < 0) {
-        continue;
-      }
-      if (coordinate < 2) {
-        result.block<1, 2>(row, column) += sense * seen.transpose();
-      }
-      result(row, column + 2) +=
-          sense * (coordinate == 2 ? 1 : seen.dot(across(at - pivot(link, links))) / size_);
-    }
-  });
-  return result;
-}
-
-void AllConstraints::move(const Eigen::VectorXd& step, Poses& links) const {
-  for (const LinkIndex link : moving_) {
-    const Eigen::Vector3d by = step.segment<3>(column_of_[link]);
-    const Direction<double> turn{std::cos(by(2)), std::sin(by(2))};
-    Pose<double>& pose = links[link];
-    const Vector2d about = pivot(link, links);
-    const Vector2d arm = place_of(pose) - about;
-    const Vector2d origin = about + size_ * by.head<2>() + support::rotated<double>(turn, arm);
-    const Direction<double> direction = turned(pose.direction, turn);
-    const double length = std::hypot(direction.cos, direction.sin);
-    pose = {origin.x(), origin.y(), {direction.cos / length, direction.sin / length}};
-  }
-}
-
-Eigen::VectorXd AllConstraints::step(const Poses& from, const Poses& to) const {
-  Eigen::VectorXd result(unknowns());
-  for (const LinkIndex link : moving_) {
-    const Vector2d shift = pivot(link, to) - pivot(link, from);
-    result.segment<3>(column_of_[link]) << shift / size_,
-        angle_of(turned(to[link].direction, reversed(from[link].direction)));
-  }
-  return result;
-}
-
 Eigen::MatrixXd AllConstraints::first_rates(const Links& links) const {
   const Eigen::Index parameters = std::ssize(values_.columns());
-  Eigen::MatrixXd result(rows_, 1 + parameters);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
+  Eigen::MatrixXd result(body_.rows(), 1 + parameters);
+  body_.for_each_row([&](int row, int coordinate, std::size_t index) {
+    const HeldPair& pair = pairs_[index];
     const Frame at = relative(pair, links);
     result(row, 0) = at.velocity(coordinate);
     result.row(row).tail(parameters) = at.follows.first.row(coordinate);
@@ -267,8 +203,9 @@ Eigen::MatrixXd AllConstraints::first_rates(const Links& links) const {
 
 Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
   const Eigen::Index parameters = values_.second_order() ? std::ssize(values_.columns()) : 0;
-  Eigen::MatrixXd result(rows_, 1 + parameters * parameters);
-  for_each_row([&](Eigen::Index row, Eigen::Index coordinate, const HeldPair& pair) {
+  Eigen::MatrixXd result(body_.rows(), 1 + parameters * parameters);
+  body_.for_each_row([&](int row, int coordinate, std::size_t index) {
+    const HeldPair& pair = pairs_[index];
     const Frame at = relative(pair, links);
     const bool is_driven = pair.driver.exists() && pair.driven == coordinate;
     result(row, 0) =
@@ -296,7 +233,7 @@ bool AllConstraints::let_on(Links links) const {
     link.acceleration.setZero();
     link.follows.set_zero(std::ssize(values_.columns()), values_.second_order());
     fastest =
-        std::max({fastest, link.velocity.head<2>().norm() / size_, std::abs(link.velocity(2))});
+        std::max({fastest, link.velocity.head<2>().norm() / size(), std::abs(link.velocity(2))});
   }
   if (first_rates(links).col(0).norm() > rounding_of_rates * fastest) {
     return false;
@@ -310,32 +247,31 @@ bool AllConstraints::let_on(Links links) const {
   return !(left > rounding_of_second_rates * (open.norm() + fastest * fastest));
 }
 
-Eigen::Vector3d AllConstraints::moved(LinkIndex link, const Pose<double>& pose,
-                                      const Eigen::VectorXd& rates) const {
-  const Eigen::Vector3d of = rates.segment<3>(column_of_[link]);
-  const Pose<double> about = support::pose_in(pose, values_.frame(pivot_on_[link]).pose);
-  Eigen::Vector3d result;
-  result << size_ * of.head<2>() + of(2) * across(place_of(pose) - place_of(about)), of(2);
-  return result;
-}
-
 void AllConstraints::add_first(const Eigen::MatrixXd& rates, Links& links) const {
-  for (const LinkIndex link : moving_) {
-    Frame& frame = links[link];
-    frame.velocity += moved(link, frame.pose, rates.col(0));
+  const Body::Poses poses = moving_poses(poses_of(links));
+  for (std::size_t place = 0; place < moving_.size(); ++place) {
+    Frame& frame = links[moving_[place]];
+    const auto moved = [&](Eigen::Index column) {
+      return body_.rates_of(static_cast<int>(place), rates.col(column), poses);
+    };
+    frame.velocity += moved(0);
     for (Eigen::Index column = 1; column < rates.cols(); ++column) {
-      frame.follows.first.col(column - 1) += moved(link, frame.pose, rates.col(column));
+      frame.follows.first.col(column - 1) += moved(column);
     }
   }
 }
 
 void AllConstraints::add_second(const Eigen::MatrixXd& rates, Links& links) const {
   const Eigen::Index parameters = std::ssize(values_.columns());
-  for (const LinkIndex link : moving_) {
-    Frame& frame = links[link];
-    frame.acceleration += moved(link, frame.pose, rates.col(0));
+  const Body::Poses poses = moving_poses(poses_of(links));
+  for (std::size_t place = 0; place < moving_.size(); ++place) {
+    Frame& frame = links[moving_[place]];
+    const auto moved = [&](Eigen::Index column) {
+      return body_.rates_of(static_cast<int>(place), rates.col(column), poses);
+    };
+    frame.acceleration += moved(0);
     for (Eigen::Index column = 1; column < rates.cols(); ++column) {
-      const Eigen::Vector3d second = moved(link, frame.pose, rates.col(column));
+      const Eigen::Vector3d second = moved(column);
       for (std::size_t row = 0; row < 3; ++row) {
         frame.follows.second[row]((column - 1) / parameters, (column - 1) % parameters) +=
             second(static_cast<Eigen::Index>(row));

@@ -1,11 +1,11 @@
-// Turns the poses of a mechanism's links into the residuals of all its constraints and their
-// derivatives, including the constraints that a plan leaves out.
+// All constraints of a mechanism, with those that a plan leaves out: by how much they miss where
+// its links stand, and their derivatives.
 #pragma once
 
+#include <assur/local/body_constraints.hpp>
 #include <assur/mechanism/held_pairs.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
-#include <limits>
 #include <vector>
 
 namespace assur::mechanism::solve {
@@ -13,27 +13,29 @@ namespace assur::mechanism::solve {
 /// The poses of links.
 [[nodiscard]] Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links);
 
-/// The constraints f(q) = 0 of a whole mechanism, body by body: q has three rows for each link but
-/// the ground: the shift of a joint on it, in parts of the mechanism's size, and the angle by which
-/// it turns about that joint. A joint's rows of f are the coordinates of one of its features in the
-/// frame of the other, lengths in parts of the size.
+/// All constraints f(q) = 0 of a mechanism, in which every link but the ground moves: see
+/// BodyConstraints, to which this adds what the tables of a mechanism hold, rates and derivatives.
 class AllConstraints {
  public:
   using Links = Table<LinkIndex, Frame>;
   using Poses = Table<LinkIndex, Pose<double>>;
 
+  using Body = local::BodyConstraints<Eigen::Dynamic, Eigen::Dynamic,
+                                      std::vector<local::HeldFeatures<double>>>;
+
   /// The values must outlive it.
   explicit AllConstraints(const Values& values);
 
-  /// Sets `size` and `reach` from where the links are.
+  /// Reads the present values, and sets size and reach from where the links are.
   void measure(const Poses& links);
-  [[nodiscard]] double size() const { return size_; }
-  /// One plus the distance of the mechanism from the origin, in parts of the size.
-  [[nodiscard]] double reach() const { return reach_; }
-  /// The residual of the constraints that rounding may cause, in parts of the size.
-  [[nodiscard]] double rounding() const {
-    return 4 * std::numeric_limits<double>::epsilon() * reach_;
-  }
+  /// The constraints at the values that were read.
+  [[nodiscard]] const Body& body() const { return body_; }
+  [[nodiscard]] double size() const { return body_.size(); }
+  [[nodiscard]] double reach() const { return body_.reach(); }
+  [[nodiscard]] double rounding() const { return body_.rounding(); }
+  /// Where the links that move stand, by their places in q.
+  [[nodiscard]] Body::Poses moving_poses(const Poses& links) const;
+  void place(const Body::Poses& moved, Poses& links) const;
 
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * std::ssize(moving_); }
   /// The links that q moves, and the first of the three rows of such a link.
@@ -66,29 +68,18 @@ class AllConstraints {
   void set_slides(const Links& links, std::vector<SlideState>& slides) const;
 
  private:
-  [[nodiscard]] Pose<double> placed(FeatureIndex feature, const Poses& links) const;
-  [[nodiscard]] Eigen::Vector2d pivot(LinkIndex link, const Poses& links) const;
-  /// The rates (x, y, theta) of a link's frame that rates of q cause.
-  [[nodiscard]] Eigen::Vector3d moved(LinkIndex link, const Pose<double>& pose,
-                                      const Eigen::VectorXd& rates) const;
+  [[nodiscard]] Body::Pairs held() const;
   [[nodiscard]] Frame relative(const HeldPair& pair, const Links& links) const;
   /// The second feature of a slide in the frame of its line; of a prismatic joint the line is the
   /// first feature. The x-coordinate is the displacement.
   [[nodiscard]] Frame along(JointIndex slide, const Links& links) const;
-  [[nodiscard]] double unit(Eigen::Index coordinate) const { return coordinate == 2 ? 1 : size_; }
-  /// Calls `visit(row, coordinate, pair)` for each row of f.
-  template <typename Visit>
-  void for_each_row(const Visit& visit) const;
-
+  [[nodiscard]] double unit(Eigen::Index coordinate) const { return coordinate == 2 ? 1 : size(); }
   const Values& values_;
   const Mechanism& mechanism_;
   std::vector<HeldPair> pairs_;
-  Eigen::Index rows_ = 0;
   std::vector<LinkIndex> moving_;
   Table<LinkIndex, Eigen::Index> column_of_;  ///< of each link; -1 for the ground
-  Table<LinkIndex, FeatureIndex> pivot_on_;   ///< of each link: the point about which q turns it
-  double size_ = 1;
-  double reach_ = 1;
+  Body body_;
 };
 
 }  // namespace assur::mechanism::solve

@@ -1,7 +1,7 @@
 #include "settled_redundancy.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
+#include <assur/local/close.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <assur/support/redundant.hpp>
 #include <cmath>
@@ -15,33 +15,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Its solutions, unlike those of a QR decomposition, leave out directions below the threshold.
-using Factors = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
-
 /// Mechanisms of more links are not settled, since the work grows as the cube of the number.
 constexpr std::size_t most_links = 100;
-/// A singular value below this part of the largest may be rounding.
-constexpr double least_firmness = 1e-9;
-
-/// The ratio of the least singular value to the largest, from the triangle R by inverse iteration.
-double firmness_of(const Factors& factors) {
-  const Eigen::Index count = factors.cols();
-  if (factors.rank() < count) {
-    return 0;
-  }
-  const auto triangle =
-      factors.matrixT().topLeftCorner(count, count).triangularView<Eigen::Upper>();
-  Eigen::VectorXd direction = Eigen::VectorXd::Ones(count).normalized();
-  double least = 0;
-  for (int time = 0; time < 8; ++time) {
-    const Eigen::VectorXd once = triangle.transpose().solve(direction);
-    const Eigen::VectorXd twice = triangle.solve(once);
-    least = 1 / once.norm();
-    direction = twice.normalized();
-  }
-  return least / factors.maxPivot();
-}
-
 }  // namespace
 
 std::optional<SettledRedundancy> SettledRedundancy::made_for(const Values& values) {
@@ -59,36 +34,6 @@ double SettledRedundancy::missed(const AllConstraints::Poses& links) const {
   return constraints_.misses(links).cwiseAbs().maxCoeff();
 }
 
-void SettledRedundancy::close(AllConstraints::Poses& links) const {
-  constexpr int most_tries = 40;
-  constexpr double longest_step = 0.1;
-  constexpr double least_gain = 0.9;
-  for (int time = 0; time < most_tries; ++time) {
-    const Eigen::VectorXd open = constraints_.misses(links);
-    if (!(open.norm() > constraints_.rounding() / 16)) {
-      return;
-    }
-    Factors factors;
-    factors.setThreshold(least_firmness);
-    factors.compute(constraints_.jacobian(links));
-    Eigen::VectorXd step = -factors.solve(open);
-    step *= std::min(1.0, longest_step / step.cwiseAbs().maxCoeff());
-    bool is_better = false;
-    for (int halving = 0; halving < 4 && !is_better; ++halving) {
-      AllConstraints::Poses moved = links;
-      constraints_.move(step, moved);
-      is_better = constraints_.misses(moved).norm() < least_gain * open.norm();
-      if (is_better) {
-        links = std::move(moved);
-      }
-      step /= 2;
-    }
-    if (!is_better) {
-      return;
-    }
-  }
-}
-
 double SettledRedundancy::settle(PlacedLinks& placed) {
   if (!placed.path_known) {  // Their signs may not belong to one configuration.
     std::ranges::fill(placed.determinants, std::numeric_limits<double>::quiet_NaN());
@@ -96,7 +41,9 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
   const double without = gap_of_redundant(values_, placed.links, Status::ok);
   AllConstraints::Poses poses = poses_of(placed.links);
   constraints_.measure(poses);
-  close(poses);
+  AllConstraints::Body::Poses moved = constraints_.moving_poses(poses);
+  local::close(constraints_.body(), moved);
+  constraints_.place(moved, poses);
   for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
     placed.links[link].pose = poses[link];
   }
@@ -124,11 +71,9 @@ double SettledRedundancy::settle_nearby(PlacedLinks& placed) {
 }
 
 void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) {
-  Factors factors;
-  factors.setThreshold(least_firmness);
   const Eigen::MatrixXd jacobian = constraints_.jacobian(poses);
-  factors.compute(jacobian);
-  const double firmness = firmness_of(factors);
+  const auto factors = local::factors_of<AllConstraints::Body>(jacobian);
+  const double firmness = local::firmness_of(factors);
   const double error = constraints_.rounding() / (firmness * firmness);
   placed.is_crossing = !(error < 1);
   goes_on_ = true;

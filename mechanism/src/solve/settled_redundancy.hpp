@@ -50,7 +50,6 @@ class SettledRedundancy {
   [[nodiscard]] Comparison compared_by_misses(const AllConstraints::Poses& first,
                                               const AllConstraints::Poses& second);
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}
-  void close(AllConstraints::Poses& links) const;
   void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed);
   [[nodiscard]] double missed(const AllConstraints::Poses& links) const;
 
