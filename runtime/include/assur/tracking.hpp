@@ -63,12 +63,11 @@ template <typename Model, typename Scalar = double, typename Path>
     return std::copysign((std::min)(std::abs(step), most), step);
   };
   // Inputs that are at rest in one place at both ends of a step may have gone round in between.
-  const auto goes_round = [&](const InputMotion<Model, Scalar>& start,
-                              const InputMotion<Model, Scalar>& end, Scalar next) {
-    const auto stays = [&start](const auto& u) {
-      return detail::largest_difference<Scalar>(start.u, u) <= 0;
+  const auto goes_round = [&](const InputMotion<Model, Scalar>& there, Scalar next) {
+    const auto stays = [&reached_inputs](const auto& u) {
+      return detail::largest_difference<Scalar>(reached_inputs.u, u) <= 0;
     };
-    return start.rate.isZero(0) && end.rate.isZero(0) && stays(end.u) &&
+    return reached_inputs.rate.isZero(0) && there.rate.isZero(0) && stays(there.u) &&
            !stays(path(way.reached + (next - way.reached) / 2).u);
   };
   bool halved = false;
@@ -77,7 +76,7 @@ template <typename Model, typename Scalar = double, typename Path>
     const Scalar next = rest <= std::abs(width) ? to : way.reached + width;
     const InputMotion<Model, Scalar> inputs = path(next);
     BranchPoint<Model, Scalar> end;
-    if (!goes_round(reached_inputs, inputs, next) &&
+    if (!goes_round(inputs, next) &&
         detail::step_along<Model, Scalar>(d, reached_inputs, inputs, next - way.reached,
                                           inverse_size, way.point, end)) {
       way.point = end;
