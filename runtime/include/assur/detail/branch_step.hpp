@@ -141,7 +141,9 @@ template <typename Scalar, typename Inputs, typename Values>
   });
   const Scalar tangent = largest_difference<Scalar>(straight, from);
   const Scalar chord = largest_difference<Scalar>(to, from);
-  if (!(2 * largest_difference<Scalar>(straight, to) <= (std::max)(tangent, chord))) {
+  const Scalar rounding =
+      4 * std::numeric_limits<Scalar>::epsilon() * (1 + longest_length(from)) / part;
+  if (!(2 * largest_difference<Scalar>(straight, to) <= (std::max)(tangent, chord) + rounding)) {
     return ~PivotSet{};
   }
   return vanishing_pivots(pivots, pivots_beside, part);
