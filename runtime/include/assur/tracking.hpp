@@ -65,7 +65,8 @@ template <typename Model, typename Scalar = double, typename Path>
   // Inputs that are at rest in one place at both ends of a step may have gone round in between.
   const auto goes_round = [&](const InputMotion<Model, Scalar>& there, Scalar next) {
     const auto stays = [&reached_inputs](const auto& u) {
-      return detail::largest_difference<Scalar>(reached_inputs.u, u) <= 0;
+      return detail::largest_difference<Scalar>(reached_inputs.u, u) <=
+             4 * std::numeric_limits<Scalar>::epsilon() * (1 + longest_length(u));
     };
     return reached_inputs.rate.isZero(0) && there.rate.isZero(0) && stays(there.u) &&
            !stays(path(way.reached + (next - way.reached) / 2).u);
