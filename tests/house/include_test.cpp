@@ -182,7 +182,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "directions|variables|columns|detail/(index|members|numbers|refused_options))")},
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
-       std::regex("detail/"
+       std::regex("local/(body_constraints|close)|detail/"
                   "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
                   "closed_form|closure_geometry|completion|first_values|limit_turns|"
                   "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
