@@ -80,7 +80,7 @@ template <typename System>
 template <typename System>
 void close(const System& system, typename System::Poses& poses) {
   using Scalar = typename System::Scalar;
-  constexpr int most_tries = 40;
+  constexpr int most_tries = 40;  // bounds the effort: steps that gain are far fewer
   constexpr Scalar longest_step = static_cast<Scalar>(0.1);
   constexpr Scalar least_gain = static_cast<Scalar>(0.9);
   typename System::Open open = system.misses(poses);

@@ -278,7 +278,7 @@ class Search {
   States& states_;
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
-  bool is_unsure_ = false;  ///< whether a group had no configuration behind nearly singular ones
+  bool is_unsure_ = false;    ///< whether a group had no configuration behind nearly singular ones
   bool is_moderate_ = false;  ///< whether all arguments are
   Configurations current_;
   std::array<std::size_t, group_count> choices_{};  ///< the numbers of the groups' configurations
