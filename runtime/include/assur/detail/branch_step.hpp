@@ -149,6 +149,22 @@ template <typename Scalar, typename Inputs, typename Values>
   return vanishing_pivots(pivots, pivots_beside, part);
 }
 
+/// Whether no pivot can vanish within twice a step back from its end, if no member turns by more
+/// than `turn` on the step and no rate changes by more than `bend` along it: a pivot's second
+/// derivative is at most four times its size per square of the turn and twice its size per bend.
+template <typename Model, typename Scalar>
+[[nodiscard]] bool keep_their_signs(const Vector<Scalar, Model::pivot_count>& start,
+                                    const Pivots<Model, Scalar>& end, Scalar turn, Scalar bend) {
+  const Scalar bound = 4 * turn * turn + 2 * bend;
+  bool keep = true;
+  for (int index = 0; index < Model::pivot_count; ++index) {
+    const Scalar value = end.values(index);
+    const Scalar beyond = 2 * start(index) - value;
+    keep = keep && std::copysign(beyond, value * beyond) > bound * end.sizes(index);
+  }
+  return keep;
+}
+
 /// Whether J may have been singular within a step: a pivot changes its sign, or may vanish as seen
 /// from both ends. The latter is so where the step has passed over a crossing of branches to the
 /// one whose pivots have the same signs, or over a gap in which nothing can be assembled.

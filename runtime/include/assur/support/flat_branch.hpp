@@ -12,8 +12,7 @@
 namespace assur::support {
 
 /// Copies between a branch and numbers, always in the same order: the positions of drivers and
-/// parameters, then for each group u, q, J^-1, the
-/// pivots and the firmness.
+/// parameters, then for each group u, q, J^-1 and the pivots.
 template <typename Solver>
 class FlatBranch {
   using Branch = support::Branch<Solver, double>;
@@ -34,7 +33,7 @@ class FlatBranch {
         (std::size_t{0} + ... +
          (count_of<typename Group::template Inputs<double>> +
           count_of<typename Group::template Configuration<double>> + inverse_size<Group> +
-          pivot_count<Group> + 1));
+          pivot_count<Group>));
   };
 
  public:
@@ -75,7 +74,6 @@ class FlatBranch {
     visitor(static_cast<void*>(&point.q), count_of<decltype(point.q)>);
     visitor(point.inverse.data(), inverse_size<Group>);
     visitor(point.pivots.data(), pivot_count<Group>);
-    visitor(&point.firmness, std::size_t{1});
   }
 };
 

@@ -147,16 +147,27 @@ struct Access {
   }
   /// Whether no position, and no rate, reaches a limit.
   [[nodiscard]] static bool are_below(Given given, Scalar limit) {
-    bool below = true;
-    for (const Scalar* position : given.positions()) {
-      below = below && std::abs(*position) < limit;
-    }
+    const auto below = [limit](const auto*... value) {
+      return ((std::abs(*value) < limit) && ...);
+    };
     if constexpr (Solver::order > 0) {
-      for (const Scalar* rate : drivers_of(given).rates()) {
-        below = below && std::abs(*rate) < limit;
+      if (!std::apply(below, drivers_of(given).rates())) {
+        return false;
       }
     }
-    return below;
+    return std::apply(below, given.positions());
+  }
+  [[nodiscard]] static bool parameters_differ(Given from, Given to) {
+    if constexpr (has_parameters<Solver>) {
+      return std::apply(
+          [&to](const auto*... start) {
+            return std::apply([=](const auto*... end) { return ((*start != *end) || ...); },
+                              to.parameters.values());
+          },
+          from.parameters.values());
+    } else {
+      return false;
+    }
   }
   /// Sets where a group's external joints are held.
   template <typename Held>

@@ -21,7 +21,6 @@ struct GroupPoint {
   typename Group::template Configuration<Scalar> q;
   Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
   Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
-  Scalar firmness = 0;  ///< the smallest pivot, in parts of what it could be at most
 };
 
 template <typename Groups, typename Scalar>
@@ -105,7 +104,7 @@ class Tracker {
       return way;
     }
     const Scalar turn = largest_turn(branch.given, to);
-    const bool moves_by_formulas = Own::has_laws || parameters_move(branch.given, to);
+    const bool moves_by_formulas = Own::has_laws || Own::parameters_differ(branch.given, to);
     // No driver turns by more than a radian: after a full turn the groups are held as before.
     const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;
@@ -166,29 +165,15 @@ class Tracker {
     return turn;
   }
 
-  [[nodiscard]] static bool parameters_move(Given from, Given to) {
-    const auto starts = from.positions();
-    const auto ends = to.positions();
-    bool move = false;
-    for (std::size_t index = Own::drivers_of(from).positions().size(); index < starts.size();
-         ++index) {
-      move = move || *starts[index] != *ends[index];
-    }
-    return move;
-  }
-
   template <typename Group>
   using Held = HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count>;
 
-  /// Sets the pivots where a group stands, and tells how regular the group is there; singular where
-  /// it is not known on which branch the group is.
+  /// How regular a group is; singular where it is not known on which branch it is.
   template <typename Group>
-  [[nodiscard]] static Status look(GroupPoint<Group, Scalar>& point) {
+  [[nodiscard]] static Status look(const GroupPoint<Group, Scalar>& point,
+                                   const detail::Pivots<Specialised<Group>, Scalar>& pivots) {
     using Model = Specialised<Group>;
     const typename Model::template Dimensions<Scalar> d;
-    const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
-    point.pivots = pivots.values;
-    point.firmness = (pivots.values.array().abs() / pivots.sizes.array()).minCoeff();
     const auto regularity = detail::regularity_at<Model, Scalar>(pivots, d, point.u, point.q);
     return regularity.knows_velocities() ? regularity.status : Status::singular;
   }
@@ -221,7 +206,10 @@ class Tracker {
       point.q = std::get<Place>(found);
       Model::inverse_jacobian(typename Model::template Dimensions<Scalar>(), point.u, point.q,
                               point.inverse);
-      const Status status = look(point);
+      const auto pivots = detail::pivots_at<Model, Scalar>(
+          typename Model::template Dimensions<Scalar>(), point.u, point.q);
+      point.pivots = pivots.values;
+      const Status status = look(point, pivots);
       if (!is_solvable(status)) {
         branch.status = status;
         return;
@@ -338,16 +326,18 @@ class Tracker {
                                                     end.inverse)) {
       return Status::no_convergence;
     }
+    const auto pivots = detail::pivots_at<Model, Scalar>(d, end.u, end.q);
+    end.pivots = pivots.values;
     // What holds the group moves in arcs, of which the prediction knows the chord alone: the arc
-    // begins up to half a turn off it. A pivot changes by at most twice its largest size per
-    // radian.
+    // begins up to half a turn off it.
     const Scalar turn = detail::turn_of<Model, Scalar>(predicted, inverse_size);
-    const Scalar bend =
+    const Scalar held =
         size.turn * (std::max)(detail::largest_difference<Scalar>(start.u, end.u), size.turn);
-    size.is_small =
-        size.is_small && 4 * (turn + bend * start.inverse.cwiseAbs().sum()) < start.firmness;
+    const Scalar bend = start.inverse.cwiseAbs().sum() * (held + turn * turn);
+    size.is_small = size.is_small && detail::keep_their_signs<Model, Scalar>(start.pivots, pivots,
+                                                                             turn + bend, bend);
     size.turn = (std::max)(size.turn, turn);
-    const Status status = look(end);
+    const Status status = look(end, pivots);
     Group::residual(start.u, end.q, f);
     const Unknowns back = -detail::product(end.inverse, f);
     const Unknowns defect = way - (predicted - back) / 2;
