@@ -105,7 +105,7 @@ class SceneEmitter {
     view_.set("drivers", drivers);
     view_.set("driver_list", text::joined(names, ", ", std::identity()));
     view_.set("driver_count", std::to_string(names.size()));
-    branch_numbers_ += names.size();
+    branch_numbers_ += 1 + 2 * names.size();
     view_.set("turning_drivers", std::to_string(turning.size()));
     bool has_laws = false;
     for (const mechanism::DriverIndex driver : solver_.mechanism().drivers().keys()) {
@@ -139,7 +139,7 @@ class SceneEmitter {
     }
     view_.set("variables", variables);
     view_.set("variable_count", std::to_string(variables.size()));
-    branch_numbers_ += variables.size();
+    branch_numbers_ += 2 * variables.size();
     view_.set("variable_list",
               text::joined(solver_.variable, ", ",
                            [](const VariableParameter& one) { return "&" + one.member; }));

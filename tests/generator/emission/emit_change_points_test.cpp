@@ -1,5 +1,5 @@
-// Law: `track` of an emitted solver never reports that it reached an end to which its branch does
-// not lead through regular configurations.
+// Law: `track` of an emitted solver goes on smoothly where branches cross, as sweeps do, and
+// reports no end to which its branch does not lead.
 #include <gtest/gtest.h>
 
 #include "generator/solver_comparison.hpp"
@@ -177,9 +177,233 @@ int main() {
   EXPECT_GT(stopped, 60);
 }
 
-TEST(EmitChangePoints, TracksStopOrStayOnTheirBranch) {
+/// Parallelograms in a row, each with a crank of the next: all have change points together.
+Json parallelograms(int count) {
+  SceneMaker maker;
+  for (int index = 0; index <= count; ++index) {
+    const std::string number = std::to_string(index);
+    maker.point("ground", "A" + number, 3 * index, 0);
+    maker.bar("crank" + number, {{"A" + number, 0}});
+    if (index > 0) {
+      maker.point("crank" + number, "C" + number, 1, 0);
+      maker.bar("coupler" + number, {{"B" + number, 0}, {"C" + number, 3}});
+    }
+    if (index < count) {
+      maker.point("crank" + number, "B" + std::to_string(index + 1), 1, 0);
+    }
+  }
+  return maker.drive("A0", "p", 0, 0).parameter("p", 0.7).scene();
+}
+
+Json four_bar_of(double crank, double coupler, double rocker, double frame) {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}, {"D", frame}}).bar("crank", {{"A", 0}, {"B", crank}});
+  maker.bar("coupler", {{"B", 0}, {"C", coupler}}).bar("rocker", {{"D", 0}, {"C", rocker}});
+  return maker.drive("A", "p", 0, 0).parameter("p", 0.7).scene();
+}
+
+Json of_one_parameter(Json scene, const char* driver) {
+  scene["parameters"] = {{"p", 0.7}};
+  scene["drivers"][driver]["position"] = "p";
+  return scene;
+}
+
+/// A parallelogram with two bars that hang on its coupler.
+Json hung_on_a_parallelogram() {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}, {"D", 3}}).point("ground", "G", 5, 1);
+  maker.bar("crank", {{"A", 0}, {"B", 1}}).bar("coupler", {{"B", 0}, {"C", 3}});
+  maker.point("coupler", "P", 1.5, 0.7).bar("rocker", {{"D", 0}, {"C", 1}});
+  maker.bar("upper", {{"P", 0}, {"Q", 2.5}}).bar("lower", {{"G", 0}, {"Q", 2.2}});
+  return maker.drive("A", "p", 0, 0).parameter("p", 0.7).scene();
+}
+
+/// A crank that turns a slotted arm from the same distance: they fold onto the arm's pivot.
+Json slotted_arm() {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}, {"D", 1}}).bar("crank", {{"A", 0}, {"B", 1}});
+  maker.bar("arm", {{"D", 0}, {"T", 2}}).line("arm", "S", {0, 0}, {1, 0});
+  maker.bar("block", {{"B", 0}}).line("block", "S", {0, 0}, {1, 0});
+  return maker.slide("S", "arm.S", "block.S").drive("A", "p", 0, 0).parameter("p", 0.7).scene();
+}
+
+/// The rows of a table, by the names of its columns. No cell holds a comma.
+std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  std::vector<std::string> names;
+  std::vector<std::map<std::string, std::string>> rows;
+  while (std::getline(lines, line)) {
+    std::vector<std::string> cells(1);
+    for (const char letter : line) {
+      letter == ',' ? void(cells.emplace_back()) : cells.back().push_back(letter);
+    }
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    auto& row = rows.emplace_back();
+    for (std::size_t index = 0; index < names.size(); ++index) {
+      row[names[index]] = cells.at(index);
+    }
+  }
+  return rows;
+}
+
+/// Where sweeps pass change points, begin beside them and end on them, and have rows on them:
+/// tracks have the rows of the sweep's branches.
+TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
+  std::vector<std::pair<std::string, Json>> scenes = {
+      {"two_parallelograms", parallelograms(2)},
+      {"in_line", four_bar_of(2, 4, 3, 5)},
+      {"kite", four_bar_of(2, 3, 3, 2)},
+      {"crank_and_rod", of_one_parameter(crank_by_rocker(), "A")},
+      {"slotted_arm", slotted_arm()}};
+  if (is_whole_campaign()) {
+    scenes.insert(scenes.end(), {{"one_parallelogram", parallelograms(1)},
+                                 {"three_parallelograms", parallelograms(3)},
+                                 {"other_kite", four_bar_of(2, 2, 3, 3)},
+                                 {"rhombus", four_bar_of(1, 1, 1, 1)},
+                                 {"hung", hung_on_a_parallelogram()}});
+  }
+  struct Sweep {
+    double from, to;
+    int steps;
+  };
+  constexpr double pi = 3.141592653589793;
+  const std::vector<Sweep> sweeps = {{0.1, 6.383, 20}, {pi / 6, 13 * pi / 6, 24}, {-0.3, 0.3, 60}};
+  const TemporaryDirectory directory;
+  std::string includes;
+  std::ostringstream calls;
+  std::map<std::string, std::vector<std::string>> outputs;
+  calls.precision(17);
+  for (const auto& [stem, made] : scenes) {
+    Json scene = made;
+    scene["want"] = {"position"};
+    const auto file = directory.write(stem + ".json", scene.dump());
+    emit_solver({file, stem, struct_of(stem), {}}, directory);
+    includes += "#include <assur/scenes/" + stem + ".hpp>\n";
+    calls << "  {\n    using Solver = assur::scenes::" << struct_of(stem) << ";\n"
+          << "    const auto numbers = [](const auto& s) { return std::vector<double>{";
+    for (const auto& [name, feature] : scene["outputs"].items()) {
+      outputs[stem].push_back(name);
+      for (const char* const axis : {"x", "y"}) {
+        calls << "static_cast<double>(s.outputs." << name << ".position." << axis << "()), ";
+      }
+    }
+    calls << "}; };\n";
+    for (const Sweep& sweep : sweeps) {
+      for (const char* const scalar : {"double", "float"}) {
+        calls << "    follow<Solver, " << scalar << ">(" << sweep.from << ", " << sweep.to << ", "
+              << sweep.steps << ", numbers);\n";
+      }
+    }
+    calls << "  }\n";
+  }
+  // For each configuration at the first step a line for each further one that a track reaches.
+  const auto source = directory.write("sweeps.cpp", includes + R"(#include <array>
+#include <cstdio>
+#include <vector>
+template <typename Solver, typename Scalar, typename Numbers>
+void follow(double from, double to, int steps, const Numbers& numbers) {
+  typename Solver::template Drivers<Scalar> drivers;
+  std::array<typename Solver::template State<Scalar>, Solver::max_configurations> states;
+  *drivers.positions()[0] = static_cast<Scalar>(from);
+  const int count = Solver::solve(drivers, states).count;
+  std::printf("%d\n", count);
+  for (int configuration = 0; configuration < count; ++configuration) {
+    *drivers.positions()[0] = static_cast<Scalar>(from);
+    auto branch = Solver::branch(drivers, configuration);
+    typename Solver::template State<Scalar> state;
+    int step = 1;
+    for (; step <= steps; ++step) {
+      *drivers.positions()[0] = static_cast<Scalar>(from + (to - from) * step / steps);
+      if (!assur::is_solvable(Solver::track(drivers, branch, state).status)) {
+        break;
+      }
+      std::printf("%d", step);
+      for (const double number : numbers(state)) {
+        std::printf(" %.17g", number);
+      }
+      std::printf("\n");
+    }
+    std::printf("0\n");
+  }
+}
+int main() {
+)" + calls.str() + "}\n");
+  const std::string program = (directory.path() / "sweeps").string();
+  compile_program(source, program, directory);
+  ASSERT_EQ(std::system((program + " > " + program + ".txt").c_str()), 0);
+  std::istringstream printed(read_file(program + ".txt"));
+  int rows = 0;
+  int rows_in_float = 0;
+  double largest = 0;
+  double largest_in_float = 0;
+  for (const auto& [stem, made] : scenes) {
+    for (const Sweep& sweep : sweeps) {
+      Json scene = made;
+      scene["want"] = {"position"};
+      scene["sweep"] = {
+          {"parameter", "p"}, {"from", sweep.from}, {"to", sweep.to}, {"count", sweep.steps + 1}};
+      const CommandResult solved = run_assur(
+          "solve " + directory.write("swept.json", scene.dump()).string() + " --format csv");
+      ASSERT_LE(solved.status, 1) << solved.messages;  // 1: a set is degenerate
+      const auto table = csv_rows(solved.output);
+      std::map<int, std::string> first;
+      std::map<std::pair<std::string, int>, std::vector<double>> points;
+      for (const auto& row : table) {
+        const std::string& branch = row.at("branch");
+        if (row.at("configuration").empty() || branch.empty()) {
+          continue;
+        }
+        const int step = std::stoi(row.at("step"));
+        if (step == 0) {
+          first[std::stoi(row.at("configuration"))] = branch;
+        }
+        for (const std::string& output : outputs[stem]) {
+          for (const char* const axis : {".x", ".y"}) {
+            points[{branch, step}].push_back(std::stod(row.at(output + axis)));
+          }
+        }
+      }
+      for (const bool is_float : {false, true}) {
+        int count = 0;
+        printed >> count;
+        EXPECT_EQ(count, static_cast<int>(first.size())) << stem;
+        for (int configuration = 1; configuration <= count; ++configuration) {
+          int reached = 0;
+          for (int step = 0; printed >> step && step != 0; reached = step) {
+            const auto& expected = points[{first[configuration], step}];
+            double apart = 0;
+            for (std::size_t index = 0; index < 2 * outputs[stem].size(); ++index) {
+              double number = 0;
+              printed >> number;
+              // Where the library's set is degenerate it has no row.
+              apart = expected.empty() ? 0 : std::max(apart, std::abs(number - expected[index]));
+            }
+            EXPECT_LT(apart, is_float ? 2e-3 : 1e-8)
+                << stem << " from " << sweep.from << ", configuration " << configuration
+                << ", step " << step;
+            (is_float ? largest_in_float : largest) =
+                std::max(is_float ? largest_in_float : largest, apart);
+            ++(is_float ? rows_in_float : rows);
+          }
+          EXPECT_TRUE(is_float || reached == sweep.steps)
+              << stem << " from " << sweep.from << ", configuration " << configuration
+              << " stops behind step " << reached;
+        }
+      }
+    }
+  }
+  std::printf("%d rows, off by %.1e at most; %d in float, by %.1e\n", rows, largest, rows_in_float,
+              largest_in_float);
+  EXPECT_GT(rows_in_float, rows / 2);
+}
+
+TEST(EmitChangePoints, TracksStayOnTheirBranchOrStop) {
   constexpr unsigned seed = 61;
-  const int mechanisms = is_whole_campaign() ? 10000 : 300;
+  const int mechanisms = is_whole_campaign() ? 20000 : 300;
   const TemporaryDirectory directory;
   const auto four = directory.write("four_bar.json", four_bar().dump());
   const auto slider = directory.write("slider_crank.json", slider_crank().dump());
@@ -199,16 +423,23 @@ TEST(EmitChangePoints, TracksStopOrStayOnTheirBranch) {
   std::istringstream printed(read_file(program + ".txt"));
   for (const char* const scalar : {"double", "float"}) {
     int reached = 0;
+    int passed = 0;
     int stopped = 0;
     int stopped_early = 0;
+    int stopped_at_change_points = -1;
     int wrong = -1;
-    printed >> reached >> stopped >> stopped_early >> wrong;
-    std::printf("%s, seed %u: %d tracks reached their end, %d stopped, %d of them early\n", scalar,
-                seed, reached, stopped, stopped_early);
+    printed >> reached >> passed >> stopped >> stopped_early >> stopped_at_change_points >> wrong;
+    std::printf(
+        "%s, seed %u: %d tracks reached their end, %d of them through a change point; "
+        "%d stopped, %d of them early and %d at a change point\n",
+        scalar, seed, reached, passed, stopped, stopped_early, stopped_at_change_points);
     EXPECT_EQ(wrong, 0) << scalar;
     EXPECT_EQ(stopped_early, 0) << scalar;
+    // In float a branch that begins close to a change point may be too little known to go on.
+    EXPECT_LE(stopped_at_change_points, scalar == std::string("double") ? 0 : passed / 8) << scalar;
+    EXPECT_GT(passed, mechanisms / 10) << scalar;
     EXPECT_GT(reached, mechanisms);
-    EXPECT_GT(stopped, mechanisms);
+    EXPECT_GT(stopped, mechanisms / 2);
   }
 }
 

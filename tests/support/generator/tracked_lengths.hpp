@@ -13,6 +13,24 @@ namespace assur::test {
 
 constexpr double pi = 3.141592653589793;
 
+/// How far a mechanism is from its change points along a way of its crank.
+struct Margin {
+  double least = std::numeric_limits<double>::infinity();  ///< in parts of the lengths
+  int change_points = 0;                                   ///< that the way passes
+  bool ends_on_one = false;  ///< or begins on one, up to what `track` takes for one
+
+  /// Branches meet at an angle of the crank where the margin vanishes.
+  void look(double angle, long double margin, double from, double to) {
+    constexpr double beside = 1e-2;  // in float velocities are not known there
+    least = std::min(least, static_cast<double>(margin));
+    if (std::abs(margin) < rounding) {
+      ends_on_one |= std::min(std::abs(angle - from), std::abs(angle - to)) < beside;
+      change_points += std::min(from, to) < angle && angle < std::max(from, to) ? 1 : 0;
+    }
+  }
+  static constexpr double rounding = 1e-15;  ///< openings in double are five times as large
+};
+
 /// A four-bar with crank a, coupler b, rocker c and frame d.
 struct FourBarLengths {
   using Solver = assur::scenes::FourBar;
@@ -21,14 +39,14 @@ struct FourBarLengths {
   /// How far the angle at the rocker's pin is from stretched and from folded along a way of the
   /// crank, in parts of the lengths: the distance r of B and D goes from |b - c| to b + c. It is
   /// extreme at the ends, and where the crank is in line with the frame.
-  [[nodiscard]] double least_margin(double from, double to) const {
-    double least = std::numeric_limits<double>::infinity();
+  [[nodiscard]] Margin margin(double from, double to) const {
+    Margin result;
     const auto look = [&](double angle) {
       const long double r = std::hypot(a * std::cos(static_cast<long double>(angle)) - d,
                                        a * std::sin(static_cast<long double>(angle)));
       const long double margin = std::min<long double>(
           b + static_cast<long double>(c) - r, r - std::abs(b - static_cast<long double>(c)));
-      least = std::min(least, static_cast<double>(margin) / (a + b + c + d));
+      result.look(angle, margin / (a + b + c + d), from, to);
     };
     look(from);
     look(to);
@@ -36,7 +54,7 @@ struct FourBarLengths {
          in_line += pi) {
       look(in_line);
     }
-    return least;
+    return result;
   }
   /// The rocker's pin is on the left of the line from B to D.
   template <typename State>
@@ -69,11 +87,11 @@ struct SliderLengths {
   using Solver = assur::scenes::SliderCrank;
   double r = 0, l = 0, e = 0;
 
-  [[nodiscard]] double least_margin(double from, double to) const {
-    double least = std::numeric_limits<double>::infinity();
+  [[nodiscard]] Margin margin(double from, double to) const {
+    Margin result;
     const auto look = [&](double angle) {
       const long double height = r * std::sin(static_cast<long double>(angle)) - e;
-      least = std::min(least, static_cast<double>((l - std::abs(height)) / (r + l)));
+      result.look(angle, (l - std::abs(height)) / (r + l), from, to);
     };
     look(from);
     look(to);
@@ -81,7 +99,7 @@ struct SliderLengths {
          upright <= std::max(from, to); upright += pi) {
       look(upright);
     }
-    return least;
+    return result;
   }
   template <typename State>
   [[nodiscard]] bool is_left(const State& state, double angle) const {
@@ -116,9 +134,12 @@ class TrackedLengths {
       follow_each<Scalar>(slider(index).template rounded<Scalar>());
     }
   }
-  /// Prints how many tracks reached their end, stopped, stopped though branches keep apart by more
-  /// than 1e-3, and were wrong.
-  void print() const { std::printf("%d %d %d %d\n", reached_, stopped_, stopped_early_, wrong_); }
+  /// Prints how many tracks reached their end, did so through a change point, stopped, stopped
+  /// though branches keep apart by more than 1e-3, stopped at a change point, and were wrong.
+  void print() const {
+    std::printf("%d %d %d %d %d %d\n", reached_, passed_, stopped_, stopped_early_,
+                stopped_at_change_points_, wrong_);
+  }
 
  private:
   [[nodiscard]] double between(double low, double high) {
@@ -182,7 +203,9 @@ class TrackedLengths {
     drivers.A.position = from;
     std::array<State, Solver::max_configurations> states;
     const auto found = Solver::solve(drivers, parameters, states);
-    const double margin = lengths.least_margin(from, to);
+    const Margin margin = lengths.margin(from, to);
+    const bool is_through = std::abs(margin.least) < Margin::rounding && margin.change_points > 0 &&
+                            !margin.ends_on_one;
     for (int index = 0; index < found.count; ++index) {
       drivers.A.position = from;
       auto branch = Solver::branch(drivers, parameters, index);
@@ -191,20 +214,29 @@ class TrackedLengths {
       const auto track = Solver::track(drivers, parameters, branch, state);
       if (!assur::is_solvable(track.status)) {
         ++stopped_;
-        stopped_early_ += margin > 1e-3 ? 1 : 0;
+        stopped_early_ += margin.least > 1e-3 ? 1 : 0;
+        stopped_at_change_points_ += is_through && assur::is_solvable(branch.status) ? 1 : 0;
         continue;
       }
       ++reached_;
+      passed_ += is_through ? 1 : 0;
       const State& start = states[static_cast<std::size_t>(index)];
-      // Where the margin stays positive, a branch keeps to its side.
-      if (!(margin > 0) || lengths.is_left(start, from) != lengths.is_left(state, to)) {
-        ++wrong_;
-      }
+      // Where the margin stays positive a branch keeps to its side, and at a change point it goes
+      // over to the other.
+      const bool changes_side = lengths.is_left(start, from) != lengths.is_left(state, to);
+      const bool is_open = margin.least < -Margin::rounding;
+      const bool is_right =
+          !is_open && (margin.ends_on_one || changes_side == (margin.change_points % 2 == 1));
+      // Openings that are no more than a few roundings of a length count as none.
+      constexpr double few_roundings =
+          8 * static_cast<double>(std::numeric_limits<Scalar>::epsilon());
+      wrong_ += is_right || (std::abs(margin.least) < few_roundings && margin.least != 0) ? 0 : 1;
     }
   }
 
   std::mt19937_64 random_;
-  int reached_ = 0, stopped_ = 0, stopped_early_ = 0, wrong_ = 0;
+  int reached_ = 0, passed_ = 0, stopped_ = 0, stopped_early_ = 0, stopped_at_change_points_ = 0,
+      wrong_ = 0;
 };
 
 }  // namespace assur::test

@@ -68,6 +68,17 @@ template <typename Scalar>
   return (std::max)(std::abs(one.cos - other.cos), std::abs(one.sin - other.sin));
 }
 
+/// The step that leads from one variable to another; a direction turns by at most half a turn.
+template <typename Scalar>
+[[nodiscard]] inline Scalar step_between(Scalar from, Scalar to) {
+  return to - from;
+}
+template <typename Scalar>
+[[nodiscard]] inline Scalar step_between(const Direction<Scalar>& from,
+                                         const Direction<Scalar>& to) {
+  return std::atan2(from.cos * to.sin - from.sin * to.cos, from.cos * to.cos + from.sin * to.sin);
+}
+
 /// Where a variable would be after a whole step if it went on as in a part of it; a direction's
 /// cosine and sine go along straight lines.
 template <typename Scalar>

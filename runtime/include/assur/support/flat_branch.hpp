@@ -11,8 +11,9 @@
 
 namespace assur::support {
 
-/// Copies between a branch and numbers, always in the same order: the positions of drivers and
-/// parameters, then for each group u, q, J^-1 and the pivots.
+/// Copies between a branch and numbers, always in the same order: whether it is kept before the
+/// place to which it was followed, the positions of drivers and parameters where it is kept and
+/// those at that place, then for each group u, q, J^-1 and the pivots.
 template <typename Solver>
 class FlatBranch {
   using Branch = support::Branch<Solver, double>;
@@ -39,8 +40,9 @@ class FlatBranch {
  public:
   /// How many numbers a branch is, beside its status.
   static constexpr std::size_t size =
-      std::tuple_size_v<
-          decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
+      1 +
+      2 * std::tuple_size_v<
+              decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
 
   /// `numbers` has `size` places.
@@ -63,7 +65,13 @@ class FlatBranch {
  private:
   template <typename Visitor>
   static void visit(Branch& branch, const Visitor& visitor) {
+    auto is_kept_before = static_cast<double>(branch.is_kept_before);
+    visitor(&is_kept_before, std::size_t{1});
+    branch.is_kept_before = is_kept_before != 0;
     for (double* position : branch.given.positions()) {
+      visitor(position, std::size_t{1});
+    }
+    for (double* position : branch.followed_to.positions()) {
       visitor(position, std::size_t{1});
     }
     std::apply([&visitor](auto&... point) { (visit_point(point, visitor), ...); }, branch.groups);

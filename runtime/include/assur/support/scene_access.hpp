@@ -6,6 +6,7 @@
 #include <array>
 #include <assur/assembly.hpp>
 #include <assur/numeric/precision.hpp>
+#include <assur/support/configuration_order.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/power_derivative.hpp>
 #include <assur/support/scene_columns.hpp>
@@ -132,6 +133,16 @@ struct Access {
     } else {
       return given;
     }
+  }
+  /// The arguments where positions have gone a part of a straight way.
+  [[nodiscard]] static Given between(Given from, const Given& to, Scalar part) {
+    Given result = to;
+    const auto starts = from.positions();
+    const auto positions = result.positions();
+    for (std::size_t index = 0; index < positions.size(); ++index) {
+      *positions[index] = *starts[index] + part * (*positions[index] - *starts[index]);
+    }
+    return result;
   }
   /// Places what drivers move.
   static void drive(const Given& given, Placed& placed) {

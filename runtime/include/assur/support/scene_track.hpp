@@ -6,10 +6,13 @@
 #include <array>
 #include <assur/detail/branch_step.hpp>
 #include <assur/detail/products.hpp>
+#include <assur/local/singular_point.hpp>
+#include <assur/support/closures_on_way.hpp>
 #include <assur/support/scene_batch.hpp>
 #include <assur/support/scene_solve.hpp>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <tuple>
 
 namespace assur::support {
@@ -35,6 +38,10 @@ template <typename Solver, typename Scalar = double>
 struct Branch {
   typename Access<Solver, Scalar>::Given given;
   typename GroupPoints<typename Access<Solver, Scalar>::Groups, Scalar>::Type groups;
+  /// Where the branch has been followed to a place at which others cross it, or so close to it that
+  /// velocities are not known, it is kept as it was a little before: that tells how it goes on.
+  bool is_kept_before = false;
+  typename Access<Solver, Scalar>::Given followed_to;  ///< what was given there
   /// ok or near_singular; with any other status nothing can be followed from here. singular also
   /// where velocities are not known: the branch may be any of those that meet there.
   Status status = Status::singular;
@@ -103,57 +110,73 @@ class Tracker {
       way.status = Status::not_finite;
       return way;
     }
+    Scalar passed = 0;
+    if (branch.is_kept_before && !goes_straight_on(branch, to, passed)) {
+      way.status = Status::singular;
+      return way;
+    }
     const Scalar turn = largest_turn(branch.given, to);
     const bool moves_by_formulas = Own::has_laws || Own::parameters_differ(branch.given, to);
     // No driver turns by more than a radian: after a full turn the groups are held as before.
     const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;
+    Crossing crossing;
     const Branch* start = &branch;
     Scalar reached = 0;
     for (Scalar width = widest; reached < 1;) {
+      Branch& end = start == ends.data() ? ends[1] : ends[0];
+      Placed placed;
+      if (!(reached < crossing.before)) {
+        const Landing landing = land(branch.given, to, *start, reached, crossing, end, placed);
+        if (landing.is_refused) {
+          if (!crossing.comes_closer(reached)) {
+            way.status = Status::no_convergence;
+            return way;
+          }
+          continue;
+        }
+        if (landing.part == 1) {
+          list(end.status, placed, state, way);
+        }
+        width = (std::min)(2 * (landing.part - reached), widest);
+        reached = landing.part;
+        start = &end;
+        crossing.before = std::numeric_limits<Scalar>::infinity();
+        continue;
+      }
       if (!(width > detail::StepLimits<Scalar>().shortest)) {
         way.status = Status::no_convergence;
         return way;
       }
-      const Scalar next = (std::min)(reached + width, Scalar(1));
-      Branch& end = start == ends.data() ? ends[1] : ends[0];
-      end.given = next < 1 ? between(branch.given, to, next) : to;
-      Placed placed;
+      const Scalar next = (std::min)({reached + width, crossing.before, Scalar(1)});
+      end.given = next < 1 ? Own::between(branch.given, to, next) : to;
+      end.is_kept_before = false;
       Own::drive(end.given, placed);
       end.status = Status::ok;
       StepSize size{turn * (next - reached), !moves_by_formulas};
       if (!step<0>(*start, end, placed, size) ||
           (!size.is_small && may_pass_singularity(*start, end))) {
         width = (next - reached) / 2;
+        if (std::isinf(crossing.before)) {
+          find_crossing(branch.given, to, *start, reached, next, crossing);
+        }
         continue;
       }
       start = &end;
       width = (std::min)(2 * (next - reached), widest);
       reached = next;
-      way.reached = next;
+      way.reached = (std::max)(Scalar(0), (next - passed) / (1 - passed));
       if (next == 1) {
-        placed.regularity = end.status;
-        Own::list(placed, state);
-        if constexpr (Own::has_limits) {
-          way.within_limits = Own::keeps_limits(placed);
-        }
+        list(end.status, placed, state, way);
       }
     }
     branch = *start;
     way.status = branch.status;
+    way.reached = 1;
     return way;
   }
 
  private:
-  [[nodiscard]] static Given between(Given from, const Given& to, Scalar part) {
-    Given result = to;
-    const auto starts = from.positions();
-    const auto positions = result.positions();
-    for (std::size_t index = 0; index < positions.size(); ++index) {
-      *positions[index] = *starts[index] + part * (*positions[index] - *starts[index]);
-    }
-    return result;
-  }
   /// The largest turn of a driver.
   [[nodiscard]] static Scalar largest_turn(Given from, Given to) {
     const auto starts = from.positions();
@@ -245,8 +268,8 @@ class Tracker {
     }
   }
 
-  /// For each group the pivots that may vanish within twice a step.
-  using PivotSets = std::array<detail::PivotSet, std::tuple_size_v<Groups>>;
+  using Closures = ClosuresOnWay<Solver, Scalar>;
+  using PivotSets = support::PivotSets<Groups>;
 
   /// Whether a pivot may vanish as seen from both ends of a step: then the step may have passed
   /// over a crossing of branches to the one whose pivots have the same signs, or over a gap in
@@ -254,16 +277,11 @@ class Tracker {
   [[nodiscard, gnu::noinline]] static bool may_pass_singularity(const Branch& start,
                                                                 const Branch& end) {
     Scalar largest = 0;
-    std::apply(
-        [&](const auto&... one) {
-          std::apply(
-              [&](const auto&... other) {
-                largest =
-                    (std::max)({largest, detail::largest_difference<Scalar>(one.u, other.u)...});
-              },
-              end.groups);
-        },
-        start.groups);
+    Closures::each_group([&](auto place) {
+      largest =
+          (std::max)(largest, detail::largest_difference<Scalar>(std::get<place>(start.groups).u,
+                                                                 std::get<place>(end.groups).u));
+    });
     const Scalar part = (std::min)(numeric::half_of_digits<Scalar> / largest, Scalar(0.5));
     const PivotSets ahead = vanishing(start, end, part);
     if (ahead == PivotSets{}) {
@@ -276,35 +294,275 @@ class Tracker {
     }
     return meet;
   }
-  /// The drivers go by a part of the way, which moves what holds the groups by half of its digits.
+  /// For each group the pivots that may vanish within twice a step. The drivers go by a part of the
+  /// way, which moves what holds the groups by half of its digits.
   [[nodiscard]] static PivotSets vanishing(const Branch& from, const Branch& to, Scalar part) {
     PivotSets sets{};
-    Placed beside;
-    Own::drive(between(from.given, to.given, part), beside);
-    find_vanishing<0>(from, to, part, beside, sets);
+    Closures(from.given, to.given, 1).walk(part, [&](auto place, const auto& held) {
+      using Group = std::tuple_element_t<place, Groups>;
+      const auto& point = std::get<place>(from.groups);
+      const auto q = moved(point, held);
+      sets[place] =
+          detail::pivots_that_may_vanish<Scalar>(point.u, held.u, std::get<place>(to.groups).u,
+                                                 point.pivots, pivots_of<Group>(held.u, q), part);
+      return q;
+    });
     return sets;
   }
-  template <std::size_t Place>
-  static void find_vanishing(const Branch& from, const Branch& to, Scalar part, Placed& beside,
-                             PivotSets& sets) {
+  /// A group's configuration where what holds it has moved slightly.
+  template <typename Group>
+  [[nodiscard]] static auto moved(const GroupPoint<Group, Scalar>& point, const Held<Group>& held) {
+    auto q = point.q;
+    Vector<Scalar, Group::equation_count> f;
+    Group::residual(held.u, q, f);
+    detail::move_slightly<Specialised<Group>, Scalar>(q, -detail::product(point.inverse, f));
+    return q;
+  }
+  template <typename Group, typename Inputs, typename Configuration>
+  [[nodiscard]] static auto pivots_of(const Inputs& u, const Configuration& q) {
+    using Model = Specialised<Group>;
+    return detail::pivots_at<Model, Scalar>(typename Model::template Dimensions<Scalar>(), u, q)
+        .values;
+  }
+
+  /// A place on the way at which branches cross.
+  struct Crossing {
+    typename Closures::Point at;
+    PivotSets vanishing;
+    Scalar speed;  ///< how much of what holds the groups changes along the whole way
+    /// The part of the way from which it is crossed; infinite where no crossing is ahead.
+    Scalar before = std::numeric_limits<Scalar>::infinity();
+
+    /// Whether the crossing may be known well enough from a nearer place.
+    [[nodiscard]] bool comes_closer(Scalar reached) {
+      const Scalar distance = (at.part - reached) / 4;
+      before = at.part - distance;
+      return distance * speed > std::cbrt(std::numeric_limits<Scalar>::epsilon());
+    }
+  };
+  /// Where a branch begins to move, and how fast.
+  struct Beside {
+    Scalar speed = 0;
+    Scalar part = numeric::half_of_digits<Scalar>;  ///< of the whole way
+    typename Closures::Configurations q;
+  };
+  [[nodiscard]] static Beside beside(const Given& from, const Given& to, const Branch& start,
+                                     Scalar reached) {
+    Beside result;
+    for (int time = 0; time < 2; ++time) {  // the second time with half of the digits in all units
+      Scalar largest = 0;
+      Closures(from, to, 1).walk(reached + result.part, [&](auto place, const auto& held) {
+        const auto& point = std::get<place>(start.groups);
+        largest = (std::max)(largest, detail::largest_difference<Scalar>(point.u, held.u));
+        return std::get<place>(result.q) = moved(point, held);
+      });
+      result.speed = largest / result.part;
+      if (time == 0) {
+        result.part = (std::min)(numeric::half_of_digits<Scalar> / result.speed, Scalar(0.5));
+      }
+    }
+    return result;
+  }
+  [[nodiscard]] static typename Closures::Configurations configurations_of(const Branch& branch) {
+    typename Closures::Configurations q;
+    Closures::each_group(
+        [&](auto place) { std::get<place>(q) = std::get<place>(branch.groups).q; });
+    return q;
+  }
+
+  /// Looks for a crossing of branches where a pivot will vanish if all goes on as it begins.
+  [[gnu::noinline, gnu::cold]] static void find_crossing(const Given& from, const Given& to,
+                                                         const Branch& start, Scalar reached,
+                                                         Scalar next, Crossing& crossing) {
+    const Beside aside = beside(from, to, start, reached);
+    const Closures closures(from, to, aside.speed);
+    Scalar nearest = std::numeric_limits<Scalar>::infinity();
+    const auto each_zero = [&](const auto& use) {
+      closures.walk(reached + aside.part, [&](auto place, const auto& held) {
+        using Group = std::tuple_element_t<place, Groups>;
+        const auto& pivots = std::get<place>(start.groups).pivots;
+        const auto& q = std::get<place>(aside.q);
+        const auto others = pivots_of<Group>(held.u, q);
+        for (int index = 0; index < Group::pivot_count; ++index) {
+          const Scalar zero = aside.part * pivots(index) / (pivots(index) - others(index));
+          if (zero > 0) {
+            use(place, index, zero);
+          }
+        }
+        return q;
+      });
+    };
+    each_zero([&](std::size_t, int, Scalar zero) { nearest = (std::min)(nearest, zero); });
+    const Scalar farthest = 2 * (std::max)(next - reached, widest_landing / aside.speed);
+    if (!(nearest <= farthest)) {
+      return;
+    }
+    constexpr Scalar together = Scalar(1.7);  // less apart than the bend of the first pivot tells
+    crossing.vanishing = PivotSets{};
+    each_zero([&](std::size_t place, int index, Scalar zero) {
+      if (zero < together * nearest) {
+        crossing.vanishing[place] |= 1U << index;
+      }
+    });
+    int corank = 0;
+    for (const detail::PivotSet set : crossing.vanishing) {
+      corank += set != 0 ? 1 : 0;
+    }
+    typename Closures::Point point{configurations_of(start), reached + nearest};
+    const typename Closures::Step way =
+        nearest / aside.part * Closures::step_between(point.q, aside.q);
+    if (!(way.cwiseAbs().maxCoeff() < 1)) {
+      return;
+    }
+    Closures::move_groups(way, point.q);
+    const auto singular = local::singular_point(closures, point, corank);
+    if (singular.is_found && singular.opening <= closures.rounding(singular.at) &&
+        singular.at.part > reached && singular.at.part <= reached + farthest) {
+      crossing.at = singular.at;
+      crossing.speed = aside.speed;
+      crossing.before = crossing.at.part - widest_landing / aside.speed;
+    }
+  }
+  /// How far from a crossing a branch goes over it at most, in what holds the groups: what is
+  /// predicted there is known to three eighths of the digits.
+  static constexpr Scalar widest_landing =
+      numeric::power_of_two<Scalar>(-(std::numeric_limits<Scalar>::digits / 8));
+  /// Nearer to a crossing than this, in what holds the groups, is on it.
+  static constexpr Scalar on_crossing = 16 * numeric::half_of_digits<Scalar>;
+
+  struct Landing {
+    bool is_refused = true;
+    Scalar part = 0;
+  };
+  /// Goes on behind a crossing, as the tangent and the bend with which a branch comes into it lead
+  /// on. Refused where the corrected place may be of another branch.
+  [[nodiscard, gnu::noinline, gnu::cold]] static Landing land(const Given& from, const Given& to,
+                                                              const Branch& start, Scalar reached,
+                                                              const Crossing& crossing, Branch& end,
+                                                              Placed& placed) {
+    using Step = typename Closures::Step;
+    const Beside aside = beside(from, to, start, reached);
+    const Scalar distance = crossing.at.part - reached;
+    const auto q = configurations_of(start);
+    const Step straight = distance / aside.part * Closures::step_between(q, aside.q);
+    const Step way = Closures::step_between(q, crossing.at.q);
+    const Step bend = way - straight;
+    constexpr Scalar most_bend = Scalar(0.1);
+    Landing landing;
+    if (!(bend.cwiseAbs().maxCoeff() <=
+          most_bend * (std::max)(way.cwiseAbs().maxCoeff(), distance * aside.speed))) {
+      return landing;
+    }
+    const bool is_on_it = std::abs(1 - crossing.at.part) * aside.speed <= on_crossing;
+    landing.part = is_on_it ? Scalar(1) : (std::min)(crossing.at.part + distance, Scalar(1));
+    const Scalar ratio = (landing.part - crossing.at.part) / distance;
+    auto predicted = crossing.at.q;
+    Closures::move_groups(ratio * (way + bend) + ratio * ratio * bend, predicted);
+    end.given = landing.part < 1 ? Own::between(from, to, landing.part) : to;
+    end.is_kept_before = false;
+    end.status = Status::ok;
+    Own::drive(end.given, placed);
+    bool is_known = true;
+    if (land_groups<0>(predicted, crossing.vanishing, start, is_known, end, placed) &&
+        (is_known || landing.part == 1)) {
+      landing.is_refused = false;
+    } else if (is_on_it) {
+      Own::drive(end.given, placed);
+      put_on_crossing<0>(predicted, placed);
+      landing.is_refused = is_known = false;
+    }
+    if (!is_known) {
+      const Given given = end.given;
+      end = start;
+      end.is_kept_before = true;
+      end.followed_to = given;
+      end.status = Status::near_singular;
+    }
+    return landing;
+  }
+  template <std::size_t Place, typename Configurations>
+  static void put_on_crossing(const Configurations& q, Placed& placed) {
     if constexpr (Place < std::tuple_size_v<Groups>) {
+      Held<std::tuple_element_t<Place, Groups>> held;
+      Own::hold(placed, held);
+      Own::place(place_group(held, std::get<Place>(q), Status::near_singular), placed);
+      put_on_crossing<Place + 1>(q, placed);
+    }
+  }
+  template <std::size_t Place, typename Configurations>
+  [[nodiscard]] static bool land_groups(const Configurations& predicted, const PivotSets& vanishing,
+                                        const Branch& start, bool& is_known, Branch& end,
+                                        Placed& placed) {
+    if constexpr (Place == std::tuple_size_v<Groups>) {
+      return true;
+    } else {
       using Group = std::tuple_element_t<Place, Groups>;
       using Model = Specialised<Group>;
-      const GroupPoint<Group, Scalar>& point = std::get<Place>(from.groups);
-      Held<Group> held;
-      Own::hold(beside, held);
-      Vector<Scalar, Group::equation_count> f;
-      Group::residual(held.u, point.q, f);
-      PlacedGroup<Group, Scalar, Solver::order, Solver::parameter_count> group;
-      group.q = point.q;
-      detail::move_slightly<Model, Scalar>(group.q, -detail::product(point.inverse, f));
       const typename Model::template Dimensions<Scalar> d;
-      sets[Place] = detail::pivots_that_may_vanish<Scalar>(
-          point.u, held.u, std::get<Place>(to.groups).u, point.pivots,
-          detail::pivots_at<Model, Scalar>(d, held.u, group.q).values, part);
-      place_links(held, group);
-      Own::place(group, beside);
-      find_vanishing<Place + 1>(from, to, part, beside, sets);
+      GroupPoint<Group, Scalar>& point = std::get<Place>(end.groups);
+      Held<Group> held;
+      Own::hold(placed, held);
+      point.u = held.u;
+      point.q = std::get<Place>(predicted);
+      const Vector<Scalar, Group::unknown_count> none =
+          Vector<Scalar, Group::unknown_count>::Zero();
+      Vector<Scalar, Group::unknown_count> way;
+      if (!detail::predict_and_correct<Model, Scalar>(d, point.u, 1, none, point.q, way,
+                                                      point.inverse)) {
+        return false;
+      }
+      // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
+      constexpr Scalar most_of_distance = Scalar(0.25);
+      const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
+      const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
+      point.pivots = pivots.values;
+      const Status status = look(point, pivots);
+      const detail::PivotSet changed =
+          detail::changed_pivots(std::get<Place>(start.groups).pivots, point.pivots);
+      if (!(correction < most_of_distance) || (changed & ~vanishing[Place]) != 0) {
+        return false;
+      }
+      if (!is_solvable(status) || !place(held, point, status, end, placed)) {
+        is_known = false;
+        Own::place(place_group(held, point.q, Status::near_singular), placed);
+      }
+      return land_groups<Place + 1>(predicted, vanishing, start, is_known, end, placed);
+    }
+  }
+  /// Whether a way to `to` goes through the crossing on which a branch is, straight on or back.
+  /// `passed` is the part of that way, from where the branch is kept, that it has gone already.
+  [[nodiscard]] static bool goes_straight_on(Branch& branch, Given to, Scalar& passed) {
+    const auto starts = branch.given.positions();
+    const auto middles = branch.followed_to.positions();
+    const auto ends = to.positions();
+    Scalar along = 0;
+    Scalar square = 0;
+    Scalar largest = 0;
+    for (std::size_t index = 0; index < starts.size(); ++index) {
+      const Scalar way = *ends[index] - *starts[index];
+      const Scalar gone = *middles[index] - *starts[index];
+      along += way * gone;
+      square += way * way;
+      largest = (std::max)(largest, std::abs(gone));
+    }
+    if (square == 0) {
+      return true;
+    }
+    passed = along / square;
+    bool is_straight = true;
+    for (std::size_t index = 0; index < starts.size(); ++index) {
+      const Scalar way = *ends[index] - *starts[index];
+      const Scalar gone = *middles[index] - *starts[index];
+      is_straight =
+          is_straight && std::abs(gone - passed * way) <= numeric::half_of_digits<Scalar> * largest;
+    }
+    return is_straight;
+  }
+  static void list(Status regularity, Placed& placed, State& state, Track& way) {
+    placed.regularity = regularity;
+    Own::list(placed, state);
+    if constexpr (Own::has_limits) {
+      way.within_limits = Own::keeps_limits(placed);
     }
   }
 
