@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "one_by_one.hpp"
+#include "smooth_crossings.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -62,6 +62,10 @@ void BranchTracker::advance(const SnapshotPointer& set) {
     adopt(set, matching.to_right, {});
     return;
   }
+  if (auto crossed = smooth_crossings(solver_, current_, set, matching)) {
+    adopt(set, crossed->to_right, std::move(crossed->crossings));
+    return;
+  }
   const double width = std::abs(set->parameter - current_->parameter);
   const bool is_short = width <= longest_explained * std::abs(solver_.to() - solver_.from()) ||
                         touches_closely(matching, *current_, *set);
@@ -72,8 +76,6 @@ void BranchTracker::advance(const SnapshotPointer& set) {
   if (const SnapshotPointer middle = between(set)) {
     advance(middle);
     advance(set);
-  } else if (auto followed = explained_one_by_one(solver_, current_, set)) {
-    adopt(set, followed->to_right, std::move(followed->crossings));
   } else if (!is_explained(set, matching, Explaining::all_that_is)) {
     if (solver_.looks_closely()) {
       give_up(set, matching);

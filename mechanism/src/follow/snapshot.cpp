@@ -106,9 +106,24 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
   reads_angles_ = do_laws_read_angles(plan.mechanism());
 }
 
-const Values& SnapshotSolver::values_at(double parameter) {
+Values& SnapshotSolver::values_at(double parameter) {
   values_.set(sweep().parameter, parameter);
   return values_;
+}
+
+bool SnapshotSolver::do_laws_read_joints() const {
+  const Mechanism& mechanism = plan_.mechanism();
+  bool do_read = false;
+  for (const DriverIndex driver : mechanism.drivers().keys()) {
+    do_read = do_read || !plan::joints_read(mechanism, driver).empty();
+  }
+  return do_read;
+}
+
+Eigen::VectorXd SnapshotSolver::place_of(const Configuration& configuration) const {
+  ConfigurationPoint point;
+  set_point(configuration, point);
+  return point.at;
 }
 
 double SnapshotSolver::speed_on_links(double parameter) {

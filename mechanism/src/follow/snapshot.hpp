@@ -82,7 +82,11 @@ class SnapshotSolver {
   /// Resets the count of calls between two steps; `at_step` does so, too.
   void begin_step() { between_steps_ = 0; }
   /// The mechanism's values at a value of the swept parameter. They change with the next call.
-  [[nodiscard]] const Values& values_at(double parameter);
+  [[nodiscard]] Values& values_at(double parameter);
+  /// Whether the law of a driver reads joints, so that it depends on where links are.
+  [[nodiscard]] bool do_laws_read_joints() const;
+  /// Where a configuration is as a point.
+  [[nodiscard]] Eigen::VectorXd place_of(const Configuration& configuration) const;
 
   [[nodiscard]] const Plan& plan() const { return plan_; }
   [[nodiscard]] const Sweep& sweep() const { return *plan_.request().sweep; }

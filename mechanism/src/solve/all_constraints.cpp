@@ -85,9 +85,12 @@ Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
 }
 
 AllConstraints::AllConstraints(const Values& values)
+    : AllConstraints(values, values.plan().redundant) {}
+
+AllConstraints::AllConstraints(const Values& values, const std::vector<RedundantJoint>& left_out)
     : values_(values),
       mechanism_(values.plan().mechanism),
-      pairs_(held_pairs(mechanism_, values.plan().redundant)),
+      pairs_(held_pairs(mechanism_, left_out)),
       column_of_(mechanism_.links().size(), -1),
       body_({}, 0) {
   for (const HeldPair& pair : pairs_) {

@@ -25,9 +25,13 @@ class AllConstraints {
 
   /// The values must outlive it.
   explicit AllConstraints(const Values& values);
+  /// The constraints of the plan's own mechanism, with some of those that it leaves out.
+  AllConstraints(const Values& values, const std::vector<RedundantJoint>& left_out);
 
   /// Reads the present values, and sets size and reach from where the links are.
   void measure(const Poses& links);
+  /// Reads the present values, and keeps size and reach.
+  void read() { body_.hold(held()); }
   /// The constraints at the values that were read.
   [[nodiscard]] const Body& body() const { return body_; }
   [[nodiscard]] double size() const { return body_.size(); }

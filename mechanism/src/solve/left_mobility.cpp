@@ -89,15 +89,18 @@ class FamilyTrial {
     return step;
   }
 
-  /// Moves the loose links by steps of Levenberg and Marquardt until the constraints hold. Returns
-  /// whether they then hold within rounding.
+  /// Moves the loose links by steps of Levenberg and Marquardt until the constraints hold, or some
+  /// steps in a row gain less than a tenth, as where they cannot hold. Returns whether they then
+  /// hold within rounding.
   [[nodiscard]] bool close(Poses& poses) const {
     constexpr int most_steps = 100;
-    constexpr double stiffest = 1e6;
+    constexpr int most_in_vain = 6;
+    constexpr double least_gain = 0.9;
     constexpr double slack = 16;
     double damping = 1e-2;
+    int in_vain = 0;
     Eigen::VectorXd open = constraints_.misses(poses);
-    for (int time = 0; time < most_steps && damping < stiffest; ++time) {
+    for (int time = 0; time < most_steps && in_vain < most_in_vain; ++time) {
       if (!(open.norm() > constraints_.rounding() / slack)) {
         break;
       }
@@ -110,6 +113,7 @@ class FamilyTrial {
       Poses moved = poses;
       constraints_.move(in_all(damped.householderQr().solve(wanted)), moved);
       const Eigen::VectorXd left = constraints_.misses(moved);
+      in_vain = left.norm() < least_gain * open.norm() ? 0 : in_vain + 1;
       if (left.norm() < open.norm()) {
         poses = std::move(moved);
         open = left;

@@ -64,6 +64,9 @@ class BodyConstraints {
     }
   }
 
+  /// Holds the same features elsewhere, or at other values.
+  void hold(Pairs pairs) { pairs_ = std::move(pairs); }
+
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
   /// The longest distance of a feature from its link's pivot, or of two that a pair holds.

@@ -21,6 +21,24 @@ struct SingularPoint {
   bool is_found = false;
 };
 
+/// The largest sizes of what is computed, where they are fixed; else zero.
+template <typename System, bool IsFixed = has_fixed_size<System>>
+struct MostOf {
+  static constexpr int rows = 0, columns = 0, left = 0, right = 0, bordered = 0, equations = 0,
+                       table = 0;
+};
+template <typename System>
+struct MostOf<System, true> {
+  static constexpr int rows = System::rows;
+  static constexpr int columns = System::unknowns + 1;
+  static constexpr int left = System::rows - System::unknowns + System::most_corank;
+  static constexpr int right = 1 + System::most_corank;
+  static constexpr int bordered = rows + right;
+  static constexpr int equations = rows + left * right;
+  static constexpr int table = (std::max)({bordered * (bordered + (std::max)(left, right)),
+                                           equations*(columns + left + 1), rows*(columns + rows)});
+};
+
 /// Finds the point where F' has lost `corank` ranks, at most System::most_corank, from one near it:
 /// with N, W the directions that F' nearly loses there and [F' W; N' 0] [V; -S] = [0; 1], by
 /// Newton's steps for F + W mu = 0 and S = 0, with Y' F''(., V) as the derivative of S, where
@@ -30,30 +48,27 @@ template <typename System>
                                                    const typename System::Point& near, int corank) {
   using Scalar = typename System::Scalar;
   using std::abs;
-  constexpr int columns = System::unknowns + 1;
-  constexpr int rows = System::rows;
-  constexpr int most_left = System::rows - System::unknowns + System::most_corank;
-  constexpr int most_right = 1 + System::most_corank;
-  constexpr int most_bordered = rows + most_right;
-  constexpr int most_equations = rows + most_left * most_right;
   constexpr int most_steps = 12;  // those that converge take two or three
   const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
-  const int rank = System::unknowns - corank;
+  const int rows = row_count(system);
+  const int columns = unknown_count(system) + 1;
+  const int rank = columns - 1 - corank;
   const int right = columns - rank;
   const int left = rows - rank;
   const int bordered = rows + right;
   const int equations = rows + left * right;
-  std::array<Scalar, std::max(most_bordered * (most_bordered + most_right),
-                              most_equations * (columns + most_left + 1)) +
-                         rows * rows>
-      memory;
-  std::array<Scalar, columns * most_right> memory_of_N;
-  std::array<Scalar, rows * most_left> memory_of_W;
-  std::array<Scalar, columns * most_right> memory_of_V;
-  std::array<Scalar, rows * most_left> memory_of_Y;
-  std::array<int, static_cast<std::size_t>(most_equations)> column_of;
-  std::array<int, static_cast<std::size_t>(most_bordered)> row_of;
-  std::array<Scalar, static_cast<std::size_t>(most_left)> mu{};
+  using Most = MostOf<System>;
+  auto memory = memory_for<Scalar, Most::table>(
+      (std::max)({bordered * (bordered + (std::max)(left, right)), equations * (columns + left + 1),
+                  rows * (columns + rows)}));
+  auto memory_of_N = memory_for<Scalar, Most::columns * Most::right>(columns * right);
+  auto memory_of_W = memory_for<Scalar, Most::rows * Most::left>(rows * left);
+  auto memory_of_V = memory_for<Scalar, Most::columns * Most::right>(columns * right);
+  auto memory_of_Y = memory_for<Scalar, Most::rows * Most::left>(rows * left);
+  auto S = memory_for<Scalar, Most::left * Most::right>(left * right);
+  auto mu = memory_for<Scalar, Most::left>(left);
+  auto column_of = memory_for<int, Most::equations>(equations);
+  auto row_of = memory_for<int, Most::bordered>(bordered);
 
   SingularPoint<System> result;
   result.at = near;
@@ -73,7 +88,6 @@ template <typename System>
     // V and S, and Y.
     Table<Scalar> V(memory_of_V.data(), columns, right);
     Table<Scalar> Y(memory_of_Y.data(), rows, left);
-    std::array<Scalar, static_cast<std::size_t>(most_left * most_right)> S;
     for (const bool transposed : {false, true}) {
       const int sides = transposed ? left : right;
       Table<Scalar> table(memory.data(), bordered, bordered + sides);
@@ -131,17 +145,16 @@ template <typename System>
       }
     }
     for (int side = 0; side < right; ++side) {
-      StepOf<System> direction;
+      StepOf<System> direction(columns);
       for (int column = 0; column < columns; ++column) {
         direction(column) = V(column, side);
       }
+      const WideOf<System> bent = bends<System>(system, result.at, direction);
       for (int column = 0; column < columns; ++column) {
-        const OpenOf<System> bent =
-            bend<System>(system, result.at, StepOf<System>::Unit(column), direction);
         for (int index = 0; index < left; ++index) {
           Scalar& along = table(rows + index * right + side, column);
           for (int row = 0; row < rows; ++row) {
-            along += Y(row, index) * bent(row);
+            along += Y(row, index) * bent(row, column);
           }
         }
       }
@@ -154,7 +167,7 @@ template <typename System>
     if (!(firmness > least_firmness)) {
       return result;
     }
-    StepOf<System> move;
+    StepOf<System> move(columns);
     Scalar longest = 0;
     for (int column = 0; column < columns; ++column) {
       move(column) = table(row_of[static_cast<std::size_t>(column)], size);

@@ -1,9 +1,14 @@
 // Constraints that move with one parameter, and their derivatives by differences.
 #pragma once
 
+#include <array>
 #include <assur/model.hpp>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace assur::local {
 
@@ -12,17 +17,57 @@ namespace assur::local {
 // its size. It has
 //
 //   using Scalar, Point;
-//   static constexpr int rows, unknowns, most_corank;  // unknowns without s
-//   Vector<Scalar, rows> misses(const Point&) const;                   // F(z)
-//   void move(const Vector<Scalar, unknowns + 1>& step, Point&) const; // the last entry along s
-//   Scalar rounding(const Point&) const;                               // what rounding leaves of F
+//   static constexpr int rows, unknowns;  // unknowns without s; or Eigen::Dynamic, and functions
+//   int row_count() const;                // for their numbers
+//   int unknown_count() const;
+//   static constexpr int most_corank;     // that is looked for; needed where sizes are fixed
+//   Vector<Scalar, rows> misses(const Point&) const;                    // F(z)
+//   void move(const Vector<Scalar, unknowns + 1>& step, Point&) const;  // the last entry along s
+//   Scalar rounding(const Point&) const;                                // what rounding leaves of
+//   F
+//
+// and may have F' and F''(., v), which are computed by differences otherwise:
+//
+//   Matrix<Scalar, rows, unknowns + 1> jacobian(const Point&) const;
+//   Matrix<Scalar, rows, unknowns + 1> bends(const Point&, const Step& v) const;
 
+template <typename System>
+inline constexpr bool has_fixed_size = System::rows != Eigen::Dynamic;
+template <typename System>
+inline constexpr int columns_of = has_fixed_size<System> ? System::unknowns + 1 : Eigen::Dynamic;
 template <typename System>
 using OpenOf = Vector<typename System::Scalar, System::rows>;
 template <typename System>
-using StepOf = Vector<typename System::Scalar, System::unknowns + 1>;
+using StepOf = Vector<typename System::Scalar, columns_of<System>>;
 template <typename System>
-using WideOf = Matrix<typename System::Scalar, System::rows, System::unknowns + 1>;
+using WideOf = Matrix<typename System::Scalar, System::rows, columns_of<System>>;
+
+template <typename System>
+[[nodiscard]] int row_count([[maybe_unused]] const System& system) {
+  if constexpr (has_fixed_size<System>) {
+    return System::rows;
+  } else {
+    return system.row_count();
+  }
+}
+template <typename System>
+[[nodiscard]] int unknown_count([[maybe_unused]] const System& system) {
+  if constexpr (has_fixed_size<System>) {
+    return System::unknowns;
+  } else {
+    return system.unknown_count();
+  }
+}
+
+/// Memory for some numbers: fixed, so that none is allocated, or as much as is needed.
+template <typename Number, int Most>
+[[nodiscard]] auto memory_for([[maybe_unused]] int count) {
+  if constexpr (Most > 0) {
+    return std::array<Number, static_cast<std::size_t>(Most)>{};
+  } else {
+    return std::vector<Number>(static_cast<std::size_t>(count));
+  }
+}
 
 /// F where a point has moved by a step.
 template <typename System>
@@ -32,33 +77,54 @@ template <typename System>
   return system.misses(point);
 }
 
-/// F' by central differences, to about the square of the cube root of a rounding.
+template <typename System, typename = void>
+inline constexpr bool has_jacobian = false;
+template <typename System>
+inline constexpr bool
+    has_jacobian<System, std::void_t<decltype(std::declval<const System&>().jacobian(
+                             std::declval<const typename System::Point&>()))>> = true;
+
+/// F', by central differences to about the square of the cube root of a rounding.
 template <typename System>
 [[nodiscard]] WideOf<System> jacobian(const System& system, const typename System::Point& point) {
-  using Scalar = typename System::Scalar;
-  const Scalar width = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-  WideOf<System> J;
-  for (int column = 0; column <= System::unknowns; ++column) {
-    const StepOf<System> step = width * StepOf<System>::Unit(column);
-    J.col(column) =
-        (misses_beside(system, point, step) - misses_beside<System>(system, point, -step)) /
-        (2 * width);
+  if constexpr (has_jacobian<System>) {
+    return system.jacobian(point);
+  } else {
+    using Scalar = typename System::Scalar;
+    const Scalar width = std::cbrt(std::numeric_limits<Scalar>::epsilon());
+    WideOf<System> J;
+    for (int column = 0; column <= System::unknowns; ++column) {
+      const StepOf<System> step = width * StepOf<System>::Unit(column);
+      J.col(column) =
+          (misses_beside(system, point, step) - misses_beside<System>(system, point, -step)) /
+          (2 * width);
+    }
+    return J;
   }
-  return J;
 }
 
-/// F''(one, other) by central differences, to about the root of a rounding.
+/// F''(., v), by central differences to about the root of a rounding.
 template <typename System>
-[[nodiscard]] OpenOf<System> bend(const System& system, const typename System::Point& point,
-                                  const StepOf<System>& one, const StepOf<System>& other) {
-  using Scalar = typename System::Scalar;
-  const Scalar width = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
-  const StepOf<System> sum = width * (one + other);
-  const StepOf<System> difference = width * (one - other);
-  return (misses_beside(system, point, sum) + misses_beside<System>(system, point, -sum) -
-          misses_beside(system, point, difference) -
-          misses_beside<System>(system, point, -difference)) /
-         (4 * width * width);
+[[nodiscard]] WideOf<System> bends(const System& system, const typename System::Point& point,
+                                   const StepOf<System>& v) {
+  if constexpr (has_jacobian<System>) {
+    return system.bends(point, v);
+  } else {
+    using Scalar = typename System::Scalar;
+    const Scalar width = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
+    WideOf<System> result;
+    for (int column = 0; column <= System::unknowns; ++column) {
+      const StepOf<System> unit = StepOf<System>::Unit(column);
+      const StepOf<System> sum = width * (unit + v);
+      const StepOf<System> difference = width * (unit - v);
+      result.col(column) =
+          (misses_beside(system, point, sum) + misses_beside<System>(system, point, -sum) -
+           misses_beside(system, point, difference) -
+           misses_beside<System>(system, point, -difference)) /
+          (4 * width * width);
+    }
+    return result;
+  }
 }
 
 }  // namespace assur::local
