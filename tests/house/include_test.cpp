@@ -182,7 +182,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "directions|variables|columns|detail/(index|members|numbers|refused_options))")},
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
-       std::regex("local/(body_constraints|close)|detail/"
+       std::regex("local/(body_constraints|close|elimination|singular_point|system)|detail/"
                   "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
                   "closed_form|closure_geometry|completion|first_values|limit_turns|"
                   "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
@@ -202,7 +202,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"all configurations, and branches", std::regex("assembly|batch|tracking")},
       {"whole mechanisms",
        std::regex("assur|detail/batch/placed_pack|support/"
-                  "(batch_search|displacement|flat_branch|held_group|placed_group|scene_batch|"
+                  "(batch_search|closures_on_way|displacement|flat_branch|held_group|placed_group|"
+                  "scene_batch|"
                   "scene_access|scene_columns|scene_search|scene_solve|scene_track|shared_search|"
                   "specialised)")},
   };
