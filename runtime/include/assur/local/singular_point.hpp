@@ -48,7 +48,7 @@ template <typename System>
                                                    const typename System::Point& near, int corank) {
   using Scalar = typename System::Scalar;
   using std::abs;
-  constexpr int most_steps = 12;  // those that converge take two or three
+  constexpr int most_steps = 6;  // those that converge take two or three
   const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
   const int rows = row_count(system);
   const int columns = unknown_count(system) + 1;

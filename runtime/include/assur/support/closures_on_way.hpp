@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/detail/branch_step.hpp>
 #include <assur/detail/pivots.hpp>
+#include <assur/detail/products.hpp>
 #include <assur/local/singular_point.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/scene_access.hpp>
@@ -21,6 +23,31 @@ template <typename... Group>
 struct GroupSizes<std::tuple<Group...>> {
   static constexpr int unknowns = (0 + ... + Group::unknown_count);
   static constexpr int equations = (0 + ... + Group::equation_count);
+  static constexpr int pivots = (0 + ... + Group::pivot_count);
+};
+
+/// A group on a branch: where it is held and stands, and J^-1 there.
+template <typename Group, typename Scalar>
+struct GroupPoint {
+  typename Group::template Inputs<Scalar> u;
+  typename Group::template Configuration<Scalar> q;
+  Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
+  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
+};
+
+template <typename Groups, typename Scalar>
+struct GroupPoints;
+template <typename... Group, typename Scalar>
+struct GroupPoints<std::tuple<Group...>, Scalar> {
+  using Type = std::tuple<GroupPoint<Group, Scalar>...>;
+};
+
+/// What holds each group.
+template <typename Groups, typename Scalar>
+struct GroupInputs;
+template <typename... Group, typename Scalar>
+struct GroupInputs<std::tuple<Group...>, Scalar> {
+  using Type = std::tuple<typename Group::template Inputs<Scalar>...>;
 };
 
 /// For each group a set of pivots.
@@ -43,6 +70,7 @@ class ClosuresOnWay {
   using Configurations = typename GroupConfigurations<Groups, Scalar>::Type;
   static constexpr int rows = GroupSizes<Groups>::equations;
   static constexpr int unknowns = GroupSizes<Groups>::unknowns;
+  static constexpr int pivots = GroupSizes<Groups>::pivots;
   static constexpr int most_corank = static_cast<int>(std::tuple_size_v<Groups>);
   using Open = Vector<Scalar, rows>;
   using Step = Vector<Scalar, unknowns + 1>;
@@ -56,38 +84,41 @@ class ClosuresOnWay {
   ClosuresOnWay(const Given& from, const Given& to, Scalar speed)
       : from_(from), to_(to), speed_(speed) {}
 
+  /// Where the groups are held where the arguments have gone a part of the way, by how much they
+  /// miss there, and where they are.
+  struct Place {
+    typename GroupInputs<Groups, Scalar>::Type u;
+    Configurations q;
+    Open misses;
+  };
+  using Points = typename GroupPoints<Groups, Scalar>::Type;
+
+  /// Places the groups in given configurations, or, if there are points that have these, as far
+  /// from them as their J^-1 tells.
+  [[gnu::noinline]] void place(Scalar part, const Configurations& q, const Points* points,
+                               Place& place) const {
+    Placed placed;
+    Own::drive(Own::between(from_, to_, part), placed);
+    place.q = q;
+    place_from<0>(points, placed, place);
+  }
   [[nodiscard]] Open misses(const Point& point) const {
-    Open all;
-    walk(point.part, [&](auto place, const auto& held) {
-      using Group = std::tuple_element_t<place, Groups>;
-      const auto& q = std::get<place>(point.q);
-      Vector<Scalar, Group::equation_count> f;
-      Group::residual(held.u, q, f);
-      all.template segment<Group::equation_count>(first_equation<place>()) = f;
-      return q;
-    });
-    return all;
+    Place there;
+    place(point.part, point.q, nullptr, there);
+    return there.misses;
   }
   void move(const Step& step, Point& point) const {
     move_groups(step, point.q);
     point.part += step(unknowns) / speed_;
   }
   [[nodiscard]] Scalar rounding(const Point& point) const {
+    Place there;
+    place(point.part, point.q, nullptr, there);
     Scalar longest = 1;
-    walk(point.part, [&](auto place, const auto& held) {
-      longest = (std::max)(longest, longest_length(held.u));
-      return std::get<place>(point.q);
+    each_group([&](auto group) {
+      longest = (std::max)(longest, longest_length(std::get<group>(there.u)));
     });
     return 4 * std::numeric_limits<Scalar>::epsilon() * longest;
-  }
-
-  /// Places the groups where the arguments have gone a part of the way: each one in the
-  /// configuration that `configure(place, held)` returns, by its place and what holds it.
-  template <typename Configure>
-  void walk(Scalar part, const Configure& configure) const {
-    Placed placed;
-    Own::drive(Own::between(from_, to_, part), placed);
-    walk_from<0>(placed, configure);
   }
   /// Turns and shifts the unknowns of all groups, by the first entries of a step.
   static void move_groups(const Step& step, Configurations& q) {
@@ -139,17 +170,26 @@ class ClosuresOnWay {
       return first_equation<Place - 1>() + std::tuple_element_t<Place - 1, Groups>::equation_count;
     }
   }
-  template <std::size_t Place, typename Configure>
-  static void walk_from(Placed& placed, const Configure& configure) {
-    if constexpr (Place < std::tuple_size_v<Groups>) {
-      using Group = std::tuple_element_t<Place, Groups>;
+  template <std::size_t Index>
+  static void place_from(const Points* points, Placed& placed, Place& place) {
+    if constexpr (Index < std::tuple_size_v<Groups>) {
+      using Group = std::tuple_element_t<Index, Groups>;
       Held<Group> held;
       Own::hold(placed, held);
+      std::get<Index>(place.u) = held.u;
       PlacedGroup<Group, Scalar, Solver::order, Solver::parameter_count> group;
-      group.q = configure(std::integral_constant<std::size_t, Place>(), held);
+      group.q = std::get<Index>(place.q);
+      Vector<Scalar, Group::equation_count> f;
+      Group::residual(held.u, group.q, f);
+      place.misses.template segment<Group::equation_count>(first_equation<Index>()) = f;
+      if (points != nullptr) {
+        detail::move_slightly<Specialised<Group>, Scalar>(
+            group.q, -detail::product(std::get<Index>(*points).inverse, f));
+        std::get<Index>(place.q) = group.q;
+      }
       place_links(held, group);
       Own::place(group, placed);
-      walk_from<Place + 1>(placed, configure);
+      place_from<Index + 1>(points, placed, place);
     }
   }
 

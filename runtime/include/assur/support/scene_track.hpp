@@ -17,22 +17,6 @@
 
 namespace assur::support {
 
-/// A group on a branch: where it is held and stands, and J^-1 there.
-template <typename Group, typename Scalar>
-struct GroupPoint {
-  typename Group::template Inputs<Scalar> u;
-  typename Group::template Configuration<Scalar> q;
-  Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
-  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
-};
-
-template <typename Groups, typename Scalar>
-struct GroupPoints;
-template <typename... Group, typename Scalar>
-struct GroupPoints<std::tuple<Group...>, Scalar> {
-  using Type = std::tuple<GroupPoint<Group, Scalar>...>;
-};
-
 /// The place to which a branch of an emitted solver has been followed.
 template <typename Solver, typename Scalar = double>
 struct Branch {
@@ -43,15 +27,16 @@ struct Branch {
   bool is_kept_before = false;
   typename Access<Solver, Scalar>::Given followed_to;  ///< what was given there
   /// ok or near_singular; with any other status nothing can be followed from here. singular also
-  /// where velocities are not known: the branch may be any of those that meet there.
+  /// where a branch begins and velocities are not known: it may be any of those that meet there.
   Status status = Status::singular;
 };
 
 /// How far a branch was followed.
 struct Track {
   /// ok, or near_singular: at the end of the way. no_convergence: within 0.2% of the way from
-  /// `reached` the branch ends or comes too close to another, or a driver turns by more than 2000
-  /// radians. not_finite: a driver is. Or the status of a branch that cannot be followed.
+  /// `reached` the branch ends or comes too close to another without crossing it, or a driver turns
+  /// by more than 2000 radians. singular: the way turns off where branches cross. not_finite: a
+  /// driver is. Or the status of a branch that cannot be followed.
   Status status = Status::singular;
   double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
 };
@@ -63,7 +48,8 @@ struct LimitedTrack : Track {
 
 /// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
 /// where Newton's steps contract, no pivot changes its sign or goes to zero from both ends, and the
-/// linear predictions from both ends agree with the way; otherwise it is halved.
+/// linear predictions from both ends agree with the way; otherwise it is halved. Where branches
+/// cross, a branch goes on along the tangent and the bend with which it comes.
 template <typename Solver, typename Scalar>
 class Tracker {
   using Branch = support::Branch<Solver, Scalar>;
@@ -157,7 +143,8 @@ class Tracker {
       if (!step<0>(*start, end, placed, size) ||
           (!size.is_small && may_pass_singularity(*start, end))) {
         width = (next - reached) / 2;
-        if (std::isinf(crossing.before)) {
+        if (!(reached == crossing.sought_from)) {
+          crossing.sought_from = reached;
           find_crossing(branch.given, to, *start, reached, next, crossing);
         }
         continue;
@@ -298,28 +285,21 @@ class Tracker {
   /// way, which moves what holds the groups by half of its digits.
   [[nodiscard]] static PivotSets vanishing(const Branch& from, const Branch& to, Scalar part) {
     PivotSets sets{};
-    Closures(from.given, to.given, 1).walk(part, [&](auto place, const auto& held) {
+    typename Closures::Place there;
+    Closures(from.given, to.given, 1).place(part, configurations_of(from), &from.groups, there);
+    Closures::each_group([&](auto place) {
       using Group = std::tuple_element_t<place, Groups>;
       const auto& point = std::get<place>(from.groups);
-      const auto q = moved(point, held);
-      sets[place] =
-          detail::pivots_that_may_vanish<Scalar>(point.u, held.u, std::get<place>(to.groups).u,
-                                                 point.pivots, pivots_of<Group>(held.u, q), part);
-      return q;
+      const auto& u = std::get<place>(there.u);
+      sets[place] = detail::pivots_that_may_vanish<Scalar>(
+          point.u, u, std::get<place>(to.groups).u, point.pivots,
+          pivots_of<Group>(u, std::get<place>(there.q)), part);
     });
     return sets;
   }
-  /// A group's configuration where what holds it has moved slightly.
-  template <typename Group>
-  [[nodiscard]] static auto moved(const GroupPoint<Group, Scalar>& point, const Held<Group>& held) {
-    auto q = point.q;
-    Vector<Scalar, Group::equation_count> f;
-    Group::residual(held.u, q, f);
-    detail::move_slightly<Specialised<Group>, Scalar>(q, -detail::product(point.inverse, f));
-    return q;
-  }
   template <typename Group, typename Inputs, typename Configuration>
-  [[nodiscard]] static auto pivots_of(const Inputs& u, const Configuration& q) {
+  [[nodiscard, gnu::noinline]] static Vector<Scalar, Group::pivot_count> pivots_of(
+      const Inputs& u, const Configuration& q) {
     using Model = Specialised<Group>;
     return detail::pivots_at<Model, Scalar>(typename Model::template Dimensions<Scalar>(), u, q)
         .values;
@@ -333,6 +313,8 @@ class Tracker {
     /// The part of the way from which it is crossed; infinite where no crossing is ahead.
     Scalar before = std::numeric_limits<Scalar>::infinity();
 
+    Scalar sought_from = -1;  ///< the part of the way from which it was looked for last
+
     /// Whether the crossing may be known well enough from a nearer place.
     [[nodiscard]] bool comes_closer(Scalar reached) {
       const Scalar distance = (at.part - reached) / 4;
@@ -344,17 +326,19 @@ class Tracker {
   struct Beside {
     Scalar speed = 0;
     Scalar part = numeric::half_of_digits<Scalar>;  ///< of the whole way
-    typename Closures::Configurations q;
+    typename Closures::Place there;
   };
-  [[nodiscard]] static Beside beside(const Given& from, const Given& to, const Branch& start,
-                                     Scalar reached) {
+  [[nodiscard, gnu::noinline]] static Beside beside(const Given& from, const Given& to,
+                                                    const Branch& start, Scalar reached) {
     Beside result;
     for (int time = 0; time < 2; ++time) {  // the second time with half of the digits in all units
+      Closures(from, to, 1)
+          .place(reached + result.part, configurations_of(start), &start.groups, result.there);
       Scalar largest = 0;
-      Closures(from, to, 1).walk(reached + result.part, [&](auto place, const auto& held) {
-        const auto& point = std::get<place>(start.groups);
-        largest = (std::max)(largest, detail::largest_difference<Scalar>(point.u, held.u));
-        return std::get<place>(result.q) = moved(point, held);
+      Closures::each_group([&](auto place) {
+        largest = (std::max)(largest,
+                             detail::largest_difference<Scalar>(std::get<place>(start.groups).u,
+                                                                std::get<place>(result.there.u)));
       });
       result.speed = largest / result.part;
       if (time == 0) {
@@ -376,41 +360,40 @@ class Tracker {
                                                          Scalar next, Crossing& crossing) {
     const Beside aside = beside(from, to, start, reached);
     const Closures closures(from, to, aside.speed);
+    std::array<Scalar, detail::size(Closures::pivots)> zeros;
     Scalar nearest = std::numeric_limits<Scalar>::infinity();
-    const auto each_zero = [&](const auto& use) {
-      closures.walk(reached + aside.part, [&](auto place, const auto& held) {
-        using Group = std::tuple_element_t<place, Groups>;
-        const auto& pivots = std::get<place>(start.groups).pivots;
-        const auto& q = std::get<place>(aside.q);
-        const auto others = pivots_of<Group>(held.u, q);
-        for (int index = 0; index < Group::pivot_count; ++index) {
-          const Scalar zero = aside.part * pivots(index) / (pivots(index) - others(index));
-          if (zero > 0) {
-            use(place, index, zero);
-          }
-        }
-        return q;
-      });
-    };
-    each_zero([&](std::size_t, int, Scalar zero) { nearest = (std::min)(nearest, zero); });
+    std::size_t pivot = 0;
+    Closures::each_group([&](auto place) {
+      using Group = std::tuple_element_t<place, Groups>;
+      const auto& pivots = std::get<place>(start.groups).pivots;
+      const auto others =
+          pivots_of<Group>(std::get<place>(aside.there.u), std::get<place>(aside.there.q));
+      for (int index = 0; index < Group::pivot_count; ++index) {
+        const Scalar zero = aside.part * pivots(index) / (pivots(index) - others(index));
+        zeros[pivot++] = zero;
+        nearest = zero > 0 ? (std::min)(nearest, zero) : nearest;
+      }
+    });
     const Scalar farthest = 2 * (std::max)(next - reached, widest_landing / aside.speed);
     if (!(nearest <= farthest)) {
       return;
     }
     constexpr Scalar together = Scalar(1.7);  // less apart than the bend of the first pivot tells
     crossing.vanishing = PivotSets{};
-    each_zero([&](std::size_t place, int index, Scalar zero) {
-      if (zero < together * nearest) {
-        crossing.vanishing[place] |= 1U << index;
-      }
-    });
     int corank = 0;
-    for (const detail::PivotSet set : crossing.vanishing) {
-      corank += set != 0 ? 1 : 0;
-    }
+    pivot = 0;
+    Closures::each_group([&](auto place) {
+      for (int index = 0; index < std::tuple_element_t<place, Groups>::pivot_count; ++index) {
+        const Scalar zero = zeros[pivot++];
+        if (zero > 0 && zero < together * nearest) {
+          crossing.vanishing[place] |= 1U << index;
+        }
+      }
+      corank += crossing.vanishing[place] != 0 ? 1 : 0;
+    });
     typename Closures::Point point{configurations_of(start), reached + nearest};
     const typename Closures::Step way =
-        nearest / aside.part * Closures::step_between(point.q, aside.q);
+        nearest / aside.part * Closures::step_between(point.q, aside.there.q);
     if (!(way.cwiseAbs().maxCoeff() < 1)) {
       return;
     }
@@ -444,7 +427,7 @@ class Tracker {
     const Beside aside = beside(from, to, start, reached);
     const Scalar distance = crossing.at.part - reached;
     const auto q = configurations_of(start);
-    const Step straight = distance / aside.part * Closures::step_between(q, aside.q);
+    const Step straight = distance / aside.part * Closures::step_between(q, aside.there.q);
     const Step way = Closures::step_between(q, crossing.at.q);
     const Step bend = way - straight;
     constexpr Scalar most_bend = Scalar(0.1);
@@ -463,13 +446,12 @@ class Tracker {
     end.status = Status::ok;
     Own::drive(end.given, placed);
     bool is_known = true;
-    if (land_groups<0>(predicted, crossing.vanishing, start, is_known, end, placed) &&
+    if (land_groups<0>(predicted, &crossing.vanishing, start, is_known, end, placed) &&
         (is_known || landing.part == 1)) {
       landing.is_refused = false;
     } else if (is_on_it) {
       Own::drive(end.given, placed);
-      put_on_crossing<0>(predicted, placed);
-      landing.is_refused = is_known = false;
+      landing.is_refused = !land_groups<0>(predicted, nullptr, start, is_known, end, placed);
     }
     if (!is_known) {
       const Given given = end.given;
@@ -480,46 +462,25 @@ class Tracker {
     }
     return landing;
   }
+  /// Corrects and places the groups from `Place` on; false where one may be of another branch.
+  /// `is_known` becomes false where velocities are not. On the crossing itself, where no pivots
+  /// `vanish` nearby, nothing is corrected.
   template <std::size_t Place, typename Configurations>
-  static void put_on_crossing(const Configurations& q, Placed& placed) {
-    if constexpr (Place < std::tuple_size_v<Groups>) {
-      Held<std::tuple_element_t<Place, Groups>> held;
-      Own::hold(placed, held);
-      Own::place(place_group(held, std::get<Place>(q), Status::near_singular), placed);
-      put_on_crossing<Place + 1>(q, placed);
-    }
-  }
-  template <std::size_t Place, typename Configurations>
-  [[nodiscard]] static bool land_groups(const Configurations& predicted, const PivotSets& vanishing,
+  [[nodiscard]] static bool land_groups(const Configurations& predicted, const PivotSets* vanishing,
                                         const Branch& start, bool& is_known, Branch& end,
                                         Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       return true;
     } else {
       using Group = std::tuple_element_t<Place, Groups>;
-      using Model = Specialised<Group>;
-      const typename Model::template Dimensions<Scalar> d;
       GroupPoint<Group, Scalar>& point = std::get<Place>(end.groups);
       Held<Group> held;
       Own::hold(placed, held);
       point.u = held.u;
       point.q = std::get<Place>(predicted);
-      const Vector<Scalar, Group::unknown_count> none =
-          Vector<Scalar, Group::unknown_count>::Zero();
-      Vector<Scalar, Group::unknown_count> way;
-      if (!detail::predict_and_correct<Model, Scalar>(d, point.u, 1, none, point.q, way,
-                                                      point.inverse)) {
-        return false;
-      }
-      // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
-      constexpr Scalar most_of_distance = Scalar(0.25);
-      const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
-      const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
-      point.pivots = pivots.values;
-      const Status status = look(point, pivots);
-      const detail::PivotSet changed =
-          detail::changed_pivots(std::get<Place>(start.groups).pivots, point.pivots);
-      if (!(correction < most_of_distance) || (changed & ~vanishing[Place]) != 0) {
+      Status status = Status::singular;
+      if (vanishing != nullptr &&
+          !is_led_to((*vanishing)[Place], std::get<Place>(start.groups), point, status)) {
         return false;
       }
       if (!is_solvable(status) || !place(held, point, status, end, placed)) {
@@ -528,6 +489,29 @@ class Tracker {
       }
       return land_groups<Place + 1>(predicted, vanishing, start, is_known, end, placed);
     }
+  }
+  /// Corrects a group's configuration; false where it may be of another branch.
+  template <typename Group>
+  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing,
+                                      const GroupPoint<Group, Scalar>& start,
+                                      GroupPoint<Group, Scalar>& point, Status& status) {
+    using Model = Specialised<Group>;
+    using Unknowns = Vector<Scalar, Group::unknown_count>;
+    const typename Model::template Dimensions<Scalar> d;
+    const Unknowns none = Unknowns::Zero();
+    Unknowns way;
+    if (!detail::predict_and_correct<Model, Scalar>(d, point.u, 1, none, point.q, way,
+                                                    point.inverse)) {
+      return false;
+    }
+    // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
+    constexpr Scalar most_of_distance = Scalar(0.25);
+    const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
+    const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
+    point.pivots = pivots.values;
+    status = look(point, pivots);
+    return correction < most_of_distance &&
+           (detail::changed_pivots(start.pivots, point.pivots) & ~vanishing) == 0;
   }
   /// Whether a way to `to` goes through the crossing on which a branch is, straight on or back.
   /// `passed` is the part of that way, from where the branch is kept, that it has gone already.
