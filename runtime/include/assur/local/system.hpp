@@ -92,9 +92,10 @@ template <typename System>
   } else {
     using Scalar = typename System::Scalar;
     const Scalar width = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-    WideOf<System> J;
-    for (int column = 0; column <= System::unknowns; ++column) {
-      const StepOf<System> step = width * StepOf<System>::Unit(column);
+    const int columns = unknown_count(system) + 1;
+    WideOf<System> J(row_count(system), columns);
+    for (int column = 0; column < columns; ++column) {
+      const StepOf<System> step = width * StepOf<System>::Unit(columns, column);
       J.col(column) =
           (misses_beside(system, point, step) - misses_beside<System>(system, point, -step)) /
           (2 * width);
@@ -112,9 +113,10 @@ template <typename System>
   } else {
     using Scalar = typename System::Scalar;
     const Scalar width = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
-    WideOf<System> result;
-    for (int column = 0; column <= System::unknowns; ++column) {
-      const StepOf<System> unit = StepOf<System>::Unit(column);
+    const int columns = unknown_count(system) + 1;
+    WideOf<System> result(row_count(system), columns);
+    for (int column = 0; column < columns; ++column) {
+      const StepOf<System> unit = StepOf<System>::Unit(columns, column);
       const StepOf<System> sum = width * (unit + v);
       const StepOf<System> difference = width * (unit - v);
       result.col(column) =
