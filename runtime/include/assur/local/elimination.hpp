@@ -1,20 +1,41 @@
 // Gauss-Jordan elimination with complete pivoting, for kernels and solutions of small systems.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
+#include <vector>
 
 namespace assur::local {
 
-/// A matrix in memory of the caller, row by row. Its functions depend on no size, so a program has
-/// them once.
+/// Memory for numbers: fixed, so that none is allocated, or, where `Most` is zero, as much as is
+/// needed.
+template <typename Number, int Most>
+using Memory = std::conditional_t<(Most > 0), std::array<Number, static_cast<std::size_t>(Most)>,
+                                  std::vector<Number>>;
+
+/// Sets as many numbers as are needed to a value.
+template <typename Number, std::size_t Most>
+void reserve(std::array<Number, Most>& memory, int count, Number value) {
+  std::fill_n(memory.begin(), static_cast<std::size_t>(count), value);
+}
+template <typename Number>
+void reserve(std::vector<Number>& memory, int count, Number value) {
+  memory.assign(static_cast<std::size_t>(count), value);
+}
+
+/// A matrix in memory that it does not own, row by row. Its functions depend on no size, so a
+/// program has them once.
 template <typename Scalar>
 class Table {
  public:
-  Table(Scalar* entries, int rows, int columns)
-      : entries_(entries), rows_(rows), columns_(columns) {
-    for (int index = 0; index < rows * columns; ++index) {
-      entries_[index] = 0;
-    }
+  /// The memory must outlive it. All entries become zero.
+  template <typename Numbers>
+  Table(Numbers& memory, int rows, int columns) : rows_(rows), columns_(columns) {
+    reserve(memory, rows * columns, Scalar(0));
+    entries_ = memory.data();
   }
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
@@ -27,19 +48,32 @@ class Table {
   int columns_;
 };
 
+/// Which row eliminates which column; -1 for none.
+template <int MostRows, int MostColumns>
+class Pivots {
+ public:
+  [[nodiscard]] int column_of(int row) const { return columns_[static_cast<std::size_t>(row)]; }
+  [[nodiscard]] int row_of(int column) const { return rows_[static_cast<std::size_t>(column)]; }
+  void begin(int rows, int columns) {
+    reserve(columns_, rows, -1);
+    reserve(rows_, columns, -1);
+  }
+  void add(int row, int column) {
+    columns_[static_cast<std::size_t>(row)] = column;
+    rows_[static_cast<std::size_t>(column)] = row;
+  }
+
+ private:
+  Memory<int, MostRows> columns_;
+  Memory<int, MostColumns> rows_;
+};
+
 /// Eliminates `rank` of the first `columns` columns, from all rows but one each, where a unit
-/// remains; the other columns are transformed with them. `column_of` becomes the column that is
-/// eliminated by each row, or -1, and `row_of` the row that eliminates each column, or -1. Returns
-/// the last pivot in parts of the first; zero where no pivot is left.
-template <typename Scalar>
-[[nodiscard]] Scalar eliminate(Table<Scalar>& table, int columns, int rank, int* column_of,
-                               int* row_of) {
-  for (int row = 0; row < table.rows(); ++row) {
-    column_of[row] = -1;
-  }
-  for (int column = 0; column < columns; ++column) {
-    row_of[column] = -1;
-  }
+/// remains; the other columns are transformed with them. Returns the last pivot in parts of the
+/// first; zero where no pivot is left.
+template <typename Scalar, typename Pivots>
+[[nodiscard]] Scalar eliminate(Table<Scalar>& table, int columns, int rank, Pivots& pivots) {
+  pivots.begin(table.rows(), columns);
   Scalar first = 1;
   Scalar last = 1;
   for (int step = 0; step < rank; ++step) {
@@ -47,8 +81,8 @@ template <typename Scalar>
     int pivot_row = -1;
     int pivot_column = -1;
     for (int row = 0; row < table.rows(); ++row) {
-      for (int column = 0; column < columns && column_of[row] < 0; ++column) {
-        if (row_of[column] < 0 && std::abs(table(row, column)) > largest) {
+      for (int column = 0; column < columns && pivots.column_of(row) < 0; ++column) {
+        if (pivots.row_of(column) < 0 && std::abs(table(row, column)) > largest) {
           largest = std::abs(table(row, column));
           pivot_row = row;
           pivot_column = column;
@@ -60,8 +94,7 @@ template <typename Scalar>
     }
     first = step == 0 ? largest : first;
     last = largest;
-    column_of[pivot_row] = pivot_column;
-    row_of[pivot_column] = pivot_row;
+    pivots.add(pivot_row, pivot_column);
     const Scalar pivot = table(pivot_row, pivot_column);
     for (int column = 0; column < table.columns(); ++column) {
       table(pivot_row, column) /= pivot;
@@ -76,37 +109,41 @@ template <typename Scalar>
   return last / first;
 }
 
-/// Directions that a matrix nearly loses: N spans what it takes to almost nothing, and W what it
-/// hardly reaches; each has unit columns. `matrix` has room for as many further columns as it has
-/// rows; they are zero.
+/// Scales a column to the length of one.
 template <typename Scalar>
+void set_unit(Table<Scalar>& table, int column) {
+  Scalar square = 0;
+  for (int row = 0; row < table.rows(); ++row) {
+    square += table(row, column) * table(row, column);
+  }
+  for (int row = 0; row < table.rows(); ++row) {
+    table(row, column) /= std::sqrt(square);
+  }
+}
+
+/// Directions that a matrix nearly loses: N spans what it takes to almost nothing, and W what it
+/// hardly reaches; each has unit columns. `matrix` has as many further columns as rows; they are
+/// zero.
+template <typename Scalar, typename Pivots>
 void find_lost_directions(Table<Scalar>& matrix, int columns, int rank, Table<Scalar>& N,
-                          Table<Scalar>& W, int* column_of, int* row_of) {
+                          Table<Scalar>& W, Pivots& pivots) {
   const int rows = matrix.rows();
   for (int row = 0; row < rows; ++row) {
     matrix(row, columns + row) = 1;
   }
-  (void)eliminate(matrix, columns, rank, column_of, row_of);
-  const auto set_unit = [](Table<Scalar>& table, int column) {
-    Scalar square = 0;
-    for (int row = 0; row < table.rows(); ++row) {
-      square += table(row, column) * table(row, column);
-    }
-    for (int row = 0; row < table.rows(); ++row) {
-      table(row, column) /= std::sqrt(square);
-    }
-  };
+  (void)eliminate(matrix, columns, rank, pivots);
   for (int column = 0, found = 0; column < columns && found < N.columns(); ++column) {
-    if (row_of[column] < 0) {
+    if (pivots.row_of(column) < 0) {
       for (int other = 0; other < columns; ++other) {
-        N(other, found) = row_of[other] < 0 ? 0 : -matrix(row_of[other], column);
+        const int row = pivots.row_of(other);
+        N(other, found) = row < 0 ? 0 : -matrix(row, column);
       }
       N(column, found) = 1;
       set_unit(N, found++);
     }
   }
   for (int row = 0, found = 0; row < rows && found < W.columns(); ++row) {
-    if (column_of[row] < 0) {
+    if (pivots.column_of(row) < 0) {
       for (int other = 0; other < rows; ++other) {
         W(other, found) = matrix(row, columns + other);
       }

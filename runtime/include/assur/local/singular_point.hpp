@@ -2,12 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <assur/local/elimination.hpp>
 #include <assur/local/system.hpp>
 #include <assur/numeric/precision.hpp>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 
 namespace assur::local {
@@ -39,168 +37,197 @@ struct MostOf<System, true> {
                                            equations*(columns + left + 1), rows*(columns + rows)});
 };
 
-/// Finds the point where F' has lost `corank` ranks, at most System::most_corank, from one near it:
-/// with N, W the directions that F' nearly loses there and [F' W; N' 0] [V; -S] = [0; 1], by
-/// Newton's steps for F + W mu = 0 and S = 0, with Y' F''(., V) as the derivative of S, where
-/// [F'' N; W' 0] [Y; .] = [0; 1]. Those of the equations S = 0 that say the same are left out.
+/// Looks for a singular point by Newton's steps for F + W mu = 0 and S = 0, where N and W are the
+/// directions that F' nearly loses at the first point, and [F' W; N' 0] [V; -S] = [0; 1]. The
+/// derivative of S along e is Y' F''(e, V), where [F'^T N; W' 0] [Y; .] = [0; 1]. Of the equations
+/// S = 0, those that say the same as others are left out.
 template <typename System>
-[[nodiscard]] SingularPoint<System> singular_point(const System& system,
-                                                   const typename System::Point& near, int corank) {
+class SingularPointSearch {
   using Scalar = typename System::Scalar;
-  using std::abs;
-  constexpr int most_steps = 6;  // those that converge take two or three
-  const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
-  const int rows = row_count(system);
-  const int columns = unknown_count(system) + 1;
-  const int rank = columns - 1 - corank;
-  const int right = columns - rank;
-  const int left = rows - rank;
-  const int bordered = rows + right;
-  const int equations = rows + left * right;
+  using Point = typename System::Point;
   using Most = MostOf<System>;
-  auto memory = memory_for<Scalar, Most::table>(
-      (std::max)({bordered * (bordered + (std::max)(left, right)), equations * (columns + left + 1),
-                  rows * (columns + rows)}));
-  auto memory_of_N = memory_for<Scalar, Most::columns * Most::right>(columns * right);
-  auto memory_of_W = memory_for<Scalar, Most::rows * Most::left>(rows * left);
-  auto memory_of_V = memory_for<Scalar, Most::columns * Most::right>(columns * right);
-  auto memory_of_Y = memory_for<Scalar, Most::rows * Most::left>(rows * left);
-  auto S = memory_for<Scalar, Most::left * Most::right>(left * right);
-  auto mu = memory_for<Scalar, Most::left>(left);
-  auto column_of = memory_for<int, Most::equations>(equations);
-  auto row_of = memory_for<int, Most::bordered>(bordered);
 
-  SingularPoint<System> result;
-  result.at = near;
-  Table<Scalar> N(memory_of_N.data(), columns, right);
-  Table<Scalar> W(memory_of_W.data(), rows, left);
-  for (int time = 0; time < most_steps; ++time) {
-    const WideOf<System> J = jacobian(system, result.at);
-    if (time == 0) {
-      Table<Scalar> table(memory.data(), rows, columns + rows);
-      for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
-          table(row, column) = J(row, column);
-        }
+ public:
+  SingularPointSearch(const System& system, const Point& near, int corank)
+      : system_(system),
+        rows_(row_count(system)),
+        columns_(unknown_count(system) + 1),
+        rank_(columns_ - 1 - corank),
+        N_(memory_of_N_, columns_, right()),
+        W_(memory_of_W_, rows_, left()),
+        V_(memory_of_V_, columns_, right()),
+        Y_(memory_of_Y_, rows_, left()),
+        S_(memory_of_S_, left(), right()),
+        mu_(memory_of_mu_, left(), 1) {
+    result_.at = near;
+  }
+
+  [[nodiscard]] SingularPoint<System> run() {
+    constexpr int most_steps = 6;  // those that converge take two or three
+    WideOf<System> J = jacobian(system_, result_.at);
+    find_lost_directions(J);
+    for (int time = 0; time < most_steps; ++time) {
+      solve_bordered(J);
+      Scalar longest = 0;
+      if (!take_step(J, longest)) {
+        return result_;
       }
-      find_lost_directions(table, columns, rank, N, W, column_of.data(), row_of.data());
+      if (longest <= numeric::half_of_digits<Scalar>) {
+        result_.is_found = true;
+        set_opening();
+        return result_;
+      }
+      J = jacobian(system_, result_.at);
     }
-    // V and S, and Y.
-    Table<Scalar> V(memory_of_V.data(), columns, right);
-    Table<Scalar> Y(memory_of_Y.data(), rows, left);
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] int right() const { return columns_ - rank_; }
+  [[nodiscard]] int left() const { return rows_ - rank_; }
+
+  void find_lost_directions(const WideOf<System>& J) {
+    Table<Scalar> table(memory_, rows_, columns_ + rows_);
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        table(row, column) = J(row, column);
+      }
+    }
+    local::find_lost_directions(table, columns_, rank_, N_, W_, pivots_);
+  }
+
+  /// V and S, and Y.
+  void solve_bordered(const WideOf<System>& J) {
     for (const bool transposed : {false, true}) {
-      const int sides = transposed ? left : right;
-      Table<Scalar> table(memory.data(), bordered, bordered + sides);
+      const int size = rows_ + right();
+      const int sides = transposed ? left() : right();
+      Table<Scalar> table(memory_, size, size + sides);
       const auto entry = [&](int row, int column) -> Scalar& {
         return transposed ? table(column, row) : table(row, column);
       };
-      for (int row = 0; row < rows; ++row) {
-        for (int column = 0; column < columns; ++column) {
+      for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns_; ++column) {
           entry(row, column) = J(row, column);
         }
-        for (int column = 0; column < left; ++column) {
-          entry(row, columns + column) = W(row, column);
+        for (int column = 0; column < left(); ++column) {
+          entry(row, columns_ + column) = W_(row, column);
         }
       }
-      for (int column = 0; column < columns; ++column) {
-        for (int row = 0; row < right; ++row) {
-          entry(rows + row, column) = N(column, row);
+      for (int column = 0; column < columns_; ++column) {
+        for (int row = 0; row < right(); ++row) {
+          entry(rows_ + row, column) = N_(column, row);
         }
       }
       for (int side = 0; side < sides; ++side) {
-        table(bordered - sides + side, bordered + side) = 1;
+        table(size - sides + side, size + side) = 1;
       }
-      (void)eliminate(table, bordered, bordered, column_of.data(), row_of.data());
+      (void)eliminate(table, size, size, pivots_);
       for (int side = 0; side < sides; ++side) {
         const auto solved = [&](int unknown) {
-          const int row = row_of[static_cast<std::size_t>(unknown)];
-          return row < 0 ? std::numeric_limits<Scalar>::quiet_NaN() : table(row, bordered + side);
+          const int row = pivots_.row_of(unknown);
+          return row < 0 ? std::numeric_limits<Scalar>::quiet_NaN() : table(row, size + side);
         };
-        if (transposed) {
-          for (int row = 0; row < rows; ++row) {
-            Y(row, side) = solved(row);
-          }
-        } else {
-          for (int column = 0; column < columns; ++column) {
-            V(column, side) = solved(column);
-          }
-          for (int index = 0; index < left; ++index) {
-            S[static_cast<std::size_t>(index * right + side)] = -solved(columns + index);
-          }
+        for (int row = 0; transposed && row < rows_; ++row) {
+          Y_(row, side) = solved(row);
+        }
+        for (int column = 0; !transposed && column < columns_; ++column) {
+          V_(column, side) = solved(column);
+        }
+        for (int row = 0; !transposed && row < left(); ++row) {
+          S_(row, side) = -solved(columns_ + row);
         }
       }
-    }
-    // Newton's step.
-    const OpenOf<System> open = system.misses(result.at);
-    const int size = columns + left;
-    Table<Scalar> table(memory.data(), equations, size + 1);
-    for (int row = 0; row < rows; ++row) {
-      table(row, size) = -open(row);
-      for (int column = 0; column < columns; ++column) {
-        table(row, column) = J(row, column);
-      }
-      for (int index = 0; index < left; ++index) {
-        table(row, columns + index) = W(row, index);
-        table(row, size) -= W(row, index) * mu[static_cast<std::size_t>(index)];
-      }
-    }
-    for (int side = 0; side < right; ++side) {
-      StepOf<System> direction(columns);
-      for (int column = 0; column < columns; ++column) {
-        direction(column) = V(column, side);
-      }
-      const WideOf<System> bent = bends<System>(system, result.at, direction);
-      for (int column = 0; column < columns; ++column) {
-        for (int index = 0; index < left; ++index) {
-          Scalar& along = table(rows + index * right + side, column);
-          for (int row = 0; row < rows; ++row) {
-            along += Y(row, index) * bent(row, column);
-          }
-        }
-      }
-      for (int index = 0; index < left; ++index) {
-        table(rows + index * right + side, size) =
-            -S[static_cast<std::size_t>(index * right + side)];
-      }
-    }
-    const Scalar firmness = eliminate(table, size, size, column_of.data(), row_of.data());
-    if (!(firmness > least_firmness)) {
-      return result;
-    }
-    StepOf<System> move(columns);
-    Scalar longest = 0;
-    for (int column = 0; column < columns; ++column) {
-      move(column) = table(row_of[static_cast<std::size_t>(column)], size);
-      longest = (std::max)(longest, abs(move(column)));
-    }
-    if (!(longest < 1)) {
-      return result;
-    }
-    system.move(move, result.at);
-    for (int index = 0; index < left; ++index) {
-      mu[static_cast<std::size_t>(index)] +=
-          table(row_of[static_cast<std::size_t>(columns + index)], size);
-    }
-    if (longest <= numeric::half_of_digits<Scalar>) {
-      Scalar left_over = 0;
-      for (int row = 0; row < equations; ++row) {
-        if (column_of[static_cast<std::size_t>(row)] < 0) {
-          left_over = (std::max)(left_over, abs(table(row, size)));
-        }
-      }
-      const OpenOf<System> there = system.misses(result.at);
-      for (int index = 0; index < left; ++index) {
-        Scalar miss = 0;
-        for (int row = 0; row < rows; ++row) {
-          miss += Y(row, index) * there(row);
-        }
-        result.opening = (std::max)(result.opening, abs(miss));
-      }
-      result.is_found = left_over <= least_firmness;
-      return result;
     }
   }
-  return result;
+
+  /// Takes Newton's step, and tells its longest entry. False where it is too long, where the point
+  /// is not the only one nearby, or where equations that were left out do not hold.
+  [[nodiscard]] bool take_step(const WideOf<System>& J, Scalar& longest) {
+    // The least pivot in parts of the largest is above the error of differences.
+    const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
+    const int size = columns_ + left();
+    Table<Scalar> table(memory_, rows_ + left() * right(), size + 1);
+    const OpenOf<System> open = system_.misses(result_.at);
+    for (int row = 0; row < rows_; ++row) {
+      table(row, size) = -open(row);
+      for (int column = 0; column < columns_; ++column) {
+        table(row, column) = J(row, column);
+      }
+      for (int index = 0; index < left(); ++index) {
+        table(row, columns_ + index) = W_(row, index);
+        table(row, size) -= W_(row, index) * mu_(index, 0);
+      }
+    }
+    StepOf<System> step(columns_);
+    for (int side = 0; side < right(); ++side) {
+      for (int column = 0; column < columns_; ++column) {
+        step(column) = V_(column, side);
+      }
+      const WideOf<System> bent = bends<System>(system_, result_.at, step);
+      for (int index = 0; index < left(); ++index) {
+        const int equation = rows_ + index * right() + side;
+        table(equation, size) = -S_(index, side);
+        for (int column = 0; column < columns_; ++column) {
+          for (int row = 0; row < rows_; ++row) {
+            table(equation, column) += Y_(row, index) * bent(row, column);
+          }
+        }
+      }
+    }
+    if (!(eliminate(table, size, size, pivots_) > least_firmness)) {
+      return false;
+    }
+    longest = 0;
+    for (int column = 0; column < columns_; ++column) {
+      step(column) = table(pivots_.row_of(column), size);
+      longest = (std::max)(longest, std::abs(step(column)));
+    }
+    if (!(longest < 1)) {
+      return false;
+    }
+    system_.move(step, result_.at);
+    for (int index = 0; index < left(); ++index) {
+      mu_(index, 0) += table(pivots_.row_of(columns_ + index), size);
+    }
+    Scalar left_over = 0;
+    for (int row = 0; row < table.rows(); ++row) {
+      if (pivots_.column_of(row) < 0) {
+        left_over = (std::max)(left_over, std::abs(table(row, size)));
+      }
+    }
+    return longest > numeric::half_of_digits<Scalar> || left_over <= least_firmness;
+  }
+
+  /// The largest entry of Y' F, which differs from that of mu by the square of the last step.
+  void set_opening() {
+    const OpenOf<System> open = system_.misses(result_.at);
+    for (int index = 0; index < left(); ++index) {
+      Scalar miss = 0;
+      for (int row = 0; row < rows_; ++row) {
+        miss += Y_(row, index) * open(row);
+      }
+      result_.opening = (std::max)(result_.opening, std::abs(miss));
+    }
+  }
+
+  const System& system_;
+  int rows_, columns_, rank_;
+  SingularPoint<System> result_;
+  Memory<Scalar, Most::table> memory_;
+  Memory<Scalar, Most::columns * Most::right> memory_of_N_, memory_of_V_;
+  Memory<Scalar, Most::rows * Most::left> memory_of_W_, memory_of_Y_;
+  Memory<Scalar, Most::left * Most::right> memory_of_S_;
+  Memory<Scalar, Most::left> memory_of_mu_;
+  Table<Scalar> N_, W_, V_, Y_, S_, mu_;
+  Pivots<Most::equations, Most::bordered> pivots_;
+};
+
+/// Finds the point where F' has lost `corank` ranks, at most System::most_corank where sizes are
+/// fixed, from one near it.
+template <typename System>
+[[nodiscard]] SingularPoint<System> singular_point(const System& system,
+                                                   const typename System::Point& near, int corank) {
+  return SingularPointSearch<System>(system, near, corank).run();
 }
 
 }  // namespace assur::local

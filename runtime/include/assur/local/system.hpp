@@ -1,14 +1,11 @@
 // Constraints that move with one parameter, and their derivatives by differences.
 #pragma once
 
-#include <array>
 #include <assur/model.hpp>
 #include <cmath>
-#include <cstddef>
 #include <limits>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace assur::local {
 
@@ -56,16 +53,6 @@ template <typename System>
     return System::unknowns;
   } else {
     return system.unknown_count();
-  }
-}
-
-/// Memory for some numbers: fixed, so that none is allocated, or as much as is needed.
-template <typename Number, int Most>
-[[nodiscard]] auto memory_for([[maybe_unused]] int count) {
-  if constexpr (Most > 0) {
-    return std::array<Number, static_cast<std::size_t>(Most)>{};
-  } else {
-    return std::vector<Number>(static_cast<std::size_t>(count));
   }
 }
 

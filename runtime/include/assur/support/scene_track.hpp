@@ -378,7 +378,8 @@ class Tracker {
     if (!(nearest <= farthest)) {
       return;
     }
-    constexpr Scalar together = Scalar(1.7);  // less apart than the bend of the first pivot tells
+    constexpr auto together =
+        static_cast<Scalar>(1.7);  // less apart than the bend of the first pivot tells
     crossing.vanishing = PivotSets{};
     int corank = 0;
     pivot = 0;
@@ -430,7 +431,7 @@ class Tracker {
     const Step straight = distance / aside.part * Closures::step_between(q, aside.there.q);
     const Step way = Closures::step_between(q, crossing.at.q);
     const Step bend = way - straight;
-    constexpr Scalar most_bend = Scalar(0.1);
+    constexpr auto most_bend = static_cast<Scalar>(0.1);
     Landing landing;
     if (!(bend.cwiseAbs().maxCoeff() <=
           most_bend * (std::max)(way.cwiseAbs().maxCoeff(), distance * aside.speed))) {
@@ -505,7 +506,7 @@ class Tracker {
       return false;
     }
     // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
-    constexpr Scalar most_of_distance = Scalar(0.25);
+    constexpr auto most_of_distance = static_cast<Scalar>(0.25);
     const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
     const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
     point.pivots = pivots.values;
