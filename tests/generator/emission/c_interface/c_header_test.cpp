@@ -2,6 +2,7 @@
 // scene's names are; it has what the scene wants, and the C++ header does not depend on it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 #include <vector>
@@ -119,6 +120,90 @@ TEST(CHeader, OfStructuresWithLongNamesCompilesOptimised) {
       EXPECT_FALSE(line == "#ifndef" || line == "#define" || line == "#include") << ending;
     }
   }
+}
+
+/// Lines are broken at spaces, wherever names of some length put these.
+TEST(CHeader, BreaksNoTextOrDirectiveWithNamesOfAnyLength) {
+  const TemporaryDirectory directory;
+  for (std::size_t length = 1; length <= 90; length += 7) {
+    const std::string stem(length, 'n');
+    const fs::path scene = directory.write(stem + ".json", awkward_four_bar(R"("position")"));
+    ASSERT_EQ(emit(scene, directory, "--interface c --variable all").status, 0);
+    for (const std::string ending : {".h", ".cpp", ".hpp"}) {
+      std::istringstream lines(read_file(directory.path() / "assur/scenes" / (stem + ending)));
+      for (std::string line; std::getline(lines, line);) {
+        const bool is_comment = line.find("//") != std::string::npos ||
+                                line.find("* ") != std::string::npos ||
+                                line.find("/*") != std::string::npos;
+        EXPECT_TRUE(is_comment || std::ranges::count(line, '"') % 2 == 0) << ending << ": " << line;
+        EXPECT_FALSE(line == "#ifndef" || line == "#define" || line == "#include") << ending;
+      }
+    }
+  }
+}
+
+/// A slider-crank with crank and rod of one length, in steps that end on its change points: the
+/// piston goes on along 2 cos or stays at zero.
+TEST(CHeader, TracksGoOverChangePoints) {
+  const TemporaryDirectory directory;
+  const fs::path scene = directory.write("slider_of_equal_lengths.json", R"({
+  "links": {"ground": {"A": [0, 0], "g": {"through": [0, 0], "along": [1, 0]}},
+    "crank": {"A": [0, 0], "B": [1, 0]}, "rod": {"B": [0, 0], "C": [1, 0]},
+    "piston": {"C": [0, 0], "g": {"through": [0, 0], "along": [1, 0]}}},
+  "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+    "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+    "C": {"type": "revolute", "between": ["rod.C", "piston.C"]},
+    "S": {"type": "prismatic", "between": ["ground.g", "piston.g"]}},
+  "drivers": {"A": {"position": 0.7}}, "outputs": {"C": "piston.C"}, "want": ["position"]})");
+  ASSERT_EQ(emit(scene, directory, "--interface c").status, 0);
+  const std::string root = directory.path().string();
+  const auto program =
+      directory.write("tracks.c", R"(#include <assur/scenes/slider_of_equal_lengths.h>
+#include <math.h>
+#include <stdio.h>
+int main(void) {
+  double off = 0;
+  int configuration;
+  int step;
+  for (configuration = 0; configuration < 2; ++configuration) {
+    slider_of_equal_lengths_drivers drivers;
+    slider_of_equal_lengths_branch branch;
+    slider_of_equal_lengths_state state;
+    slider_of_equal_lengths_way way;
+    int stays = 0;
+    slider_of_equal_lengths_defaults(&drivers);
+    drivers.A.position = 0;
+    slider_of_equal_lengths_begin(&drivers, configuration, &branch);
+    for (step = 1; step <= 72; ++step) {
+      double at = 0;
+      double away = 0;
+      drivers.A.position = step * 3.141592653589793 / 18;
+      slider_of_equal_lengths_track(&drivers, &branch, &state, &way);
+      if (way.reached < 1) {
+        printf("stops at step %d
+", step);
+        return 1;
+      }
+      at = state.outputs.C.position[0];
+      away = fabs(at - 2 * cos(drivers.A.position));
+      stays = step == 1 ? fabs(at) < away : stays;
+      off = fmax(off, stays ? fabs(at) : away);
+    }
+  }
+  printf("off by %.1e at most
+", off);
+  return off < 1e-9 ? 0 : 1;
+}
+)");
+  const std::string errors = root + "/errors";
+  const std::string line =
+      ASSUR_COMPILER " -std=c++17 -O0 -I" ASSUR_RUNTIME " -isystem " ASSUR_EIGEN " -I" + root +
+      " -c " + root + "/assur/scenes/slider_of_equal_lengths.cpp -o " + root + "/solver.o 2> " +
+      errors + " && " ASSUR_COMPILER " -x c -std=c99 -Wall -Werror -I" + root + " -c " +
+      program.string() + " -o " + root + "/tracks.o 2>> " + errors + " && " ASSUR_COMPILER " " +
+      root + "/tracks.o " + root + "/solver.o -lm -o " + root + "/tracks 2>> " + errors + " && " +
+      root + "/tracks";
+  EXPECT_EQ(std::system(line.c_str()), 0) << read_file(errors);
 }
 
 TEST(LongCHeader, OfScenesOfWhichLittleIsWantedCompilesOptimised) {
