@@ -218,9 +218,10 @@ TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
       EXPECT_NEAR(told.speeding_up, 0.5, is_float ? 1e-2 : 1e-11);
     }
   }
-  // With all three in line, configurations are near-singular; rates that are given are right.
+  // With all three in line, configurations are near-singular, where the bound of accelerations does
+  // not promise six digits; rates that are given are right.
   place = 0;
-  angles = {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 0};
+  angles = {1e-1, 2e-2, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8, 0};
   for (const Told& told : told_of(three_cranks().scene(), angles)) {
     SCOPED_TRACE(place);
     const bool is_float = place % 2 == 1;
@@ -228,7 +229,7 @@ TEST(LongEmitRedundant, SolversTellWhatAllConstraintsTell) {
     EXPECT_EQ(told.count, 1);
     EXPECT_TRUE(std::isnan(told.turning) || std::abs(told.turning - 2) < 1e-2) << told.turning;
     if (!is_float) {
-      EXPECT_EQ(told.regularity == 0, beside >= 1e-2);
+      EXPECT_EQ(told.regularity == 0, beside >= 2e-2);
       EXPECT_EQ(std::isnan(told.turning), beside < 1e-5);
     }
     if (told.regularity == 0) {

@@ -180,8 +180,7 @@ int main(void) {
       drivers.A.position = step * 3.141592653589793 / 18;
       slider_of_equal_lengths_track(&drivers, &branch, &state, &way);
       if (way.reached < 1) {
-        printf("stops at step %d
-", step);
+        printf("stops at step %d\n", step);
         return 1;
       }
       at = state.outputs.C.position[0];
@@ -190,8 +189,7 @@ int main(void) {
       off = fmax(off, stays ? fabs(at) : away);
     }
   }
-  printf("off by %.1e at most
-", off);
+  printf("off by %.1e at most\n", off);
   return off < 1e-9 ? 0 : 1;
 }
 )");
