@@ -88,7 +88,7 @@ class GroupSpecialiser {
     result.max_configurations = elimination_.max_configurations;
     result.branch_numbers = number_count(inputs_) + number_count(equations_.unknowns) +
                             2 * equations_.loops.size() * equations_.unknowns.size() +
-                            structured_.pivots().size() + 1;
+                            structured_.pivots().size();
     return result;
   }
 

@@ -77,7 +77,7 @@ class ClosuresOnWay {
   /// The configurations of the groups, and the part of the way that the arguments have gone.
   struct Point {
     Configurations q;
-    Scalar part;
+    Scalar part = 0;
   };
 
   /// `speed` is how much of what holds the groups changes along the whole way.

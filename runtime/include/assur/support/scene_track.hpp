@@ -112,23 +112,25 @@ class Tracker {
     for (Scalar width = widest; reached < 1;) {
       Branch& end = start == ends.data() ? ends[1] : ends[0];
       Placed placed;
-      if (!(reached < crossing.before)) {
-        const Landing landing = land(branch.given, to, *start, reached, crossing, end, placed);
-        if (landing.is_refused) {
-          if (!crossing.comes_closer(reached)) {
-            way.status = Status::no_convergence;
-            return way;
+      if constexpr (has_groups) {
+        if (!(reached < crossing.before)) {
+          const Landing landing = land(branch.given, to, *start, reached, crossing, end, placed);
+          if (landing.is_refused) {
+            if (!crossing.comes_closer(reached)) {
+              way.status = Status::no_convergence;
+              return way;
+            }
+            continue;
           }
+          if (landing.part == 1) {
+            list(end.status, placed, state, way);
+          }
+          width = (std::min)(2 * (landing.part - reached), widest);
+          reached = landing.part;
+          start = &end;
+          crossing.before = std::numeric_limits<Scalar>::infinity();
           continue;
         }
-        if (landing.part == 1) {
-          list(end.status, placed, state, way);
-        }
-        width = (std::min)(2 * (landing.part - reached), widest);
-        reached = landing.part;
-        start = &end;
-        crossing.before = std::numeric_limits<Scalar>::infinity();
-        continue;
       }
       if (!(width > detail::StepLimits<Scalar>().shortest)) {
         way.status = Status::no_convergence;
@@ -143,9 +145,11 @@ class Tracker {
       if (!step<0>(*start, end, placed, size) ||
           (!size.is_small && may_pass_singularity(*start, end))) {
         width = (next - reached) / 2;
-        if (!(reached == crossing.sought_from)) {
-          crossing.sought_from = reached;
-          find_crossing(branch.given, to, *start, reached, next, crossing);
+        if constexpr (has_groups) {
+          if (!(reached == crossing.sought_from)) {
+            crossing.sought_from = reached;
+            find_crossing(branch.given, to, *start, reached, next, crossing);
+          }
         }
         continue;
       }
@@ -256,6 +260,7 @@ class Tracker {
   }
 
   using Closures = ClosuresOnWay<Solver, Scalar>;
+  static constexpr bool has_groups = std::tuple_size_v<Groups> > 0;
   using PivotSets = support::PivotSets<Groups>;
 
   /// Whether a pivot may vanish as seen from both ends of a step: then the step may have passed
@@ -308,8 +313,8 @@ class Tracker {
   /// A place on the way at which branches cross.
   struct Crossing {
     typename Closures::Point at;
-    PivotSets vanishing;
-    Scalar speed;  ///< how much of what holds the groups changes along the whole way
+    PivotSets vanishing{};
+    Scalar speed = 0;  ///< how much of what holds the groups changes along the whole way
     /// The part of the way from which it is crossed; infinite where no crossing is ahead.
     Scalar before = std::numeric_limits<Scalar>::infinity();
 
