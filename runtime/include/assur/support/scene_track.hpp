@@ -452,12 +452,13 @@ class Tracker {
     end.status = Status::ok;
     Own::drive(end.given, placed);
     bool is_known = true;
-    if (land_groups<0>(predicted, &crossing.vanishing, start, is_known, end, placed) &&
+    if (land_groups<0>(predicted, &crossing.vanishing, ratio > 0, start, is_known, end, placed) &&
         (is_known || landing.part == 1)) {
       landing.is_refused = false;
     } else if (is_on_it) {
       Own::drive(end.given, placed);
-      landing.is_refused = !land_groups<0>(predicted, nullptr, start, is_known, end, placed);
+      landing.is_refused =
+          !land_groups<0>(predicted, nullptr, ratio > 0, start, is_known, end, placed);
     }
     if (!is_known) {
       const Given given = end.given;
@@ -473,8 +474,8 @@ class Tracker {
   /// `vanish` nearby, nothing is corrected.
   template <std::size_t Place, typename Configurations>
   [[nodiscard]] static bool land_groups(const Configurations& predicted, const PivotSets* vanishing,
-                                        const Branch& start, bool& is_known, Branch& end,
-                                        Placed& placed) {
+                                        bool is_behind, const Branch& start, bool& is_known,
+                                        Branch& end, Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       return true;
     } else {
@@ -485,20 +486,21 @@ class Tracker {
       point.u = held.u;
       point.q = std::get<Place>(predicted);
       Status status = Status::singular;
-      if (vanishing != nullptr &&
-          !is_led_to((*vanishing)[Place], std::get<Place>(start.groups), point, status)) {
+      if (vanishing != nullptr && !is_led_to((*vanishing)[Place], is_behind,
+                                             std::get<Place>(start.groups), point, status)) {
         return false;
       }
       if (!is_solvable(status) || !place(held, point, status, end, placed)) {
         is_known = false;
         Own::place(place_group(held, point.q, Status::near_singular), placed);
       }
-      return land_groups<Place + 1>(predicted, vanishing, start, is_known, end, placed);
+      return land_groups<Place + 1>(predicted, vanishing, is_behind, start, is_known, end, placed);
     }
   }
-  /// Corrects a group's configuration; false where it may be of another branch.
+  /// Corrects a group's configuration, behind the crossing or before it; false where it may be of
+  /// another branch.
   template <typename Group>
-  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing,
+  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing, bool is_behind,
                                       const GroupPoint<Group, Scalar>& start,
                                       GroupPoint<Group, Scalar>& point, Status& status) {
     using Model = Specialised<Group>;
@@ -516,8 +518,12 @@ class Tracker {
     const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
     point.pivots = pivots.values;
     status = look(point, pivots);
-    return correction < most_of_distance &&
-           (detail::changed_pivots(start.pivots, point.pivots) & ~vanishing) == 0;
+    // The pivots that vanish at the crossing change their signs there, and behind a second one they
+    // would do so again. Where velocities are not known, signs are not.
+    const detail::PivotSet changed = detail::changed_pivots(start.pivots, point.pivots);
+    const bool is_right =
+        is_solvable(status) ? changed == (is_behind ? vanishing : 0) : (changed & ~vanishing) == 0;
+    return correction < most_of_distance && is_right;
   }
   /// Whether a way to `to` goes through the crossing on which a branch is, straight on or back.
   /// `passed` is the part of that way, from where the branch is kept, that it has gone already.
