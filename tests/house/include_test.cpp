@@ -182,16 +182,17 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "directions|variables|columns|detail/(index|members|numbers|refused_options))")},
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
-       std::regex("local/(body_constraints|close|elimination|singular_point|system)|detail/"
-                  "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
-                  "closed_form|closure_geometry|completion|first_values|limit_turns|"
-                  "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
-                  "special_search)|"
-                  "support/"
-                  "(all_constraints|batch_limits|batch_order|configuration_order|derivative_digits|"
-                  "discriminant|displaced_frame|flat_variables|limits|nearest|placed_link|"
-                  "position_polynomial|power_derivative|"
-                  "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
+       std::regex(
+           "local/(body_constraints|close|crossing|elimination|singular_point|system)|detail/"
+           "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
+           "closed_form|closure_geometry|completion|first_values|limit_turns|"
+           "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
+           "special_search)|"
+           "support/"
+           "(all_constraints|batch_limits|batch_order|configuration_order|derivative_digits|"
+           "discriminant|displaced_frame|flat_variables|limits|nearest|placed_link|"
+           "position_polynomial|power_derivative|"
+           "redundant|rigid_motion|scale|second_rates|solved_by_lu)")},
       {"answers at a configuration",
        std::regex("batch_kinematics|branch_point|kinematics|normal_form|second_order|"
                   "singularity|special_points")},
@@ -204,7 +205,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
        std::regex("assur|detail/batch/placed_pack|support/"
                   "(batch_search|closures_on_way|displacement|flat_branch|held_group|placed_group|"
                   "scene_batch|"
-                  "scene_access|scene_columns|scene_search|scene_solve|scene_track|shared_search|"
+                  "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
+                  "scene_track|shared_search|"
                   "specialised)")},
   };
   return storeys;

@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <assur/local/crossing.hpp>
 #include <assur/local/singular_point.hpp>
 #include <assur/mechanism/error.hpp>
 #include <cmath>
@@ -114,22 +115,20 @@ class Crossings {
   /// Where tangent and bend lead beyond a crossing, if there is only one configuration near.
   [[nodiscard]] static PointIndex led_to(const Crossing& crossing, const Snapshot& near,
                                          PointIndex from, const Snapshot& far) {
-    constexpr double most_bend = 0.1;          // in parts of the way
-    constexpr double most_of_distance = 0.25;  // of any other configuration
     const double before = crossing.location.parameter - near.parameter;
     const double after = far.parameter - crossing.location.parameter;
     const ConfigurationPoint& here = near.points[from];
-    const Eigen::VectorXd way = crossing.place - here.at;
-    const Eigen::VectorXd bend = way - before * here.slope;
-    if (!(bend.norm() <= most_bend * way.norm())) {
+    Eigen::VectorXd on;
+    if (!local::goes_on_behind<Eigen::VectorXd>(crossing.place - here.at, before * here.slope,
+                                                after / before, 0.0, on)) {
       return {};
     }
-    const double ratio = after / before;
-    const Eigen::VectorXd place = crossing.place + ratio * (way + bend) + ratio * ratio * bend;
+    const Eigen::VectorXd place = crossing.place + on;
     const PointIndex to = nearest(far, place);
     const double miss = (far.points[to].at - place).norm();
     const bool is_only = std::ranges::all_of(far.points, [&](const ConfigurationPoint& other) {
-      return &other == &far.points[to] || miss < most_of_distance * (other.at - place).norm();
+      return &other == &far.points[to] ||
+             miss < local::CrossingLimits<double>().correction * (other.at - place).norm();
     });
     return is_only ? to : PointIndex();
   }
@@ -145,8 +144,7 @@ class Crossings {
           start.is_consistent ? solver_.plan().redundant() : std::vector<RedundantJoint>();
       const solve::ConstraintsOnWay system(values, left_out, solver_.sweep().parameter, way_of_size,
                                            at);
-      const Eigen::VectorXd direction =
-          std::copysign(1.0, width()) * system.direction(at, start.links);
+      const Eigen::VectorXd direction = std::copysign(1.0, width()) * system.direction(start.links);
       const auto [distance, corank] = first_singular(system, at, direction);
       if (!(distance * way_of_size <= 2 * std::abs(width()))) {
         return std::nullopt;
@@ -154,11 +152,12 @@ class Crossings {
       system.move(distance * direction, at);
       const auto singular = local::singular_point(system, at, corank);
       const double parameter = singular.at.parameter;
-      if (!singular.is_found || singular.opening > system.rounding(singular.at) ||
+      if (!singular.is_found || singular.opening > system.rounding() ||
           !((parameter - left_.parameter) * (parameter - right_.parameter) < 0)) {
         return std::nullopt;
       }
       Crossing crossing{{parameter, configuration(singular.at), 0}, {}, corank, {}};
+      // Some roundings of all that F' is computed from.
       constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       crossing.location.uncertainty = rounding * (way_of_size + std::abs(parameter));
       crossing.place = solver_.place_of(crossing.location.configuration);
@@ -180,16 +179,19 @@ class Crossings {
     double nearest = std::numeric_limits<double>::infinity();
     const auto each_zero = [&](const auto& use) {
       for (const std::complex<double>& inverse : inverses) {
-        constexpr double nearly_real = 0.3;  // multiple zeros are spread in a circle
+        // The m zeros of a point where m ranks are lost are spread in a circle by the bend of the
+        // branch, which `together` allows to be as wide as this.
+        constexpr double nearly_real = 0.3;
         if (inverse.real() > 0 && std::abs(inverse.imag()) < nearly_real * inverse.real()) {
           use(1 / inverse.real());
         }
       }
     };
     each_zero([&](double zero) { nearest = std::min(nearest, zero); });
-    constexpr double together = 1.7;  // less apart than the bend of the first one tells
     int count = 0;
-    each_zero([&](double zero) { count += zero < together * nearest ? 1 : 0; });
+    each_zero([&](double zero) {
+      count += zero < local::CrossingLimits<double>().together * nearest ? 1 : 0;
+    });
     return {nearest, count};
   }
 

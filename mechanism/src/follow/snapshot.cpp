@@ -61,15 +61,14 @@ bool has_counted_angles(const Snapshot& snapshot) {
                              [](const Configuration& one) { return !one.counted.empty(); });
 }
 
-/// Whether a law reads the angle of a joint from where links are.
-bool do_laws_read_angles(const Mechanism& mechanism) {
-  bool do_read = false;
+/// The joints that laws read from where links are.
+std::vector<JointIndex> joints_that_laws_read(const Mechanism& mechanism) {
+  std::vector<JointIndex> read;
   for (const DriverIndex driver : mechanism.drivers().keys()) {
-    for (const JointIndex joint : plan::joints_read(mechanism, driver)) {
-      do_read = do_read || mechanism.joints()[joint].type == JointType::revolute;
-    }
+    const auto joints = plan::joints_read(mechanism, driver);
+    read.insert(read.end(), joints.begin(), joints.end());
   }
-  return do_read;
+  return read;
 }
 
 /// Configurations closer than this may be one that all constraints close from several of the rest.
@@ -103,21 +102,16 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
   to_ = values_.value_of(sweep().to);
   sought_.length = solve::longest_on_links(values_at(from_));
   moved_features_ = solve::features_moved_by(values_, sweep().parameter);
-  reads_angles_ = do_laws_read_angles(plan.mechanism());
+  const std::vector<JointIndex> read = joints_that_laws_read(plan.mechanism());
+  reads_joints_ = !read.empty();
+  reads_angles_ = std::ranges::any_of(read, [&](JointIndex joint) {
+    return plan.mechanism().joints()[joint].type == JointType::revolute;
+  });
 }
 
 Values& SnapshotSolver::values_at(double parameter) {
   values_.set(sweep().parameter, parameter);
   return values_;
-}
-
-bool SnapshotSolver::do_laws_read_joints() const {
-  const Mechanism& mechanism = plan_.mechanism();
-  bool do_read = false;
-  for (const DriverIndex driver : mechanism.drivers().keys()) {
-    do_read = do_read || !plan::joints_read(mechanism, driver).empty();
-  }
-  return do_read;
 }
 
 Eigen::VectorXd SnapshotSolver::place_of(const Configuration& configuration) const {

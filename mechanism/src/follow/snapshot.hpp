@@ -84,7 +84,7 @@ class SnapshotSolver {
   /// The mechanism's values at a value of the swept parameter. They change with the next call.
   [[nodiscard]] Values& values_at(double parameter);
   /// Whether the law of a driver reads joints, so that it depends on where links are.
-  [[nodiscard]] bool do_laws_read_joints() const;
+  [[nodiscard]] bool do_laws_read_joints() const { return reads_joints_; }
   /// Where a configuration is as a point.
   [[nodiscard]] Eigen::VectorXd place_of(const Configuration& configuration) const;
 
@@ -133,7 +133,8 @@ class SnapshotSolver {
   std::shared_ptr<Spares> spares_ = std::make_shared<Spares>();
   Eigen::Index column_;  ///< of the derivatives with respect to the swept parameter
   std::vector<FeatureIndex> moved_features_;  ///< by the swept parameter, on their links
-  bool reads_angles_ = false;                 ///< whether laws read angles, whose turns are counted
+  bool reads_joints_ = false;
+  bool reads_angles_ = false;  ///< whether laws read angles, whose turns are counted
   double from_ = 0;
   double to_ = 0;
   solve::SoughtPoint sought_;  ///< its length is that of the mechanism

@@ -250,6 +250,16 @@ bool AllConstraints::let_on(Links links) const {
   return !(left > rounding_of_second_rates * (open.norm() + fastest * fastest));
 }
 
+Eigen::VectorXd AllConstraints::unknown_rates(const Links& links, Eigen::Index parameter) const {
+  const Body::Poses poses = moving_poses(poses_of(links));
+  Eigen::VectorXd result(unknowns());
+  for (std::size_t place = 0; place < moving_.size(); ++place) {
+    result.segment<3>(3 * static_cast<Eigen::Index>(place)) = body_.unknown_rates_of(
+        static_cast<int>(place), links[moving_[place]].follows.first.col(parameter), poses);
+  }
+  return result;
+}
+
 void AllConstraints::add_first(const Eigen::MatrixXd& rates, Links& links) const {
   const Body::Poses poses = moving_poses(poses_of(links));
   for (std::size_t place = 0; place < moving_.size(); ++place) {

@@ -59,6 +59,8 @@ class AllConstraints {
   /// f''(t) and f_ab, have one for time and one for each pair of parameters, row by row.
   [[nodiscard]] Eigen::MatrixXd first_rates(const Links& links) const;
   [[nodiscard]] Eigen::MatrixXd second_rates(const Links& links) const;
+  /// The derivatives of q that belong to those of the links with respect to one parameter.
+  [[nodiscard]] Eigen::VectorXd unknown_rates(const Links& links, Eigen::Index parameter) const;
   /// Adds rates and derivatives of q, in the same columns, to those of the links.
   void add_first(const Eigen::MatrixXd& rates, Links& links) const;
   void add_second(const Eigen::MatrixXd& rates, Links& links) const;

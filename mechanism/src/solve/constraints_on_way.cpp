@@ -60,21 +60,9 @@ void ConstraintsOnWay::move(const Step& step, Point& point) const {
   point.parameter += step(unknown_count()) * way_of_size_;
 }
 
-ConstraintsOnWay::Step ConstraintsOnWay::direction(const Point& point,
-                                                   const Table<LinkIndex, Frame>& links) const {
-  // A short step tells the rates of all unknowns.
-  constexpr double width = 1e-6;
-  AllConstraints::Poses beside = point.links;
-  for (const LinkIndex link : beside.keys()) {
-    Pose<double>& pose = beside[link];
-    const Eigen::Vector3d rate = links[link].follows.first.col(column_) * (width * way_of_size_);
-    pose.x += rate(0);
-    pose.y += rate(1);
-    pose.direction = normalised(turned(pose.direction, direction_of(rate(2))));
-  }
+ConstraintsOnWay::Step ConstraintsOnWay::direction(const Table<LinkIndex, Frame>& links) const {
   Step result(unknown_count() + 1);
-  result.head(unknown_count()) = constraints_.step(point.links, beside) / width;
-  result(unknown_count()) = 1;
+  result << way_of_size_ * constraints_.unknown_rates(links, column_), 1;
   return result;
 }
 

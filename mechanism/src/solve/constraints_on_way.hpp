@@ -30,10 +30,10 @@ class ConstraintsOnWay {
   [[nodiscard]] Eigen::MatrixXd jacobian(const Point& point) const;
   [[nodiscard]] Eigen::MatrixXd bends(const Point& point, const Step& v) const;
   void move(const Step& step, Point& point) const;
-  [[nodiscard]] double rounding(const Point& /*at*/) const { return constraints_.rounding(); }
+  [[nodiscard]] double rounding() const { return constraints_.rounding(); }
 
-  /// The direction in which a point moves, with one unit along the way, if links move as given.
-  [[nodiscard]] Step direction(const Point& point, const Table<LinkIndex, Frame>& links) const;
+  /// The direction in which links move, by their derivatives, with one unit along the way.
+  [[nodiscard]] Step direction(const Table<LinkIndex, Frame>& links) const;
 
  private:
   void read(const Point& point) const;

@@ -94,7 +94,7 @@ class FamilyTrial {
   /// hold within rounding.
   [[nodiscard]] bool close(Poses& poses) const {
     constexpr int most_steps = 100;
-    constexpr int most_in_vain = 6;
+    constexpr int most_in_vain = 6;  // the last is some thousand times as stiff as the first
     constexpr double least_gain = 0.9;
     constexpr double slack = 16;
     double damping = 1e-2;

@@ -253,18 +253,28 @@ std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text
 /// Where sweeps pass change points, begin beside them and end on them, and have rows on them:
 /// tracks have the rows of the sweep's branches.
 TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
-  std::vector<std::pair<std::string, Json>> scenes = {
+  std::vector<std::pair<std::string, Json>> made_scenes = {
       {"two_parallelograms", parallelograms(2)},
       {"in_line", four_bar_of(2, 4, 3, 5)},
       {"kite", four_bar_of(2, 3, 3, 2)},
       {"crank_and_rod", of_one_parameter(crank_by_rocker(), "A")},
       {"slotted_arm", slotted_arm()}};
   if (is_whole_campaign()) {
-    scenes.insert(scenes.end(), {{"one_parallelogram", parallelograms(1)},
-                                 {"three_parallelograms", parallelograms(3)},
-                                 {"other_kite", four_bar_of(2, 2, 3, 3)},
-                                 {"rhombus", four_bar_of(1, 1, 1, 1)},
-                                 {"hung", hung_on_a_parallelogram()}});
+    made_scenes.insert(made_scenes.end(), {{"one_parallelogram", parallelograms(1)},
+                                           {"three_parallelograms", parallelograms(3)},
+                                           {"other_kite", four_bar_of(2, 2, 3, 3)},
+                                           {"rhombus", four_bar_of(1, 1, 1, 1)},
+                                           {"hung", hung_on_a_parallelogram()}});
+  }
+  // Each scene in one way of listing it, or in all.
+  std::vector<std::pair<std::string, Json>> scenes;
+  for (std::size_t index = 0; index < made_scenes.size(); ++index) {
+    const auto& [stem, scene] = made_scenes[index];
+    for (int listing = 0; listing < listings; ++listing) {
+      if (is_whole_campaign() || static_cast<int>(index) % listings == listing) {
+        scenes.emplace_back(stem + "_" + std::to_string(listing), scene_listed(scene, listing));
+      }
+    }
   }
   struct Sweep {
     double from, to;
@@ -399,6 +409,68 @@ int main() {
   std::printf("%d rows, off by %.1e at most; %d in float, by %.1e\n", rows, largest, rows_in_float,
               largest_in_float);
   EXPECT_GT(rows_in_float, rows / 2);
+}
+
+/// A call ends on a change point, and the next one goes on or back; or aside, where it stops.
+TEST(EmitChangePoints, TracksOnOneGoOnOrBackButNotAside) {
+  const TemporaryDirectory directory;
+  const auto file = directory.write("slider_crank.json", slider_crank().dump());
+  emit_solver({file, "slider_crank", "SliderCrank", {}}, directory);
+  const auto source = directory.write("turns.cpp", R"(#include <assur/scenes/slider_crank.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+template <typename Scalar>
+void run(double allowed) {
+  using Solver = assur::scenes::SliderCrank;
+  typename Solver::template Drivers<Scalar> drivers;
+  typename Solver::template Parameters<Scalar> lengths;
+  typename Solver::template State<Scalar> state;
+  lengths.r = lengths.l = Scalar(1.25);
+  const auto upright = static_cast<Scalar>(1.5707963267948966);
+  int wrong = 0;
+  for (const double begins : {1.2, 1.9}) {
+    for (const double ends : {1.0, 1.5, 0.2, 2.5, 1.5707963267948966, -1.0}) {
+      for (int configuration = 0; configuration < 2; ++configuration) {
+        const auto moves_by = [&](double angle) {
+          return std::abs(static_cast<double>(state.outputs.C.position.x()) -
+                          2.5 * std::cos(angle));
+        };
+        const auto stays_by = [&] {
+          return std::abs(static_cast<double>(state.outputs.C.position.x()));
+        };
+        drivers.A.position = static_cast<Scalar>(begins);
+        auto branch = Solver::branch(drivers, lengths, configuration);
+        wrong += Solver::track(drivers, lengths, branch, state).status == assur::Status::ok ? 0 : 1;
+        const bool stays = stays_by() < moves_by(begins);
+        drivers.A.position = upright;
+        const auto onto = Solver::track(drivers, lengths, branch, state);
+        wrong += onto.status == assur::Status::near_singular && onto.reached == 1 ? 0 : 1;
+        auto other = branch;
+        lengths.l = Scalar(1.5);
+        wrong += Solver::track(drivers, lengths, other, state).status == assur::Status::singular ? 0
+                                                                                               : 1;
+        lengths.l = Scalar(1.25);
+        drivers.A.position = static_cast<Scalar>(ends);
+        const auto away = Solver::track(drivers, lengths, branch, state);
+        wrong += assur::is_solvable(away.status) && away.reached == 1 &&
+                         (stays ? stays_by() : moves_by(ends)) < allowed
+                     ? 0
+                     : 1;
+      }
+    }
+  }
+  std::printf("%d\n", wrong);
+}
+int main() {
+  run<double>(1e-10);
+  run<float>(1e-4);
+}
+)");
+  const std::string program = (directory.path() / "turns").string();
+  compile_program(source, program, directory);
+  ASSERT_EQ(std::system((program + " > " + program + ".txt").c_str()), 0);
+  EXPECT_EQ(read_file(program + ".txt"), "0\n0\n");
 }
 
 TEST(EmitChangePoints, TracksStayOnTheirBranchOrStop) {

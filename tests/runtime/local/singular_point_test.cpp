@@ -23,8 +23,8 @@ struct Lines {
   };
   double a, b, mu;
 
-  [[nodiscard]] int row_count() const { return 2; }
-  [[nodiscard]] int unknown_count() const { return 2; }
+  [[nodiscard]] static constexpr int row_count() { return 2; }
+  [[nodiscard]] static constexpr int unknown_count() { return 2; }
   [[nodiscard]] Vector<double, Size> misses(const Point& at) const {
     const double first = at.x * at.x - (a + b) * at.s * at.x + a * b * at.s * at.s + mu;
     const double second = at.y - at.x - at.s * at.s;
@@ -36,7 +36,6 @@ struct Lines {
   void move(const Step& step, Point& at) const {
     at = {at.x + step(0), at.y + step(1), at.s + step(2)};
   }
-  [[nodiscard]] double rounding(const Point& /*at*/) const { return 1e-15; }
 };
 
 /// The same with derivatives.
@@ -95,6 +94,8 @@ struct TwoCrossings {
   static constexpr int rows = 2;
   static constexpr int unknowns = 2;
   static constexpr int most_corank = 2;
+  [[nodiscard]] static constexpr int row_count() { return 2; }
+  [[nodiscard]] static constexpr int unknown_count() { return 2; }
   struct Point {
     double x = 0, y = 0, s = 0;
   };
@@ -119,6 +120,8 @@ struct Fold {
   static constexpr int rows = 1;
   static constexpr int unknowns = 1;
   static constexpr int most_corank = 1;
+  [[nodiscard]] static constexpr int row_count() { return 1; }
+  [[nodiscard]] static constexpr int unknown_count() { return 1; }
   struct Point {
     double x = 0, s = 0;
   };

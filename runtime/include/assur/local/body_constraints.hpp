@@ -182,6 +182,15 @@ class BodyConstraints {
     return {origin(0), origin(1), turning};
   }
 
+  /// The rates of q of a link from the rates (x, y, theta) of its frame.
+  [[nodiscard]] Vector<Scalar, 3> unknown_rates_of(int link, const Vector<Scalar, 3>& rates,
+                                                   const Poses& poses) const {
+    const Plane arm = pivot(link, poses) - place_of(poses[static_cast<std::size_t>(link)]);
+    const Plane shift =
+        (Plane(rates(0), rates(1)) + rates(2) * support::across<Scalar>(arm)) / size_;
+    return {shift(0), shift(1), rates(2)};
+  }
+
   /// Calls `visit(row, coordinate, pair)` for each row of f, with the number of the pair.
   template <typename Visit>
   void for_each_row(const Visit& visit) const {

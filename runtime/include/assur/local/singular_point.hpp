@@ -50,8 +50,8 @@ class SingularPointSearch {
  public:
   SingularPointSearch(const System& system, const Point& near, int corank)
       : system_(system),
-        rows_(row_count(system)),
-        columns_(unknown_count(system) + 1),
+        rows_(system.row_count()),
+        columns_(system.unknown_count() + 1),
         rank_(columns_ - 1 - corank),
         N_(memory_of_N_, columns_, right()),
         W_(memory_of_W_, rows_, left()),

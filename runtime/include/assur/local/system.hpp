@@ -14,14 +14,12 @@ namespace assur::local {
 // its size. It has
 //
 //   using Scalar, Point;
-//   static constexpr int rows, unknowns;  // unknowns without s; or Eigen::Dynamic, and functions
-//   int row_count() const;                // for their numbers
+//   static constexpr int rows, unknowns;  // unknowns without s; or Eigen::Dynamic
+//   int row_count() const;                // their numbers
 //   int unknown_count() const;
 //   static constexpr int most_corank;     // that is looked for; needed where sizes are fixed
 //   Vector<Scalar, rows> misses(const Point&) const;                    // F(z)
 //   void move(const Vector<Scalar, unknowns + 1>& step, Point&) const;  // the last entry along s
-//   Scalar rounding(const Point&) const;                                // what rounding leaves of
-//   F
 //
 // and may have F' and F''(., v), which are computed by differences otherwise:
 //
@@ -38,23 +36,6 @@ template <typename System>
 using StepOf = Vector<typename System::Scalar, columns_of<System>>;
 template <typename System>
 using WideOf = Matrix<typename System::Scalar, System::rows, columns_of<System>>;
-
-template <typename System>
-[[nodiscard]] int row_count([[maybe_unused]] const System& system) {
-  if constexpr (has_fixed_size<System>) {
-    return System::rows;
-  } else {
-    return system.row_count();
-  }
-}
-template <typename System>
-[[nodiscard]] int unknown_count([[maybe_unused]] const System& system) {
-  if constexpr (has_fixed_size<System>) {
-    return System::unknowns;
-  } else {
-    return system.unknown_count();
-  }
-}
 
 /// F where a point has moved by a step.
 template <typename System>
@@ -79,8 +60,8 @@ template <typename System>
   } else {
     using Scalar = typename System::Scalar;
     const Scalar width = std::cbrt(std::numeric_limits<Scalar>::epsilon());
-    const int columns = unknown_count(system) + 1;
-    WideOf<System> J(row_count(system), columns);
+    const int columns = system.unknown_count() + 1;
+    WideOf<System> J(system.row_count(), columns);
     for (int column = 0; column < columns; ++column) {
       const StepOf<System> step = width * StepOf<System>::Unit(columns, column);
       J.col(column) =
@@ -100,8 +81,8 @@ template <typename System>
   } else {
     using Scalar = typename System::Scalar;
     const Scalar width = std::sqrt(std::sqrt(std::numeric_limits<Scalar>::epsilon()));
-    const int columns = unknown_count(system) + 1;
-    WideOf<System> result(row_count(system), columns);
+    const int columns = system.unknown_count() + 1;
+    WideOf<System> result(system.row_count(), columns);
     for (int column = 0; column < columns; ++column) {
       const StepOf<System> unit = StepOf<System>::Unit(columns, column);
       const StepOf<System> sum = width * (unit + v);

@@ -9,6 +9,7 @@
 #include <assur/local/singular_point.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/scene_access.hpp>
+#include <assur/support/scene_branch.hpp>
 #include <assur/support/scene_search.hpp>
 #include <cmath>
 #include <cstddef>
@@ -17,29 +18,28 @@
 
 namespace assur::support {
 
+/// The sizes of groups, one behind the other.
 template <typename Groups>
 struct GroupSizes;
 template <typename... Group>
 struct GroupSizes<std::tuple<Group...>> {
-  static constexpr int unknowns = (0 + ... + Group::unknown_count);
-  static constexpr int equations = (0 + ... + Group::equation_count);
-  static constexpr int pivots = (0 + ... + Group::pivot_count);
-};
+  static constexpr std::array<int, sizeof...(Group)> unknowns{Group::unknown_count...};
+  static constexpr std::array<int, sizeof...(Group)> equations{Group::equation_count...};
+  static constexpr std::array<int, sizeof...(Group)> pivots{Group::pivot_count...};
+  static constexpr std::size_t count = sizeof...(Group);
 
-/// A group on a branch: where it is held and stands, and J^-1 there.
-template <typename Group, typename Scalar>
-struct GroupPoint {
-  typename Group::template Inputs<Scalar> u;
-  typename Group::template Configuration<Scalar> q;
-  Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
-  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
-};
-
-template <typename Groups, typename Scalar>
-struct GroupPoints;
-template <typename... Group, typename Scalar>
-struct GroupPoints<std::tuple<Group...>, Scalar> {
-  using Type = std::tuple<GroupPoint<Group, Scalar>...>;
+  /// The sum of the sizes of the groups before a place.
+  [[nodiscard]] static constexpr int before(const std::array<int, count>& sizes,
+                                            std::size_t place) {
+    int sum = 0;
+    for (std::size_t group = 0; group < place; ++group) {
+      sum += sizes[group];
+    }
+    return sum;
+  }
+  [[nodiscard]] static constexpr int all(const std::array<int, count>& sizes) {
+    return before(sizes, count);
+  }
 };
 
 /// What holds each group.
@@ -68,10 +68,13 @@ class ClosuresOnWay {
   using Scalar = Scalar_;
   using Groups = typename Own::Groups;
   using Configurations = typename GroupConfigurations<Groups, Scalar>::Type;
-  static constexpr int rows = GroupSizes<Groups>::equations;
-  static constexpr int unknowns = GroupSizes<Groups>::unknowns;
-  static constexpr int pivots = GroupSizes<Groups>::pivots;
-  static constexpr int most_corank = static_cast<int>(std::tuple_size_v<Groups>);
+  using Sizes = GroupSizes<Groups>;
+  static constexpr int rows = Sizes::all(Sizes::equations);
+  static constexpr int unknowns = Sizes::all(Sizes::unknowns);
+  static constexpr int pivots = Sizes::all(Sizes::pivots);
+  static constexpr int most_corank = static_cast<int>(Sizes::count);
+  [[nodiscard]] static constexpr int row_count() { return rows; }
+  [[nodiscard]] static constexpr int unknown_count() { return unknowns; }
   using Open = Vector<Scalar, rows>;
   using Step = Vector<Scalar, unknowns + 1>;
   /// The configurations of the groups, and the part of the way that the arguments have gone.
@@ -86,8 +89,9 @@ class ClosuresOnWay {
 
   /// Where the groups are held where the arguments have gone a part of the way, by how much they
   /// miss there, and where they are.
+  using Inputs = typename GroupInputs<Groups, Scalar>::Type;
   struct Place {
-    typename GroupInputs<Groups, Scalar>::Type u;
+    Inputs u;
     Configurations q;
     Open misses;
   };
@@ -111,6 +115,7 @@ class ClosuresOnWay {
     move_groups(step, point.q);
     point.part += step(unknowns) / speed_;
   }
+  /// What rounding leaves of the closures: four roundings of the longest length.
   [[nodiscard]] Scalar rounding(const Point& point) const {
     Place there;
     place(point.part, point.q, nullptr, there);
@@ -125,8 +130,8 @@ class ClosuresOnWay {
     each_group([&](auto place) {
       using Group = std::tuple_element_t<place, Groups>;
       advance(std::get<place>(q),
-              Vector<Scalar, Group::unknown_count>(
-                  step.template segment<Group::unknown_count>(first_unknown<place>())));
+              Vector<Scalar, Group::unknown_count>(step.template segment<Group::unknown_count>(
+                  Sizes::before(Sizes::unknowns, place))));
     });
   }
   /// The step from some configurations to others. Its last entry is zero.
@@ -141,6 +146,20 @@ class ClosuresOnWay {
     });
     return step;
   }
+  [[nodiscard]] static Configurations configurations_of(const Points& points) {
+    Configurations q;
+    each_group([&](auto place) { std::get<place>(q) = std::get<place>(points).q; });
+    return q;
+  }
+  /// How much of what holds the groups differs from where they are held at some points.
+  [[nodiscard]] static Scalar largest_difference(const Points& points, const Inputs& inputs) {
+    Scalar largest = 0;
+    each_group([&](auto place) {
+      largest = (std::max)(largest, detail::largest_difference<Scalar>(std::get<place>(points).u,
+                                                                       std::get<place>(inputs)));
+    });
+    return largest;
+  }
   template <typename Use>
   static void each_group(const Use& use) {
     each_group_from<0>(use);
@@ -154,22 +173,6 @@ class ClosuresOnWay {
       each_group_from<Place + 1>(use);
     }
   }
-  template <std::size_t Place>
-  static constexpr int first_unknown() {
-    if constexpr (Place == 0) {
-      return 0;
-    } else {
-      return first_unknown<Place - 1>() + std::tuple_element_t<Place - 1, Groups>::unknown_count;
-    }
-  }
-  template <std::size_t Place>
-  static constexpr int first_equation() {
-    if constexpr (Place == 0) {
-      return 0;
-    } else {
-      return first_equation<Place - 1>() + std::tuple_element_t<Place - 1, Groups>::equation_count;
-    }
-  }
   template <std::size_t Index>
   static void place_from(const Points* points, Placed& placed, Place& place) {
     if constexpr (Index < std::tuple_size_v<Groups>) {
@@ -181,7 +184,8 @@ class ClosuresOnWay {
       group.q = std::get<Index>(place.q);
       Vector<Scalar, Group::equation_count> f;
       Group::residual(held.u, group.q, f);
-      place.misses.template segment<Group::equation_count>(first_equation<Index>()) = f;
+      place.misses.template segment<Group::equation_count>(Sizes::before(Sizes::equations, Index)) =
+          f;
       if (points != nullptr) {
         detail::move_slightly<Specialised<Group>, Scalar>(
             group.q, -detail::product(std::get<Index>(*points).inverse, f));

@@ -1,0 +1,254 @@
+// How a branch of an emitted solver goes over a place at which branches cross.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <assur/detail/branch_step.hpp>
+#include <assur/local/crossing.hpp>
+#include <assur/local/singular_point.hpp>
+#include <assur/numeric/precision.hpp>
+#include <assur/support/closures_on_way.hpp>
+#include <assur/support/scene_branch.hpp>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <tuple>
+
+namespace assur::support {
+
+/// How far a branch has gone over a crossing.
+template <typename Scalar>
+struct Landing {
+  bool is_refused = true;  ///< the place may be of another branch
+  Scalar part = 0;         ///< of the whole way
+};
+
+/// The crossing that lies ahead of a branch on a straight way of the arguments, if any.
+template <typename Solver, typename Scalar>
+class CrossingAhead {
+  using Branch = support::Branch<Solver, Scalar>;
+  using Own = Access<Solver, Scalar>;
+  using Given = typename Own::Given;
+  using Groups = typename Own::Groups;
+  using Placed = typename Own::Placed;
+  using Closures = ClosuresOnWay<Solver, Scalar>;
+  using Step = typename Closures::Step;
+  using OfGroups = BranchGroups<Solver, Scalar>;
+
+ public:
+  /// Whether the branch has come to the place from which it goes over the crossing.
+  [[nodiscard]] bool is_reached(Scalar part) const { return !(part < before_); }
+  /// The part of the way at which this place is; infinite where no crossing is known.
+  [[nodiscard]] Scalar before() const { return before_; }
+  void leave_behind() { before_ = std::numeric_limits<Scalar>::infinity(); }
+  /// Goes closer, where a branch could not go over it from a place. False where the crossing is
+  /// not known well enough for that.
+  [[nodiscard]] bool comes_closer(Scalar reached) {
+    const Scalar distance = (at_.part - reached) / 4;
+    before_ = at_.part - distance;
+    return distance * speed_ > std::cbrt(std::numeric_limits<Scalar>::epsilon());
+  }
+
+  /// Looks for a crossing where a pivot will vanish if all goes on as it begins, once from each
+  /// place. `next` is where a step was refused.
+  [[gnu::noinline, gnu::cold]] void seek(const Given& from, const Given& to, const Branch& start,
+                                         Scalar reached, Scalar next) {
+    if (reached == sought_from_) {
+      return;
+    }
+    sought_from_ = reached;
+    const Beside aside = beside(from, to, start, reached);
+    const Scalar farthest = 2 * (std::max)(next - reached, widest_landing / aside.speed);
+    std::array<Scalar, detail::size(Closures::pivots)> zeros;
+    const Scalar nearest = find_zeros(start, aside, zeros);
+    if (!(nearest <= farthest)) {
+      return;
+    }
+    PivotSets<Groups> vanishing{};
+    int corank = 0;
+    std::size_t pivot = 0;
+    Closures::each_group([&](auto place) {
+      for (int index = 0; index < std::tuple_element_t<place, Groups>::pivot_count; ++index) {
+        const Scalar zero = zeros[pivot++];
+        if (zero > 0 && zero < local::CrossingLimits<Scalar>().together * nearest) {
+          vanishing[place] |= 1U << index;
+        }
+      }
+      corank += vanishing[place] != 0 ? 1 : 0;
+    });
+    typename Closures::Point point{Closures::configurations_of(start.groups), reached + nearest};
+    const Step way = nearest / aside.part * Closures::step_between(point.q, aside.there.q);
+    if (!(way.cwiseAbs().maxCoeff() < 1)) {
+      return;
+    }
+    Closures::move_groups(way, point.q);
+    const Closures closures(from, to, aside.speed);
+    const auto singular = local::singular_point(closures, point, corank);
+    if (singular.is_found && singular.opening <= closures.rounding(singular.at) &&
+        singular.at.part > reached && singular.at.part <= reached + farthest) {
+      at_ = singular.at;
+      vanishing_ = vanishing;
+      speed_ = aside.speed;
+      before_ = at_.part - widest_landing / speed_;
+    }
+  }
+
+  /// Goes on behind the crossing as far as the branch is before it, or to the end of the way.
+  [[nodiscard, gnu::noinline, gnu::cold]] Landing<Scalar> land(const Given& from, const Given& to,
+                                                               const Branch& start, Scalar reached,
+                                                               Branch& end, Placed& placed) const {
+    const Beside aside = beside(from, to, start, reached);
+    const Scalar distance = at_.part - reached;
+    const bool is_on_it = std::abs(1 - at_.part) * aside.speed <= on_crossing;
+    Landing<Scalar> landing;
+    landing.part = is_on_it ? Scalar(1) : (std::min)(at_.part + distance, Scalar(1));
+    const Scalar ratio = (landing.part - at_.part) / distance;
+    const auto q = Closures::configurations_of(start.groups);
+    const Step straight = distance / aside.part * Closures::step_between(q, aside.there.q);
+    Step on;
+    if (!local::goes_on_behind<Step>(Closures::step_between(q, at_.q), straight, ratio,
+                                     distance * aside.speed, on)) {
+      return landing;
+    }
+    auto predicted = at_.q;
+    Closures::move_groups(on, predicted);
+    end.given = landing.part < 1 ? Own::between(from, to, landing.part) : to;
+    end.is_kept_before = false;
+    end.status = Status::ok;
+    Own::drive(end.given, placed);
+    bool is_known = true;
+    if (land_groups<0>(predicted, &vanishing_, ratio > 0, start, is_known, end, placed) &&
+        (is_known || landing.part == 1)) {
+      landing.is_refused = false;
+    } else if (is_on_it) {
+      Own::drive(end.given, placed);
+      landing.is_refused =
+          !land_groups<0>(predicted, nullptr, ratio > 0, start, is_known, end, placed);
+    }
+    if (!is_known) {
+      const Given given = end.given;
+      end = start;
+      end.is_kept_before = true;
+      end.followed_to = given;
+      end.status = Status::near_singular;
+    }
+    return landing;
+  }
+
+ private:
+  template <typename Group>
+  using Held = HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count>;
+
+  /// How far from a crossing a branch goes over it at most, in what holds the groups: what is
+  /// predicted there is known to three eighths of the digits.
+  static constexpr Scalar widest_landing =
+      numeric::power_of_two<Scalar>(-(std::numeric_limits<Scalar>::digits / 8));
+  /// Nearer to a crossing than this, in what holds the groups, is on it: a few times what is known
+  /// of its place.
+  static constexpr Scalar on_crossing = 16 * numeric::half_of_digits<Scalar>;
+
+  /// Where a branch begins to move, and how fast.
+  struct Beside {
+    Scalar speed = 0;
+    Scalar part = numeric::half_of_digits<Scalar>;  ///< of the whole way
+    typename Closures::Place there;
+  };
+  [[nodiscard, gnu::noinline]] static Beside beside(const Given& from, const Given& to,
+                                                    const Branch& start, Scalar reached) {
+    Beside result;
+    for (int time = 0; time < 2; ++time) {  // the second time with half of the digits in all units
+      Closures(from, to, 1)
+          .place(reached + result.part, Closures::configurations_of(start.groups), &start.groups,
+                 result.there);
+      result.speed = Closures::largest_difference(start.groups, result.there.u) / result.part;
+      if (time == 0) {
+        result.part = (std::min)(numeric::half_of_digits<Scalar> / result.speed, Scalar(0.5));
+      }
+    }
+    return result;
+  }
+
+  /// Finds the part of the way after which each pivot vanishes, and returns the least.
+  template <typename Zeros>
+  [[nodiscard]] static Scalar find_zeros(const Branch& start, const Beside& aside, Zeros& zeros) {
+    Scalar nearest = std::numeric_limits<Scalar>::infinity();
+    std::size_t pivot = 0;
+    Closures::each_group([&](auto place) {
+      using Group = std::tuple_element_t<place, Groups>;
+      const auto& pivots = std::get<place>(start.groups).pivots;
+      const auto others = OfGroups::template pivots_of<Group>(std::get<place>(aside.there.u),
+                                                              std::get<place>(aside.there.q));
+      for (int index = 0; index < Group::pivot_count; ++index) {
+        const Scalar zero = aside.part * pivots(index) / (pivots(index) - others(index));
+        zeros[pivot++] = zero;
+        nearest = zero > 0 ? (std::min)(nearest, zero) : nearest;
+      }
+    });
+    return nearest;
+  }
+
+  /// Corrects and places the groups from `Place` on; false where one may be of another branch.
+  /// `is_known` becomes false where velocities are not. On the crossing itself, where no pivots
+  /// `vanish` nearby, nothing is corrected.
+  template <std::size_t Place, typename Configurations>
+  [[nodiscard]] static bool land_groups(const Configurations& predicted,
+                                        const PivotSets<Groups>* vanishing, bool is_behind,
+                                        const Branch& start, bool& is_known, Branch& end,
+                                        Placed& placed) {
+    if constexpr (Place == std::tuple_size_v<Groups>) {
+      return true;
+    } else {
+      using Group = std::tuple_element_t<Place, Groups>;
+      GroupPoint<Group, Scalar>& point = std::get<Place>(end.groups);
+      Held<Group> held;
+      Own::hold(placed, held);
+      point.u = held.u;
+      point.q = std::get<Place>(predicted);
+      Status status = Status::singular;
+      if (vanishing != nullptr && !is_led_to((*vanishing)[Place], is_behind,
+                                             std::get<Place>(start.groups), point, status)) {
+        return false;
+      }
+      if (!is_solvable(status) || !OfGroups::place(held, point, status, end, placed)) {
+        is_known = false;
+        Own::place(place_group(held, point.q, Status::near_singular), placed);
+      }
+      return land_groups<Place + 1>(predicted, vanishing, is_behind, start, is_known, end, placed);
+    }
+  }
+  /// Corrects a group's configuration, behind the crossing or before it; false where it may be of
+  /// another branch.
+  template <typename Group>
+  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing, bool is_behind,
+                                      const GroupPoint<Group, Scalar>& start,
+                                      GroupPoint<Group, Scalar>& point, Status& status) {
+    using Model = Specialised<Group>;
+    using Unknowns = Vector<Scalar, Group::unknown_count>;
+    const typename Model::template Dimensions<Scalar> d;
+    const Unknowns none = Unknowns::Zero();
+    Unknowns way;
+    if (!detail::predict_and_correct<Model, Scalar>(d, point.u, 1, none, point.q, way,
+                                                    point.inverse)) {
+      return false;
+    }
+    // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
+    const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
+    const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
+    point.pivots = pivots.values;
+    status = OfGroups::look(point, pivots);
+    // The pivots that vanish at the crossing change their signs there, and behind a second one they
+    // would do so again. Where velocities are not known, signs are not.
+    const detail::PivotSet changed = detail::changed_pivots(start.pivots, point.pivots);
+    const bool is_right =
+        is_solvable(status) ? changed == (is_behind ? vanishing : 0) : (changed & ~vanishing) == 0;
+    return correction < local::CrossingLimits<Scalar>().correction && is_right;
+  }
+
+  typename Closures::Point at_;
+  PivotSets<Groups> vanishing_{};  ///< at the crossing
+  Scalar speed_ = 0;  ///< how much of what holds the groups changes along the whole way
+  Scalar before_ = std::numeric_limits<Scalar>::infinity();
+  Scalar sought_from_ = -1;  ///< the part of the way from which it was looked for last
+};
+
+}  // namespace assur::support
