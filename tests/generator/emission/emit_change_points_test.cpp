@@ -227,6 +227,15 @@ Json slotted_arm() {
   return maker.slide("S", "arm.S", "block.S").drive("A", "p", 0, 0).parameter("p", 0.7).scene();
 }
 
+/// A tetrad with all joints in line where the parameter is zero: it loses two ranks there.
+Json flat_tetrad() {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}, {"E", -9}}).bar("crank", {{"A", 0}, {"B", -2}});
+  maker.bar("left", {{"B", 0}, {"C", 6}, {"G", -4}}).bar("right", {{"E", 0}, {"D", 10}, {"F", 16}});
+  maker.bar("upper", {{"C", 0}, {"D", -3}}).bar("lower", {{"G", 0}, {"F", 13}});
+  return maker.drive("A", "p", 0, 0).parameter("p", 0.3).scene();
+}
+
 /// The rows of a table, by the names of its columns. No cell holds a comma.
 std::vector<std::map<std::string, std::string>> csv_rows(const std::string& text) {
   std::istringstream lines(text);
@@ -258,7 +267,8 @@ TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
       {"in_line", four_bar_of(2, 4, 3, 5)},
       {"kite", four_bar_of(2, 3, 3, 2)},
       {"crank_and_rod", of_one_parameter(crank_by_rocker(), "A")},
-      {"slotted_arm", slotted_arm()}};
+      {"slotted_arm", slotted_arm()},
+      {"flat_tetrad", flat_tetrad()}};
   if (is_whole_campaign()) {
     made_scenes.insert(made_scenes.end(), {{"one_parallelogram", parallelograms(1)},
                                            {"three_parallelograms", parallelograms(3)},
@@ -281,7 +291,13 @@ TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
     int steps;
   };
   constexpr double pi = 3.141592653589793;
-  const std::vector<Sweep> sweeps = {{0.1, 6.383, 20}, {pi / 6, 13 * pi / 6, 24}, {-0.3, 0.3, 60}};
+  const auto sweeps_of = [](const std::string& stem) {
+    std::vector<Sweep> sweeps = {{-0.3, 0.3, 60}};
+    if (!stem.starts_with("flat_tetrad")) {  // which has dead centres elsewhere
+      sweeps.insert(sweeps.end(), {{0.1, 6.383, 20}, {pi / 6, 13 * pi / 6, 24}});
+    }
+    return sweeps;
+  };
   const TemporaryDirectory directory;
   std::string includes;
   std::ostringstream calls;
@@ -302,7 +318,7 @@ TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
       }
     }
     calls << "}; };\n";
-    for (const Sweep& sweep : sweeps) {
+    for (const Sweep& sweep : sweeps_of(stem)) {
       for (const char* const scalar : {"double", "float"}) {
         calls << "    follow<Solver, " << scalar << ">(" << sweep.from << ", " << sweep.to << ", "
               << sweep.steps << ", numbers);\n";
@@ -351,7 +367,7 @@ int main() {
   double largest = 0;
   double largest_in_float = 0;
   for (const auto& [stem, made] : scenes) {
-    for (const Sweep& sweep : sweeps) {
+    for (const Sweep& sweep : sweeps_of(stem)) {
       Json scene = made;
       scene["want"] = {"position"};
       scene["sweep"] = {
@@ -386,12 +402,15 @@ int main() {
           for (int step = 0; printed >> step && step != 0; reached = step) {
             const auto& expected = points[{first[configuration], step}];
             double apart = 0;
+            double longest = 1;
             for (std::size_t index = 0; index < 2 * outputs[stem].size(); ++index) {
               double number = 0;
               printed >> number;
+              longest = std::max(longest, std::abs(number));
               // Where the library's set is degenerate it has no row.
               apart = expected.empty() ? 0 : std::max(apart, std::abs(number - expected[index]));
             }
+            apart /= longest;
             EXPECT_LT(apart, is_float ? 2e-3 : 1e-8)
                 << stem << " from " << sweep.from << ", configuration " << configuration
                 << ", step " << step;
@@ -406,8 +425,8 @@ int main() {
       }
     }
   }
-  std::printf("%d rows, off by %.1e at most; %d in float, by %.1e\n", rows, largest, rows_in_float,
-              largest_in_float);
+  std::printf("%d rows, off by %.1e of a coordinate at most; %d in float, by %.1e\n", rows, largest,
+              rows_in_float, largest_in_float);
   EXPECT_GT(rows_in_float, rows / 2);
 }
 

@@ -72,7 +72,7 @@ class ClosuresOnWay {
   static constexpr int rows = Sizes::all(Sizes::equations);
   static constexpr int unknowns = Sizes::all(Sizes::unknowns);
   static constexpr int pivots = Sizes::all(Sizes::pivots);
-  static constexpr int most_corank = static_cast<int>(Sizes::count);
+  static constexpr int most_corank = unknowns / 2;
   [[nodiscard]] static constexpr int row_count() { return rows; }
   [[nodiscard]] static constexpr int unknown_count() { return unknowns; }
   using Open = Vector<Scalar, rows>;

@@ -64,17 +64,22 @@ class CrossingAhead {
     if (!(nearest <= farthest)) {
       return;
     }
+    // A group loses one rank at least, and no more than one for each two unknowns, as a tetrad does
+    // where all of its joints are in line.
     PivotSets<Groups> vanishing{};
     int corank = 0;
+    int most_corank = 0;
     std::size_t pivot = 0;
     Closures::each_group([&](auto place) {
-      for (int index = 0; index < std::tuple_element_t<place, Groups>::pivot_count; ++index) {
+      using Group = std::tuple_element_t<place, Groups>;
+      for (int index = 0; index < Group::pivot_count; ++index) {
         const Scalar zero = zeros[pivot++];
         if (zero > 0 && zero < local::CrossingLimits<Scalar>().together * nearest) {
           vanishing[place] |= 1U << index;
         }
       }
       corank += vanishing[place] != 0 ? 1 : 0;
+      most_corank += vanishing[place] != 0 ? Group::unknown_count / 2 : 0;
     });
     typename Closures::Point point{Closures::configurations_of(start.groups), reached + nearest};
     const Step way = nearest / aside.part * Closures::step_between(point.q, aside.there.q);
@@ -83,13 +88,17 @@ class CrossingAhead {
     }
     Closures::move_groups(way, point.q);
     const Closures closures(from, to, aside.speed);
-    const auto singular = local::singular_point(closures, point, corank);
-    if (singular.is_found && singular.opening <= closures.rounding(singular.at) &&
-        singular.at.part > reached && singular.at.part <= reached + farthest) {
-      at_ = singular.at;
-      vanishing_ = vanishing;
-      speed_ = aside.speed;
-      before_ = at_.part - widest_landing / speed_;
+    for (bool is_found = false; corank <= most_corank && !is_found; ++corank) {
+      const auto singular = local::singular_point(closures, point, corank);
+      is_found = singular.is_found && singular.opening <= closures.rounding(singular.at) &&
+                 singular.at.part > reached && singular.at.part <= reached + farthest;
+      if (is_found) {
+        at_ = singular.at;
+        vanishing_ = vanishing;
+        corank_ = corank;
+        speed_ = aside.speed;
+        before_ = at_.part - widest_landing / speed_;
+      }
     }
   }
 
@@ -117,13 +126,16 @@ class CrossingAhead {
     end.status = Status::ok;
     Own::drive(end.given, placed);
     bool is_known = true;
-    if (land_groups<0>(predicted, &vanishing_, ratio > 0, start, is_known, end, placed) &&
-        (is_known || landing.part == 1)) {
-      landing.is_refused = false;
+    detail::PivotSet reversed = 0;
+    if (land_groups<0>(predicted, &vanishing_, start, is_known, reversed, end, placed)) {
+      // Each rank that is lost reverses the sign of det J once. Where velocities are not known,
+      // signs are not.
+      const auto expected = ratio > 0 ? static_cast<detail::PivotSet>(corank_) % 2 : 0;
+      landing.is_refused = is_known ? reversed != expected : landing.part < 1;
     } else if (is_on_it) {
       Own::drive(end.given, placed);
       landing.is_refused =
-          !land_groups<0>(predicted, nullptr, ratio > 0, start, is_known, end, placed);
+          !land_groups<0>(predicted, nullptr, start, is_known, reversed, end, placed);
     }
     if (!is_known) {
       const Given given = end.given;
@@ -192,8 +204,8 @@ class CrossingAhead {
   /// `vanish` nearby, nothing is corrected.
   template <std::size_t Place, typename Configurations>
   [[nodiscard]] static bool land_groups(const Configurations& predicted,
-                                        const PivotSets<Groups>* vanishing, bool is_behind,
-                                        const Branch& start, bool& is_known, Branch& end,
+                                        const PivotSets<Groups>* vanishing, const Branch& start,
+                                        bool& is_known, detail::PivotSet& reversed, Branch& end,
                                         Placed& placed) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
       return true;
@@ -205,23 +217,24 @@ class CrossingAhead {
       point.u = held.u;
       point.q = std::get<Place>(predicted);
       Status status = Status::singular;
-      if (vanishing != nullptr && !is_led_to((*vanishing)[Place], is_behind,
-                                             std::get<Place>(start.groups), point, status)) {
+      if (vanishing != nullptr &&
+          !is_led_to((*vanishing)[Place], std::get<Place>(start.groups), reversed, point, status)) {
         return false;
       }
       if (!is_solvable(status) || !OfGroups::place(held, point, status, end, placed)) {
         is_known = false;
         Own::place(place_group(held, point.q, Status::near_singular), placed);
       }
-      return land_groups<Place + 1>(predicted, vanishing, is_behind, start, is_known, end, placed);
+      return land_groups<Place + 1>(predicted, vanishing, start, is_known, reversed, end, placed);
     }
   }
-  /// Corrects a group's configuration, behind the crossing or before it; false where it may be of
-  /// another branch.
+  /// Corrects a group's configuration; false where it may be of another branch. `reversed` is
+  /// whether the signs of the groups' determinants are reversed an odd number of times.
   template <typename Group>
-  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing, bool is_behind,
+  [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing,
                                       const GroupPoint<Group, Scalar>& start,
-                                      GroupPoint<Group, Scalar>& point, Status& status) {
+                                      detail::PivotSet& reversed, GroupPoint<Group, Scalar>& point,
+                                      Status& status) {
     using Model = Specialised<Group>;
     using Unknowns = Vector<Scalar, Group::unknown_count>;
     const typename Model::template Dimensions<Scalar> d;
@@ -236,16 +249,16 @@ class CrossingAhead {
     const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
     point.pivots = pivots.values;
     status = OfGroups::look(point, pivots);
-    // The pivots that vanish at the crossing change their signs there, and behind a second one they
-    // would do so again. Where velocities are not known, signs are not.
     const detail::PivotSet changed = detail::changed_pivots(start.pivots, point.pivots);
-    const bool is_right =
-        is_solvable(status) ? changed == (is_behind ? vanishing : 0) : (changed & ~vanishing) == 0;
-    return correction < local::CrossingLimits<Scalar>().correction && is_right;
+    for (detail::PivotSet left = changed; left != 0; left &= left - 1) {
+      reversed ^= 1U;
+    }
+    return correction < local::CrossingLimits<Scalar>().correction && (changed & ~vanishing) == 0;
   }
 
   typename Closures::Point at_;
   PivotSets<Groups> vanishing_{};  ///< at the crossing
+  int corank_ = 0;                 ///< how many ranks are lost there
   Scalar speed_ = 0;  ///< how much of what holds the groups changes along the whole way
   Scalar before_ = std::numeric_limits<Scalar>::infinity();
   Scalar sought_from_ = -1;  ///< the part of the way from which it was looked for last
