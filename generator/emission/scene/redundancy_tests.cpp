@@ -1,8 +1,12 @@
 #include "emission/scene/redundancy_tests.hpp"
 
+#include <algorithm>
 #include <array>
 #include <assur/mechanism/held_pairs.hpp>
 #include <assur/text/names.hpp>
+#include <cmath>
+
+#include "emission/cpp/cpp_text.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -18,8 +22,30 @@ std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, Sc
   return link.empty() ? own : "support::pose_in(" + link + ".pose, " + own + ")";
 }
 
+/// Where the features of joints are on their links: where all links stand at the origin, no other
+/// length tells what rounding is. Those that do not change are one place with the largest
+/// coordinates.
+std::vector<std::string> own_places(const SolverScene& solver, SceneLines& lines) {
+  std::vector<std::string> places;
+  double largest = 0;
+  for (const mechanism::Joint& joint : solver.mechanism().joints()) {
+    for (const mechanism::FeatureIndex index : joint.between) {
+      const LinkFeature<SceneNumber> place = solver.numbers.feature(index, false);
+      if (may_change(place.x) || may_change(place.y)) {
+        places.push_back("Pose<Scalar>{" + lines.number(place.x) + ", " + lines.number(place.y) +
+                         ", {}}");
+      } else {
+        largest = std::max({largest, std::abs(place.x.value()), std::abs(place.y.value())});
+      }
+    }
+  }
+  places.push_back("Pose<Scalar>{Scalar(" + cpp::round_trip(largest) + "), Scalar(0.0), {}}");
+  return places;
+}
+
 /// Expressions for how far redundant joints are from holding. `lines` gets the poses of their
-/// features, and the largest coordinate as `size`.
+/// features, the largest coordinate of these and of the links' origins as `size`, and the largest
+/// of that and of the features' coordinates on their links as `reach`.
 std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
   std::vector<std::string> gaps;
   std::vector<std::string> poses;
@@ -44,6 +70,11 @@ std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
   }
   lines.add("const Scalar size = support::largest_coordinate(std::array<Pose<Scalar>, " +
             std::to_string(poses.size()) + ">{{" + text::joined(poses, ", ") + "}});");
+  const std::vector<std::string> places = own_places(solver, lines);
+  lines.add(
+      "const Scalar reach = (std::max)(size, support::largest_coordinate(std::array<Pose<"
+      "Scalar>, " +
+      std::to_string(places.size()) + ">{{" + text::joined(places, ", ") + "}}));");
   return gaps;
 }
 
@@ -57,7 +88,7 @@ std::vector<std::string> redundancy_tests(const SolverScene& solver, SceneLines&
   for (const std::string& gap : gaps(solver, lines)) {
     tests.push_back(gap + " <= slack");
   }
-  const std::string slack = "support::redundancy_slack(size, placed.regularity)";
+  const std::string slack = "support::redundancy_slack(reach, placed.regularity)";
   const mechanism::NumberIndex given = solver.plan.request().redundancy_tolerance;
   lines.add("const Scalar slack = " +
             (given.exists() ? "(std::max)(" + slack + ", Scalar(" +
@@ -73,7 +104,7 @@ std::vector<std::string> redundant_gap(const SolverScene& solver) {
   }
   SceneLines lines(solver.parameters, solver.numbers, solver.derivative_order);
   const std::vector<std::string> missed = gaps(solver, lines);
-  lines.add("return (std::max)({" + text::joined(missed, ", ") + "}) / size;");
+  lines.add("return (std::max)({" + text::joined(missed, ", ") + "}) / reach;");
   return lines.lines();
 }
 

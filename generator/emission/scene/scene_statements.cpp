@@ -133,6 +133,23 @@ bool may_be_read_by(const std::vector<std::string>& lines, const std::string& na
          });
 }
 
+/// How far along its line a slide is, where the links stand.
+std::string displacement_text(const SolverScene& solver, mechanism::JointIndex slide,
+                              SceneLines& lines) {
+  const mechanism::Mechanism& mechanism = solver.mechanism();
+  const auto frame_of = [&](mechanism::FeatureIndex index) {
+    const mechanism::Feature& described = mechanism.features()[index];
+    const LinkFeature<SceneNumber> feature = solver.numbers.feature(index, described.is_line);
+    const std::string own = lines.frame(on(solver, described.name, described.link),
+                                        {feature.x, feature.y, feature.along});
+    return nested_frames({solver.placed(described.link), own});
+  };
+  const std::vector<mechanism::FeatureIndex>& between = mechanism.joints()[slide].between;
+  const std::size_t line = mechanism.features()[between[0]].is_line ? 0 : 1;
+  const std::string from = frame_of(between[line]);
+  return "support::displacement_along(" + from + ", " + frame_of(between[1 - line]) + ")";
+}
+
 /// Declares the coordinates of the joints that a driver's law reads and that groups place. With
 /// `others`, it declares only those that these lines read.
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, SceneLines& lines,
@@ -140,14 +157,6 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
   const mechanism::Mechanism& mechanism = solver.mechanism();
   const auto link_of = [&](mechanism::FeatureIndex feature) {
     return mechanism.features()[feature].link;
-  };
-  const auto frame_of = [&](mechanism::FeatureIndex index) {
-    const LinkFeature<SceneNumber> feature =
-        solver.numbers.feature(index, mechanism.features()[index].is_line);
-    const std::string own =
-        lines.frame(on(solver, mechanism.features()[index].name, link_of(index)),
-                    {feature.x, feature.y, feature.along});
-    return nested_frames({solver.placed(link_of(index)), own});
   };
   for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
     const mechanism::Joint& at = mechanism.joints()[joint];
@@ -161,9 +170,7 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, S
       value = "support::angle_between(" + nested_frames({solver.placed(link_of(at.between[0]))}) +
               ", " + nested_frames({solver.placed(link_of(at.between[1]))}) + ")";
     } else {
-      const std::size_t line = mechanism.features()[at.between[0]].is_line ? 0 : 1;
-      value = "support::displacement_along(" + frame_of(at.between[line]) + ", " +
-              frame_of(at.between[1 - line]) + ")";
+      value = displacement_text(solver, joint, lines);
     }
     lines.add("const LinkCoordinate " + name + " = " + value + ";");
   }
@@ -265,6 +272,28 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
   add_varying_dimensions(solver, group, false, first, held);
 }
 
+/// Measures the slides of second pins in slots whose links are placed with the last of a number of
+/// groups.
+void add_second_pins(const SolverScene& solver, std::size_t groups, SceneLines& lines,
+                     std::vector<std::string>& slides) {
+  const mechanism::Structure& structure = solver.plan.structure();
+  const mechanism::Table<mechanism::LinkIndex, std::size_t> before = structure.groups_before();
+  for (const mechanism::JointIndex pin : structure.linkage.second_pins) {
+    std::size_t placed_with = 0;
+    for (const mechanism::FeatureIndex feature : solver.mechanism().joints()[pin].between) {
+      placed_with = std::max(placed_with, before[solver.mechanism().features()[feature].link]);
+    }
+    if (placed_with == groups) {
+      const std::string& member = solver.members.joints[pin];
+      const std::string along = lines.declared("along_" + member);
+      lines.add("const auto " + along + " = " + displacement_text(solver, pin, lines) + ";");
+      lines.add("placed.slide_" + member + " = {" + along + ".position" +
+                (solver.derivative_order > 0 ? ", " + along + ".rates" : "") + "};");
+      slides.push_back(member);
+    }
+  }
+}
+
 /// Places a group's links and slides, and then the links that it allows to be carried.
 void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLines& lines,
                  std::vector<std::string>& slides) {
@@ -276,10 +305,6 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     const mechanism::LinkIndex played = geometry.roles->links[link];
     const bool whole = needs[link] == FrameNeed::everything;
     const std::string place = "[" + std::to_string(whole ? frames++ : directions++) + "]";
-    const bool is_relative = solver.group(group).base.exists();
-    if (!solver.lists(played) && !is_relative) {
-      continue;
-    }
     const Pose<SceneNumber> own = mechanism::inverse(geometry.links[link].frame);
     const std::string member = solver.placed_by_group(played);
     if (whole) {
@@ -295,10 +320,10 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
   }
   const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;
   for (std::size_t index = 0; index < unknowns.size(); ++index) {
-    if (unknowns[index].is_angle) {
+    const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
+    if (unknowns[index].is_angle || !at.joint.exists()) {
       continue;
     }
-    const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
     const auto [sense, shift] = solver.numbers.slide_measure(group, unknowns[index].owner);
     const std::string sign = sense < 0 ? "-" : "";
     const std::string slide = "placed.slide_" + solver.slide_member(at);
@@ -318,6 +343,7 @@ void add_placing(const SolverScene& solver, mechanism::GroupIndex group, SceneLi
     slides.push_back(solver.slide_member(at));
   }
   add_carried_links(solver, group.place() + 1, lines, slides);
+  add_second_pins(solver, group.place() + 1, lines, slides);
 }
 
 }  // namespace

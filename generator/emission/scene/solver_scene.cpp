@@ -168,6 +168,11 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
       needs[link] = FrameNeed::everything;
     }
   }
+  for (const mechanism::JointIndex pin : structure.linkage.second_pins) {
+    for (const mechanism::FeatureIndex feature : described.joints()[pin].between) {
+      needs[described.features()[feature].link] = FrameNeed::everything;
+    }
+  }
   for (const mechanism::FoundGroup& group : structure.groups) {
     for (const mechanism::LinkIndex base : bases_of(structure, group)) {
       needs[base] = FrameNeed::everything;

@@ -63,10 +63,6 @@ struct SolverScene {
     return linkage().links[link];
   }
   [[nodiscard]] bool is_ground(mechanism::LinkIndex link) const { return link == linkage().ground; }
-  /// Whether the scene lists the link; it does not list the block of a pin in a slot.
-  [[nodiscard]] bool lists(mechanism::LinkIndex link) const {
-    return link.place() < mechanism().links().size();
-  }
   /// Whether a driver's position is an argument of the solver: its law reads no other joint.
   [[nodiscard]] bool is_argument(mechanism::DriverIndex driver) const {
     const mechanism::NumberIndex law = mechanism().drivers()[driver].position;

@@ -1,10 +1,67 @@
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
+#include <utility>
+
+namespace assur::mechanism::plan {
+
+namespace {
+
+/// A pin in a slot, and its block.
+struct PinInSlot {
+  JointIndex joint;
+  FeatureIndex line, pin;
+  LinkIndex block;
+  ElementaryJointIndex slide;
+};
+
+/// Whether two features of one link are written alike, so that they coincide whatever the
+/// parameters are.
+bool are_written_alike(const Mechanism& mechanism, FeatureIndex one, FeatureIndex other) {
+  const Feature& first = mechanism.features()[one];
+  const Feature& second = mechanism.features()[other];
+  const auto are_alike = [&](NumberIndex number, NumberIndex same) {
+    return mechanism.numbers()[number].formula == mechanism.numbers()[same].formula;
+  };
+  return one == other || (first.link == second.link && are_alike(first.x, second.x) &&
+                          are_alike(first.y, second.y) &&
+                          (!first.is_line || (are_alike(first.along_x, second.along_x) &&
+                                              are_alike(first.along_y, second.along_y))));
+}
+
+/// Lets the block of every second pin of a link in a slot slide along the first one's block. The
+/// first pin is one that a driver moves, and then the one whose joint's name comes first.
+void pair_pins(const Mechanism& mechanism, std::vector<PinInSlot> slots, Linkage& linkage) {
+  const auto is_driven = [&](const PinInSlot& slot) {
+    return mechanism.driver_of(slot.joint).exists();
+  };
+  std::ranges::sort(slots, {}, [&](const PinInSlot& slot) {
+    return std::make_pair(!is_driven(slot), mechanism.joints()[slot.joint].name);
+  });
+  for (auto second = slots.begin(); second != slots.end(); ++second) {
+    const auto leads = [&](const PinInSlot& first) {
+      return mechanism.features()[first.pin].link == mechanism.features()[second->pin].link &&
+             are_written_alike(mechanism, first.line, second->line) &&
+             !are_written_alike(mechanism, first.pin, second->pin);
+    };
+    const auto first = std::find_if(slots.begin(), second, leads);
+    if (first != second && !is_driven(*second)) {
+      const std::string& name = mechanism.joints()[second->joint].name;
+      linkage.joints[second->slide] = {name,          JointIndex(),   true,          first->block,
+                                       second->block, FeatureIndex(), FeatureIndex()};
+      linkage.second_pins.push_back(second->joint);
+    }
+  }
+}
+
+}  // namespace
+
+}  // namespace assur::mechanism::plan
 
 namespace assur::mechanism {
 
 Linkage linkage_of(const Mechanism& mechanism) {
   Linkage linkage;
+  std::vector<plan::PinInSlot> slots;
   for (const Link& link : mechanism.links()) {
     linkage.links.add(link.name);
   }
@@ -17,7 +74,9 @@ Linkage linkage_of(const Mechanism& mechanism) {
       const FeatureIndex line = joint.between[line_first ? 0 : 1];
       const FeatureIndex pin = joint.between[line_first ? 1 : 0];
       const LinkIndex block = linkage.links.add(joint.name);
-      linkage.joints.add({joint.name, index, true, link_of(line), block, line, FeatureIndex()});
+      slots.push_back({index, line, pin, block,
+                       linkage.joints.add(
+                           {joint.name, index, true, link_of(line), block, line, FeatureIndex()})});
       linkage.joints.add({joint.name, index, false, link_of(pin), block, pin, FeatureIndex()});
     } else if (joint.between.size() > 2) {
       SharedPin pin{joint.name, index, {}, joint.between};
@@ -30,6 +89,7 @@ Linkage linkage_of(const Mechanism& mechanism) {
                           joint.between[1]});
     }
   }
+  plan::pair_pins(mechanism, std::move(slots), linkage);
   return linkage;
 }
 
@@ -40,6 +100,19 @@ std::vector<std::string> Structure::names_of(const std::vector<LinkIndex>& links
     names.push_back(linkage.links[link]);
   }
   return names;
+}
+
+Table<LinkIndex, std::size_t> Structure::groups_before() const {
+  Table<LinkIndex, std::size_t> before(linkage.links.size(), 0);
+  for (const GroupIndex group : groups.keys()) {
+    for (const LinkIndex link : groups[group].links) {
+      before[link] = group.place() + 1;
+    }
+  }
+  for (const CarriedLink& link : carried) {
+    before[link.to] = link.groups_before;
+  }
+  return before;
 }
 
 Table<LinkIndex, bool> Structure::carried_by_ground() const {

@@ -70,15 +70,9 @@ class AllConstraints {
   /// its rounding cannot provide a.
   [[nodiscard]] bool let_on(Links links) const;
 
-  /// Sets the displacements, rates and derivatives of slides from those of the links.
-  void set_slides(const Links& links, std::vector<SlideState>& slides) const;
-
  private:
   [[nodiscard]] Body::Pairs held() const;
   [[nodiscard]] Frame relative(const HeldPair& pair, const Links& links) const;
-  /// The second feature of a slide in the frame of its line; of a prismatic joint the line is the
-  /// first feature. The x-coordinate is the displacement.
-  [[nodiscard]] Frame along(JointIndex slide, const Links& links) const;
   [[nodiscard]] double unit(Eigen::Index coordinate) const { return coordinate == 2 ? 1 : size(); }
   const Values& values_;
   const Mechanism& mechanism_;

@@ -10,6 +10,7 @@
 #include "moving_shape.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -66,9 +67,7 @@ class BranchWalk {
     const Mechanism& mechanism = values_.plan().mechanism;
     const auto coordinate = [&](JointIndex joint) {
       const DriverIndex other = mechanism.driver_of(joint);
-      models::Series moving = other.exists()
-                                  ? motions_.drivers[other]
-                                  : moving_coordinate({links_, slides_, configuration_}, joint);
+      models::Series moving = other.exists() ? motions_.drivers[other] : moving_coordinate(joint);
       moving.c[0] = other.exists() ? values_.motion(other).position.value() : moving.c[0];
       return moving;
     };
@@ -137,6 +136,20 @@ class BranchWalk {
     const LinkFeature<models::Series> feature = own_feature(index, true);
     return {feature.x, feature.y, feature.along};
   }
+  /// The coordinate of a joint without a driver between moving links.
+  [[nodiscard]] models::Series moving_coordinate(JointIndex joint) const {
+    const Mechanism& mechanism = values_.plan().mechanism;
+    if (mechanism.joints()[joint].type == JointType::revolute) {
+      return moving_angle(links_, configuration_, joint);
+    }
+    const auto placed = [&](FeatureIndex feature) {
+      return composed(links_[mechanism.features()[feature].link], place_of(feature));
+    };
+    const SlideFeatures at = features_of_slide(mechanism, joint);
+    const Pose<models::Series> line = placed(at.line);
+    const Pose<models::Series> other = placed(at.other);
+    return line.direction.cos * (other.x - line.x) + line.direction.sin * (other.y - line.y);
+  }
   static bool is_moving(const Frame& frame) {
     return !frame.velocity.isZero(0) || !frame.acceleration.isZero(0);
   }
@@ -189,16 +202,7 @@ class BranchWalk {
         links_[numbers.links[link]] = composed(branch.poses[link], shape->own[link]);
       }
       keep_carried(group);
-      const std::size_t before = slides_.size();
-      for (std::size_t slide = 0; slide < numbers.slides.size(); ++slide) {
-        const values::MeasuredSlide& measured = numbers.slides[slide];
-        const models::Series& moved = branch.unknowns[static_cast<std::size_t>(measured.unknown)];
-        models::Series shift = shape->shifts[slide];
-        shift.c[0] = 0;
-        slides_.push_back({measured.joint, measured.sense * (moved + shift)});
-      }
       descend(depth + 1);
-      slides_.resize(before);
     }
   }
 
@@ -246,7 +250,6 @@ class BranchWalk {
     for (const Frame& own : numbers.own) {
       shape.own.push_back(models::at_rest(own.pose));
     }
-    shape.shifts.resize(numbers.slides.size());
     return shape;
   }
 
@@ -279,12 +282,11 @@ class BranchWalk {
       result.outputs[output].velocity << place.x.rate(), place.y.rate();
       result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
     }
-    for (const MovingSlide& moving : slides_) {
-      for (SlideState& slide : result.slides) {
-        if (slide.joint == moving.joint) {
-          slide.velocity = moving.moved.rate();
-          slide.acceleration = moving.moved.second_rate();
-        }
+    for (SlideState& slide : result.slides) {
+      if (!mechanism.driver_of(slide.joint).exists()) {
+        const models::Series moved = moving_coordinate(slide.joint);
+        slide.velocity = moved.rate();
+        slide.acceleration = moved.second_rate();
       }
     }
   }
@@ -298,7 +300,6 @@ class BranchWalk {
   Table<LinkIndex, Pose<models::Series>> links_;
   std::vector<Pose<models::Series>> carried_;  ///< links of groups, in the frames of their bases
   bool has_relative_groups_;
-  std::vector<MovingSlide> slides_;
   std::vector<Configuration> found_;
   bool is_known_ = true;
 };

@@ -295,13 +295,9 @@ class BranchExpansion {
   }
 
   void list() {
-    GroupBranch& branch = found_.emplace_back();
-    for (Eigen::Index row = 0; row < count_; ++row) {
-      branch.unknowns[static_cast<std::size_t>(row)] = part_of(row);
-    }
     models::MovingGroup moving;
     expand(group_.model, group_.d, group_.u, unknowns(), group_.across, moving);
-    branch.poses = moving.poses;
+    found_.push_back({moving.poses});
   }
 
   const GroupOnTheMove& group_;

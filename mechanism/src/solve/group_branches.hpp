@@ -34,10 +34,8 @@ struct GroupOnTheMove {
   double displaced;
 };
 
-/// One motion through a configuration: the unknowns, where an angle is the turn since t = 0, and
-/// the poses of the links.
+/// One motion through a configuration: the poses of the links.
 struct GroupBranch {
-  std::array<models::Series, models::most_unknowns> unknowns;
   std::array<Pose<models::Series>, models::most_links> poses;
 };
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "plan/plan_data.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -43,7 +44,8 @@ JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& l
         other.velocity(2) - one.velocity(2),
         other.acceleration(2) - one.acceleration(2)};
   }
-  const SlideState& slide = *std::ranges::find(slides, index, &SlideState::joint);
+  const auto listed = std::ranges::find(slides, index, &SlideState::joint);
+  const SlideState& slide = listed == slides.end() ? measured_slide(values, links, index) : *listed;
   Eigen::MatrixXd second;
   if (values.second_order()) {
     second = slide.follows.second[0];

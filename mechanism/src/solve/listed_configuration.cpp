@@ -5,6 +5,7 @@
 
 #include "branch_motions.hpp"
 #include "plan/plan_data.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -43,6 +44,13 @@ void write_configuration(const Placement& placement, Configuration& result) {
     result.links[link] = placed.links[link];
   }
   result.slides = placed.slides;
+  const Linkage& linkage = placement.structure().linkage;
+  if (!linkage.second_pins.empty()) {
+    std::erase_if(result.slides, [](const SlideState& slide) { return !slide.joint.exists(); });
+    for (const JointIndex pin : linkage.second_pins) {
+      result.slides.push_back(measured_slide(values, placed.links, pin));
+    }
+  }
   result.counted = placed.counted;
   result.outputs.resize(mechanism.outputs().size());
   for (const OutputIndex output : mechanism.outputs().keys()) {

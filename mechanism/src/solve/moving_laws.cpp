@@ -26,21 +26,16 @@ models::Series moving_number(const Values& values, NumberIndex index,
 
 }  // namespace
 
-models::Series moving_coordinate(const MovingParts& parts, JointIndex index) {
-  const Mechanism& mechanism = parts.configuration.plan->mechanism;
+models::Series moving_angle(const Table<LinkIndex, Pose<models::Series>>& links,
+                            const Configuration& configuration, JointIndex index) {
+  const Mechanism& mechanism = configuration.plan->mechanism;
   const Joint& joint = mechanism.joints()[index];
-  if (joint.type != JointType::revolute) {
-    models::Series moved = std::ranges::find(parts.slides, index, &MovingSlide::joint)->moved;
-    moved.c[0] =
-        std::ranges::find(parts.configuration.slides, index, &SlideState::joint)->displacement;
-    return moved;
-  }
   const auto direction = [&](std::size_t place) {
-    return parts.links[mechanism.features()[joint.between[place]].link].direction;
+    return links[mechanism.features()[joint.between[place]].link].direction;
   };
   const Direction<models::Series> between = turned(direction(1), reversed(direction(0)));
   models::Series angle = atan2(between.sin, between.cos);
-  const std::vector<CountedAngle>& counted = parts.configuration.counted;
+  const std::vector<CountedAngle>& counted = configuration.counted;
   if (const auto known = std::ranges::find(counted, index, &CountedAngle::joint);
       known != counted.end()) {
     angle.c[0] = known->angle;

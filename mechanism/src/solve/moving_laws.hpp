@@ -11,23 +11,10 @@
 
 namespace assur::mechanism::solve {
 
-/// How far a slide that a group has placed moves, as a series.
-struct MovingSlide {
-  JointIndex joint;
-  models::Series moved;
-};
-
-/// The links and slides that a branch has placed so far, and the configuration through which it
-/// goes.
-struct MovingParts {
-  const Table<LinkIndex, Pose<models::Series>>& links;
-  const std::vector<MovingSlide>& slides;
-  const Configuration& configuration;
-};
-
-/// The coordinate of a joint without a driver between moving links; an angle includes the whole
-/// turns that the configuration counts.
-[[nodiscard]] models::Series moving_coordinate(const MovingParts& parts, JointIndex index);
+/// The angle between the links of a revolute joint without a driver, as they move along a branch
+/// through a configuration; it includes the whole turns that the configuration counts.
+[[nodiscard]] models::Series moving_angle(const Table<LinkIndex, Pose<models::Series>>& links,
+                                          const Configuration& configuration, JointIndex index);
 
 /// A feature on its link, whose coordinates move as the parameters in them do. The third and fourth
 /// orders of parameters are zero.

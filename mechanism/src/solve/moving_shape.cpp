@@ -33,7 +33,6 @@ class ShapeWriter {
     shape_.across.push_back(across);
     include_length(across);
   }
-  void add_shift(const Series& shift) { shape_.shifts.push_back(shift); }
   [[nodiscard]] MovingShape shape() { return std::move(shape_); }
 
  private:
@@ -59,8 +58,7 @@ bool is_finite(const Series& number) {
 }  // namespace
 
 bool MovingShape::is_known() const {
-  return std::ranges::all_of(d, is_finite) && std::ranges::all_of(shifts, is_finite) &&
-         std::ranges::all_of(across, is_finite) &&
+  return std::ranges::all_of(d, is_finite) && std::ranges::all_of(across, is_finite) &&
          std::ranges::all_of(own, [](const Pose<Series>& pose) {
            return is_finite(pose.x) && is_finite(pose.y) && is_finite(pose.direction.cos) &&
                   is_finite(pose.direction.sin);
@@ -87,11 +85,6 @@ std::optional<MovingShape> moving_shape(const Values& values, GroupIndex index,
   }
   for (const HeldAxis<Series>& held : geometry.held_axes) {
     writer.add_across(held.across);
-  }
-  for (const ModelUnknown& unknown : group.model->unknowns) {
-    if (!unknown.is_angle) {
-      writer.add_shift(slide_measure(structure, group, geometry, unknown.owner, Series(0)).shift);
-    }
   }
   return writer.shape();
 }

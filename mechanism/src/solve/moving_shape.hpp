@@ -22,7 +22,6 @@ struct ShapeSpeed {
 struct MovingShape {
   models::FlatSeries d;
   std::vector<Pose<models::Series>> own;  ///< the links' own frames, each in its normal frame
-  std::vector<models::Series> shifts;     ///< of the group's slides
   std::vector<models::Series> across;     ///< of the points across held axes, in the axes' order
   ShapeSpeed speed;
 

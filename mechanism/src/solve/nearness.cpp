@@ -10,7 +10,7 @@ Nearness::Nearness(const Placement& placement)
       angles_(placement.structure().groups.size() + 1),
       links_(placement.structure().groups.size() + 1) {
   const PlanData& plan = placement.plan();
-  const Table<LinkIndex, std::size_t> groups = groups_before(plan.structure);
+  const Table<LinkIndex, std::size_t> groups = plan.structure.groups_before();
   for (const ReferenceAngle& angle : plan.request.reference) {
     angles_[groups[angle.link]].push_back(angle);
   }

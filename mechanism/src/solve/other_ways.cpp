@@ -10,6 +10,7 @@
 #include "left_mobility.hpp"
 #include "plan/plan_data.hpp"
 #include "redundant_plan.hpp"
+#include "relative_frames.hpp"
 #include "search_bounds.hpp"
 #include "settled_redundancy.hpp"
 #include "solver.hpp"
@@ -28,9 +29,9 @@ std::string reason_without(const std::string& reason, const PlanData& plan) {
          "; it is not known in which positions these constraints hold";
 }
 
-/// Whether every family that moves still moves under all constraints; sets the mobilities that are
-/// left. False where the constraints cannot be closed together (`can_close`). Stops at the first
-/// family without a motion, since it takes long to find none.
+/// Whether every family moves under all constraints; sets the mobilities that are left. False where
+/// the constraints cannot be closed together (`can_close`). Stops at the first family without a
+/// motion, since it takes long to find none.
 bool are_left(std::vector<Family>& families, const Values& values) {
   if (families.empty()) {
     return true;
@@ -40,11 +41,8 @@ bool are_left(std::vector<Family>& families, const Values& values) {
   }
   AllConstraints constraints(values);
   return std::ranges::all_of(families, [&](Family& family) {
-    if (family.mobility > 0) {
-      family.mobility = left_mobility(family, constraints);
-      return family.mobility > 0;
-    }
-    return true;
+    family.mobility = family.mobility > 0 ? left_mobility(family, constraints) : 0;
+    return family.mobility > 0;
   });
 }
 
@@ -66,7 +64,7 @@ void tell_what_is_left(std::vector<Family>& families, const Values& values) {
 class Adoption {
  public:
   Adoption(const Values& values, const PlanData& other)
-      : values_(values), plan_(values.plan()), constraints_(values), other_(other) {}
+      : values_(values), plan_(values.plan()), other_(other) {}
 
   void adopt(Solution& solution) const {
     for (Configuration& configuration : solution.configurations) {
@@ -91,13 +89,11 @@ class Adoption {
   void adopt(Configuration& configuration) const {
     configuration.plan = values_.shared_plan();
     configuration.slides.clear();
-    for (const ElementaryJoint& joint : plan_.structure.linkage.joints) {
-      if (joint.prismatic) {
-        SlideState& slide = configuration.slides.emplace_back();
-        slide.joint = joint.joint;
+    for (const JointIndex joint : plan_.mechanism.joints().keys()) {
+      if (plan_.mechanism.joints()[joint].type != JointType::revolute) {
+        configuration.slides.push_back(measured_slide(values_, configuration.links, joint));
       }
     }
-    constraints_.set_slides(configuration.links, configuration.slides);
     for (CountedAngle& counted : configuration.counted) {
       counted.joint = own(counted.joint);
     }
@@ -123,41 +119,63 @@ class Adoption {
 
   const Values& values_;
   const PlanData& plan_;
-  AllConstraints constraints_;
   const PlanData& other_;
 };
 
 }  // namespace
 
-bool OtherWays::settle(const Question& ask, Solution& result) {
+bool OtherWays::settle(const MechanismSolver& own, const std::function<void()>& search,
+                       const Question& ask, Solution& result) {
   const PlanData& plan = values_.plan();
-  if (result.families.empty() || plan.described == nullptr || stays_away_) {
+  const bool has_others = plan.described != nullptr && !stays_away_;
+  std::optional<OverConstrained> refusal;
+  try {
+    search();
+  } catch (const OverConstrained& error) {
+    if (!has_others || !own.is_unsure()) {
+      throw;
+    }
+    refusal = error;
+  }
+  const auto may_lack_all = [](const MechanismSolver& solver, const Solution& found) {
+    return solver.is_unsure() && found.left_out.value_or(0) == 0 &&
+           std::ranges::none_of(found.configurations, &Configuration::is_consistent);
+  };
+  const bool lacks_all = may_lack_all(own, result);
+  if (!has_others || (result.families.empty() && !lacks_all)) {
     return false;
   }
-  std::vector<Family> left = result.families;
-  if (are_left(left, values_)) {
-    result.families = std::move(left);
-    return false;
+  if (!lacks_all) {
+    std::vector<Family> left = result.families;
+    if (are_left(left, values_)) {
+      result.families = std::move(left);
+      return false;
+    }
   }
   if (!plans_) {
     plans_ = other_plans(plan);
   }
   for (const std::shared_ptr<const PlanData>& other : *plans_) {
+    const Values values(other, values_.replaced());
+    MechanismSolver solver(values);
     try {
-      const Values values(other, values_.replaced());
       Solution solution;
-      MechanismSolver solver(values);
       ask(solver, solution);
-      if (are_left(solution.families, values)) {
+      if (are_left(solution.families, values) && !may_lack_all(solver, solution)) {
         Adoption(values_, *other).adopt(solution);
         result = std::move(solution);
         return true;
       }
     } catch (const OverConstrained&) {
-      throw;
+      if (!solver.is_unsure()) {
+        throw;
+      }
     } catch (const MechanismError&) {
       continue;  // as where a slot has no direction
     }
+  }
+  if (refusal) {
+    throw OverConstrained(*refusal);
   }
   if (SettledRedundancy::can_close(plan)) {
     tell_what_is_left(result.families, values_);

@@ -1,5 +1,5 @@
-// Turns the values at which a mechanism without its redundant constraints has families into the
-// solution of the same mechanism with other constraints left out.
+// The solution of a mechanism with other redundant constraints left out, where its own choice of
+// these does not determine the configurations.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -14,8 +14,9 @@ namespace assur::mechanism::solve {
 class MechanismSolver;
 
 /// Every configuration of a mechanism is one of the mechanism without some of its constraints,
-/// whichever these are. If the rest moves freely for one choice of the constraints left out, it may
-/// have isolated configurations for another choice, and these are listed.
+/// whichever these are. If the rest moves freely for one choice of the constraints left out, or
+/// hardly determines where links stand, it may have regular configurations for another choice, and
+/// these are listed.
 class OtherWays {
  public:
   using Question = std::function<void(MechanismSolver&, Solution&)>;
@@ -23,12 +24,14 @@ class OtherWays {
   /// The values must outlive it.
   explicit OtherWays(const Values& values) : values_(values) {}
 
-  /// Replaces `result`, the answer for the mechanism's own choice of constraints to leave out, with
-  /// that for the first choice whose families all remain under all constraints. If there is no such
-  /// choice, families that do not remain get mobility zero and a reason. Returns whether `result`
-  /// is for another choice, for which the question was then asked last. Throws OverConstrained
-  /// where the constraints hold in no configuration of that choice.
-  bool settle(const Question& ask, Solution& result);
+  /// Runs the search of `own` for the mechanism's own choice of constraints to leave out, which
+  /// fills `result`. Where rounding may have kept it from all configurations, or it has families
+  /// that do not remain under all constraints, `result` becomes that of the first choice without
+  /// either. If there is no such choice, families that do not remain get mobility zero and a
+  /// reason. Returns whether `result` is for another choice, for which the question was then asked
+  /// last. Throws OverConstrained where the constraints hold in no configuration.
+  [[nodiscard]] bool settle(const MechanismSolver& own, const std::function<void()>& search,
+                            const Question& ask, Solution& result);
   /// If set, answers stay as they are, since other choices do not continue the counts of turns.
   void stay_away(bool stays) { stays_away_ = stays; }
 

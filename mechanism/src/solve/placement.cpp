@@ -23,19 +23,6 @@ bool is_of(const FoundGroup& group, LinkIndex link) {
 
 }  // namespace
 
-Table<LinkIndex, std::size_t> groups_before(const Structure& structure) {
-  Table<LinkIndex, std::size_t> groups(structure.linkage.links.size(), 0);
-  for (const GroupIndex group : structure.groups.keys()) {
-    for (const LinkIndex link : structure.groups[group].links) {
-      groups[link] = group.place() + 1;
-    }
-  }
-  for (const CarriedLink& link : structure.carried) {
-    groups[link.to] = link.groups_before;
-  }
-  return groups;
-}
-
 Placement::Placement(const Values& values)
     : plan_(values.shared_plan()),
       structure_(plan_->structure),

@@ -12,9 +12,6 @@
 
 namespace assur::mechanism::solve {
 
-/// For each link, how many groups are placed before the link is.
-[[nodiscard]] Table<LinkIndex, std::size_t> groups_before(const Structure& structure);
-
 /// The links of a mechanism while its groups are placed depth first: a placed link stays while the
 /// groups behind it are solved, and the next configuration overwrites it.
 class Placement {

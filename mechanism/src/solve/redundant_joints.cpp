@@ -16,12 +16,12 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// The two features of a redundant joint in the ground's frame, and the largest coordinate of the
-/// mechanism.
+/// The two features of a redundant joint in the ground's frame.
 struct Pair {
   Frame one, other;
   bool is_line, are_lines;  ///< whether the first one is a line, and whether both are
-  double size;
+  double size;              ///< the largest coordinate of the features and of the links' origins
+  double reach;             ///< the largest of these and of the features on their links
 };
 
 Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
@@ -31,11 +31,20 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
     return composed(links[mechanism.features()[feature].link], values.frame(feature));
   };
   const HeldPair held = held_by(mechanism, joint);
-  Pair pair{frame(joint.one), frame(joint.other), !held.holds[0], held.holds[2], 0};
+  Pair pair{frame(joint.one), frame(joint.other), !held.holds[0], held.holds[2], 0, 0};
   const std::array features = {pair.one.pose, pair.other.pose};
+  const auto include = [](const Pose<double>& place, double& largest) {
+    largest = std::max({largest, std::abs(place.x), std::abs(place.y)});
+  };
   pair.size = support::largest_coordinate(features);
   for (const Frame& link : links) {
-    pair.size = std::max({pair.size, std::abs(link.pose.x), std::abs(link.pose.y)});
+    include(link.pose, pair.size);
+  }
+  pair.reach = pair.size;
+  for (const Joint& at : mechanism.joints()) {
+    for (const FeatureIndex feature : at.between) {
+      include(values.frame(feature).pose, pair.reach);
+    }
   }
   return pair;
 }
@@ -158,7 +167,7 @@ double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& lin
     if (!std::isfinite(gap)) {
       return std::numeric_limits<double>::infinity();
     }
-    if (gap > tolerance_of(values, pair.size, regularity)) {
+    if (gap > tolerance_of(values, pair.reach, regularity)) {
       worst = std::max(worst, gap);
     }
   }

@@ -10,6 +10,7 @@
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
 #include "redundant_joints.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -48,12 +49,17 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
     placed.links[link].pose = poses[link];
   }
   find_rates(poses, placed);
-  constraints_.set_slides(placed.links, placed.slides);
+  for (SlideState& slide : placed.slides) {
+    if (slide.joint.exists()) {
+      slide = measured_slide(values_, placed.links, slide.joint);
+    }
+  }
   const double open = missed(poses);
   placed.residual = std::max(placed.residual, open * constraints_.size());
-  return open <= support::redundancy_slack(constraints_.reach(), Status::ok)
-             ? 0
-             : std::max(without, open * constraints_.size());
+  if (open <= support::redundancy_slack(constraints_.reach(), Status::ok)) {
+    return 0;
+  }
+  return without > 0 ? without : open * constraints_.size();
 }
 
 double SettledRedundancy::settle_nearby(PlacedLinks& placed) {

@@ -54,6 +54,9 @@ class ConfigurationWalk {
   }
   [[nodiscard]] bool is_count_ambiguous() const { return placement_.is_count_ambiguous(); }
   [[nodiscard]] bool is_count_in_doubt() const { return placement_.is_count_in_doubt(); }
+  /// Whether, since the last search began, a place that groups hardly determine was found not to be
+  /// a configuration: rounding may have moved it away from one.
+  [[nodiscard]] bool is_unsure() const { return is_unsure_; }
 
   std::size_t run_to(std::size_t number, Solution& result) {
     nearness_.seek_nothing();
@@ -111,7 +114,7 @@ class ConfigurationWalk {
     result.drop_reason.clear();
     result.breaches.clear();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
-    is_inconsistent_ = has_settled_ = false;
+    is_inconsistent_ = has_settled_ = is_unsure_ = false;
     least_gap_ = std::numeric_limits<double>::infinity();
     listed_ = passed_ = 0;
     has_cut_ = false;
@@ -157,6 +160,7 @@ class ConfigurationWalk {
     placement_.hold(group);
     const models::GroupAssemblies& found = placement_.assemble(group);
     gaps_.meet(group);
+    is_unsure_ = is_unsure_ || (found.count == 0 && placed_.regularity != Status::ok);
     if (found.status == AssemblyStatus::not_finite) {
       throw MechanismError(
           "links", "the lengths differ by more powers of ten than double precision can hold");
@@ -213,16 +217,17 @@ class ConfigurationWalk {
   /// determine it, all of them together do.
   void list() {
     placement_.note_listed();
-    const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
-    if (!redundancy_ || placed_.regularity == Status::ok || gap > 0) {
-      list_placed(gap, !placed_.rates_known ||
-                           goes_on_redundantly(values_, placed_.links, placed_.regularity));
+    if (!redundancy_ || placed_.regularity == Status::ok) {
+      list_placed(
+          gap_of_redundant(values_, placed_.links, placed_.regularity),
+          !placed_.rates_known || goes_on_redundantly(values_, placed_.links, placed_.regularity));
       return;
     }
     const PlacedLinks without = placed_;
     has_settled_ = search_.within_limits;
     const double left =
         has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_);
+    is_unsure_ = is_unsure_ || left > 0;
     list_placed(left, redundancy_->goes_on());
     placed_ = without;
   }
@@ -351,6 +356,7 @@ class ConfigurationWalk {
   bool is_inconsistent_ = false;  ///< redundant constraints did not hold somewhere
   double least_gap_ = 0;          ///< by which they failed to hold
   bool has_settled_ = false;      ///< the placed configuration by all constraints
+  bool is_unsure_ = false;        ///< see `is_unsure`
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   double square_ = 0;             ///< of the distance from what is sought, of what is placed
   double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
@@ -361,37 +367,48 @@ MechanismSolver::MechanismSolver(const Values& values)
 MechanismSolver::~MechanismSolver() = default;
 
 void MechanismSolver::solve(const Search& search, Solution& result) {
-  walk_->run(search, result);
-  others_.settle([&](MechanismSolver& other, Solution& found) { other.solve(search, found); },
-                 result);
+  (void)others_.settle(
+      *this, [&] { walk_->run(search, result); },
+      [&](MechanismSolver& other, Solution& found) { other.solve(search, found); }, result);
 }
 
 std::size_t MechanismSolver::solve_one(std::size_t number, Solution& result) {
-  const std::size_t own = walk_->run_to(number, result);
+  std::size_t own = 0;
   std::size_t other = 0;
   const auto ask = [&](MechanismSolver& solver, Solution& found) {
     other = solver.solve_one(number, found);
   };
-  return others_.settle(ask, result) ? other : own;
+  return others_.settle(
+             *this, [&] { own = walk_->run_to(number, result); }, ask, result)
+             ? other
+             : own;
 }
 
 std::optional<Nearest> MechanismSolver::solve_nearest(Solution& result) {
-  const std::optional<Nearest> own = walk_->run_to_nearest(result);
+  std::optional<Nearest> own;
   std::optional<Nearest> other;
   const auto ask = [&](MechanismSolver& solver, Solution& found) {
     other = solver.solve_nearest(found);
   };
-  return others_.settle(ask, result) ? other : own;
+  return others_.settle(
+             *this, [&] { own = walk_->run_to_nearest(result); }, ask, result)
+             ? other
+             : own;
 }
 
 std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Solution& result) {
-  const std::optional<Nearest> own = walk_->run_near(point, result);
+  std::optional<Nearest> own;
   std::optional<Nearest> other;
   const auto ask = [&](MechanismSolver& solver, Solution& found) {
     other = solver.solve_near(point, found);
   };
-  return others_.settle(ask, result) ? other : own;
+  return others_.settle(
+             *this, [&] { own = walk_->run_near(point, result); }, ask, result)
+             ? other
+             : own;
 }
+
+bool MechanismSolver::is_unsure() const { return walk_->is_unsure(); }
 
 void MechanismSolver::count_from(std::vector<NearbyConfigurations> nearby) {
   others_.stay_away(!nearby.empty());

@@ -51,6 +51,9 @@ class MechanismSolver {
   /// See `Placement`; of the last solution.
   [[nodiscard]] bool is_count_ambiguous() const;
   [[nodiscard]] bool is_count_in_doubt() const;
+  /// Whether rounding may have kept the last search from a configuration: a place that groups
+  /// hardly determine was found not to be one.
+  [[nodiscard]] bool is_unsure() const;
 
  private:
   std::unique_ptr<ConfigurationWalk> walk_;

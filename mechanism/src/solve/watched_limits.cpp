@@ -9,7 +9,7 @@ namespace assur::mechanism::solve {
 
 WatchedLimits::WatchedLimits(const Placement& placement)
     : placement_(placement), joints_(placement.structure().groups.size() + 1) {
-  const Table<LinkIndex, std::size_t> before = groups_before(placement.structure());
+  const Table<LinkIndex, std::size_t> before = placement.structure().groups_before();
   const Mechanism& mechanism = placement.plan().mechanism;
   for (const JointIndex joint : mechanism.joints().keys()) {
     if (mechanism.joints()[joint].lowest.exists()) {

@@ -151,6 +151,25 @@ TEST(EmitPowers, ThatThereAreNotAreRefused) {
     EXPECT_EQ(result.status, 2);
     EXPECT_NE(result.messages.find("the value is not a finite number"), std::string::npos);
   }
+  emit_solver({directory.write("refused.json", scene(2, 3)), "", "", {}}, directory,
+              "--variable x,n");
+  const auto source = directory.write("refused.cpp", R"(#include <assur/scenes/refused.hpp>
+using S = assur::scenes::Refused;
+bool is_refused(double x, double n) {
+  S::Parameters<double> parameters;
+  parameters.x = x;
+  parameters.n = n;
+  std::array<S::State<double>, S::max_configurations> states;
+  const S::Solution found = S::solve(S::Drivers<double>(), parameters, states);
+  return found.status == assur::AssemblyStatus::not_finite && found.count == 0;
+}
+int main() {
+  return is_refused(-8, 1. / 3) && is_refused(0, -1) && !is_refused(-8, 3) ? 0 : 1;
+}
+)");
+  const std::string program = (directory.path() / "refused").string();
+  compile_program(source, program, directory);
+  EXPECT_EQ(std::system(program.c_str()), 0);
 }
 
 }  // namespace

@@ -364,6 +364,25 @@ TEST(LongEmitRedundant, NoConfigurationIsLostBesideSingularPositions) {
   EXPECT_GE(resolved, 8);
 }
 
+/// A bar with a pin in each of two perpendicular slots, and a crank at its middle. At the quarter
+/// turn all links have their origins within rounding of the ground's origin.
+TEST(EmitRedundant, NoConfigurationIsLostWhereAllOriginsMeet) {
+  SceneMaker scene;
+  scene.line("ground", "gx", {0, 0}, {1, 0}).line("ground", "gy", {0, 0}, {0, 1});
+  scene.bar("ground", {{"O", 0}}).bar("crank", {{"O", 0}, {"M", 0.7}});
+  scene.bar("bar", {{"M", 0.7}}).point("bar", "P", 0, 0).point("bar", "Q", 1.4, 0);
+  scene.slot("X", "ground.gx", "bar.P").slot("Y", "ground.gy", "bar.Q").drive("O", 0.3, 1, 0);
+  nlohmann::ordered_json json = scene.scene();
+  json["want"] = {"position"};
+  json["report"] = {{"joints", nlohmann::ordered_json::array()}};
+  constexpr double quarter = std::numbers::pi / 2;
+  for (const auto& [status, count] :
+       counts_of(json, {quarter, -quarter, quarter + 1e-9, quarter - 1e-6, 0.3})) {
+    EXPECT_EQ(status, static_cast<int>(AssemblyStatus::ok));
+    EXPECT_EQ(count, 1);
+  }
+}
+
 TEST(LongEmitRedundant, ConfigurationsOfAnotherGroupThatNearlyMeetAreBothListed) {
   for (const auto& [status, count] : counts_of(cranks_and_a_slot(), {std::numbers::pi / 2, 1})) {
     EXPECT_EQ(status, static_cast<int>(AssemblyStatus::ok));

@@ -9,6 +9,8 @@
 #include <tuple>
 
 #include "mechanism/five_bars.hpp"
+#include "mechanism/scene_maker.hpp"
+#include "mechanism/sweep_runs.hpp"
 
 namespace assur::test {
 namespace {
@@ -401,6 +403,36 @@ TEST(RedundantJoints, OfADoorOnThreeHingesHold) {
   EXPECT_EQ(names_of(found.plan), (std::vector<std::string>{"H1", "H2"}));
   bars.json()["links"]["crank"]["H2"] = {0, 1e-3};
   EXPECT_NE(message_of(bars.json()).find("over-constrained by 4"), std::string::npos);
+}
+
+/// Constraints are chosen to be left out where the plan is made. Where the rest is nearly singular,
+/// others are left out: the answer is that of a plan that is made there.
+TEST(RedundantJoints, AreLeftOutAnewWhereTheRestHardlyDeterminesTheLinks) {
+  SceneMaker maker;
+  maker.line("ground", "gx", {0, 0}, {1, 0}).line("ground", "gy", {0, 0}, {0, 1});
+  maker.line("bx", "g", {0, 0}, {1, 0}).line("by", "g", {0, 0}, {0, 1});
+  maker.point("bx", "P", 0, 0).point("by", "Q", 0, 0).bar("ground", {{"O", 0}});
+  maker.bar("cr", {{"O", 0}, {"M", 1}}).bar("bar", {{"P", 0}, {"Q", 2}, {"M", 1}});
+  maker.slide("sx", "ground.gx", "bx.g").slide("sy", "ground.gy", "by.g").drive("O", "t", 1, 0);
+  Json trammel = maker.parameter("t", 0.3).scene();
+  const Solved made = solved(trammel);
+  for (const double quarter : {0., 1., 2., -1.}) {
+    for (double beside = 1e-12; beside < 0.1; beside *= 3) {
+      for (const double t :
+           {quarter * std::numbers::pi / 2 + beside, quarter * std::numbers::pi / 2 - beside}) {
+        mechanism::Values values = made.plan.values();
+        values.set(mechanism::ParameterIndex(0), t);
+        const Solution found = made.plan.solve(values);
+        ASSERT_EQ(found.configurations.size(), 1U) << found.reason << " at " << t;
+        EXPECT_EQ(found.configurations[0].regularity, Status::ok);
+        EXPECT_NEAR(found.configurations[0].link("bar").pose.direction.cos, -std::cos(t), 1e-12);
+      }
+    }
+  }
+  trammel["sweep"] = {{"parameter", "t"}, {"from", -1e-5}, {"to", 1e-5}, {"count", 21}};
+  const SweepKept kept = run_sweep(mechanism::parse_scene(trammel.dump(), "scene", {}));
+  EXPECT_EQ(kept.rows.size(), 21U);
+  EXPECT_TRUE(kept.events.empty());
 }
 
 }  // namespace

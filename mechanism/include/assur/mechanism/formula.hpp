@@ -35,6 +35,9 @@ class Formula {
 
   [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
 
+  /// Whether formulas are written alike, so that they have the same value whatever parameters are.
+  [[nodiscard]] bool operator==(const Formula&) const = default;
+
   /// The parameters that occur in it, each once.
   [[nodiscard]] std::vector<ParameterIndex> parameters() const;
   /// The joints that occur in it, each once.
@@ -77,6 +80,8 @@ class Formula {
     double number;              ///< the constant, or the exponent of a constant power
     ParameterIndex parameter;
     JointIndex joint;
+
+    [[nodiscard]] bool operator==(const Step&) const = default;
   };
 
   void append(const text::Expression& expression, const Names& names);

@@ -13,7 +13,7 @@ namespace assur::mechanism {
 /// of them: the joint joins that one, and the feature may belong to a link that it carries.
 struct ElementaryJoint {
   std::string name;
-  JointIndex joint;  ///< of the mechanism
+  JointIndex joint;  ///< of the mechanism; does not exist between the blocks of two pins in a slot
   bool prismatic;
   LinkIndex first, second;  ///< the displacement runs from first to second
   FeatureIndex on_first, on_second;
@@ -44,11 +44,18 @@ struct SharedPin {
 
 /// A mechanism of elementary joints. A pin in a slot has become a block, a link of no size with a
 /// revolute and a prismatic joint, which comes after the mechanism's own links.
+///
+/// Two pins of one link in one straight slot are a slide that may stand either way. The block of
+/// the second one slides along the first one's block in place of the slot, in an elementary joint
+/// that belongs to no joint of the mechanism: the blocks and the link with the pins are then a
+/// dyad with two configurations, and the first block alone slides in the slot.
 struct Linkage {
   Table<LinkIndex, std::string> links;  ///< their names
   LinkIndex ground;
   Table<ElementaryJointIndex, ElementaryJoint> joints;
   std::vector<SharedPin> pins;
+  /// The joints of second pins in a slot: where these are along it follows from the links.
+  std::vector<JointIndex> second_pins = {};
 };
 
 /// The links and elementary joints of a mechanism, with a block for each pin in a slot.
@@ -133,6 +140,8 @@ struct Structure {
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
+  /// For each link, how many groups are placed before the link is.
+  [[nodiscard]] Table<LinkIndex, std::size_t> groups_before() const;
   /// For each link, whether it is the ground or carried by it, whatever the laws read: no group
   /// places it.
   [[nodiscard]] Table<LinkIndex, bool> carried_by_ground() const;

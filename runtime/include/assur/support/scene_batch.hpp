@@ -156,6 +156,11 @@ class SceneBatch {
       unsure |= lanes & ~finite;
       lanes &= finite;
     }
+    if constexpr (has_parameters<Solver>) {
+      const unsigned finite = are_places_finite(state).bits();
+      unsure |= lanes & ~finite;
+      lanes &= finite;
+    }
     typename Own::Key key;
     Own::key(placed, key);
     put(pack, lanes, state, key);

@@ -88,6 +88,28 @@ template <typename Scalar, typename Part>
   return sum;
 }
 
+template <typename Part, typename = void>
+inline constexpr bool has_position = false;
+template <typename Part>
+inline constexpr bool has_position<Part, std::void_t<decltype(std::declval<Part&>().position)>> =
+    true;
+template <typename Part, typename = void>
+inline constexpr bool has_pose = false;
+template <typename Part>
+inline constexpr bool has_pose<Part, std::void_t<decltype(std::declval<Part&>().pose)>> = true;
+
+/// Calls `use` with every coordinate of the places of links and points in a part of a state.
+template <typename Scalar, typename Part, typename Use>
+void visit_places(Part& part, Use& use, Scalar* numbers) {
+  if constexpr (has_position<Part>) {
+    visit(part.position, use, numbers);
+  } else if constexpr (has_pose<Part>) {
+    visit(part.pose, use, numbers);
+  } else if constexpr (has_members<Part>) {
+    std::apply([&](auto&... member) { (visit_places(member, use, numbers), ...); }, part.members());
+  }
+}
+
 /// How many numbers there are in a part.
 template <typename Scalar>
 constexpr std::size_t count(const Scalar* /*part*/, const Scalar* /*numbers*/) {
@@ -146,6 +168,16 @@ template <template <typename> class State, typename Scalar>
 [[nodiscard]] auto is_sum_of_rates_finite(State<Scalar>& state) {
   const Scalar sum = columns::sum_of_rates(state, static_cast<Scalar*>(nullptr));
   return sum - sum == Scalar(0);
+}
+
+/// Whether the places of all links and points in a state are finite; for packs, in which lanes. A
+/// formula in the solver's parameters may have no value.
+template <template <typename> class State, typename Scalar>
+[[nodiscard]] auto are_places_finite(State<Scalar>& state) {
+  Scalar sum(0);
+  const auto add = [&sum](const Scalar& coordinate) { sum = sum + (coordinate - coordinate); };
+  columns::visit_places(state, add, static_cast<Scalar*>(nullptr));
+  return sum == Scalar(0);
 }
 
 /// Makes a state whose rates leave the range of the scalar near-singular, and these rates NaN.

@@ -186,6 +186,11 @@ class Search {
     } else {
       Own::list(placed, states_[slot]);
     }
+    if constexpr (has_parameters<Solver>) {
+      if (!are_places_finite(states_[slot])) {
+        solution_.status = AssemblyStatus::not_finite;
+      }
+    }
     Own::key(placed, keys_[slot]);
     if constexpr (Own::has_gaps) {
       gaps_[slot] = Own::gap(by_groups);
