@@ -40,8 +40,8 @@ double slope_error(const Values& values, const Configuration& configuration, Eig
   constraints.move(step * slopes, after);
   const Eigen::MatrixXd bent =
       (constraints.jacobian(after) - constraints.jacobian(before)) / (2 * step);
-  const Eigen::MatrixXd turned = inverse.lazyProduct(bent);
-  const double most = turned.lazyProduct(inverse).cwiseAbs().rowwise().sum().maxCoeff();
+  const Eigen::MatrixXd effects = inverse * bent * inverse;
+  const double most = effects.cwiseAbs().rowwise().sum().maxCoeff();
   const Eigen::VectorXd off =
       inverse * constraints.first_rates(configuration.links).col(1 + column);
   const double error = off.cwiseAbs().maxCoeff() + constraints.rounding() * most;
