@@ -65,7 +65,7 @@ DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix&
                            (closure == nullptr ? "D " : "d ") + row + "/" +
                            (closure == nullptr ? "D " : "d ") + column;
   return {item, closure == nullptr ? system.total(*system.meaning_of(row), by)
-                                   : system.partial(*closure, by.symbol)};
+                                   : system.partial(*closure, by)};
 }
 
 bool is_turned(const Finding& closure) { return closure.agrees() && closure.note == turned_round; }

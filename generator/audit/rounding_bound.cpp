@@ -129,18 +129,16 @@ SymbolValues symbol_values(closures::ClosurePoints& points,
     }
   };
   closures::ClosureSystem& system = points.system();
-  for (const closures::ClosureSystem::Sensitivity& each : system.sensitivities()) {
-    solved(each.symbol);
+  for (const auto& [symbol, value] : point.values) {
+    if (system.derivative_of(symbol) != nullptr) {
+      solved(GiNaC::ex_to<GiNaC::symbol>(symbol));
+    }
   }
   for (const closures::AuditSymbol& symbol : system.symbols()) {
     if (symbol.angle) {
       const equations::Vector2 direction = points.direction(symbol.symbol);
       const double angle = std::atan2(values.at(direction.y).value, values.at(direction.x).value);
       values[symbol.symbol] = rounded(angle, 0);
-    }
-    if (symbol.unknown) {
-      solved(symbol.rate);
-      solved(symbol.second_rate);
     }
   }
   return values;

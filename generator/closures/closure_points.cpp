@@ -47,9 +47,7 @@ void ClosurePoints::follow_system() {
   }
   lists_.clear();
   assembly_.reset();
-  slopes_.clear();
-  rates_.clear();
-  second_rates_.clear();
+  open_parts_.clear();
   closures_are_algebraic_ = true;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     try {  // numbers the roots of closures before those of expressions
@@ -66,15 +64,19 @@ GiNaC::ex ClosurePoints::algebraic(const GiNaC::ex& expression) {
 }
 
 void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
-  const GiNaC::exset occurring = equations::symbols_of(whole);
-  solve_sensitivities(occurring, point);
-  const bool moves = std::any_of(
-      system_.symbols().begin(), system_.symbols().end(), [&](const AuditSymbol& symbol) {
-        return symbol.unknown &&
-               (occurring.contains(symbol.rate) || occurring.contains(symbol.second_rate));
-      });
-  if (moves) {
-    solve_rates(point);
+  for (const GiNaC::ex& symbol : equations::symbols_of(whole)) {
+    if (point.values.contains(symbol)) {
+      continue;
+    }
+    if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
+      solve(*derivative, point);
+    } else if (system_.moved_by(symbol) != nullptr) {
+      // A rate of third order or higher: any number will do, a different one at each point.
+      constexpr unsigned most = 1U << 20;
+      const auto so_far = static_cast<unsigned>(point.values.size() + 31 * solved_ + 1);
+      point.values[symbol] = FewDigits(so_far % most).rate();
+      ++solved_;
+    }
   }
 }
 
@@ -141,17 +143,6 @@ GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions
   return column;
 }
 
-const std::vector<GiNaC::ex>& ClosurePoints::slopes_of_closures(const AuditSymbol& by) {
-  follow_system();
-  std::vector<GiNaC::ex>& slopes = slopes_[&by];
-  if (slopes.empty()) {
-    for (const ClosureSystem::Closure& closure : system_.closures()) {
-      slopes.push_back(system_.partial(closure.expression, by.symbol));
-    }
-  }
-  return slopes;
-}
-
 void ClosurePoints::invert_jacobian(Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   if (solved.empty() || solved.size() != system_.closures().size()) {
@@ -160,7 +151,11 @@ void ClosurePoints::invert_jacobian(Point& point) {
   const auto size = static_cast<unsigned>(solved.size());
   GiNaC::matrix jacobian(size, size);
   for (unsigned column = 0; column < size; ++column) {
-    const GiNaC::matrix values = values_of(slopes_of_closures(*solved[column]), point.values);
+    std::vector<GiNaC::ex> slopes;
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      slopes.push_back(system_.slope(closure.expression, solved[column]->symbol));
+    }
+    const GiNaC::matrix values = values_of(slopes, point.values);
     for (unsigned row = 0; row < size; ++row) {
       jacobian(row, column) = values(row, 0);
     }
@@ -168,60 +163,34 @@ void ClosurePoints::invert_jacobian(Point& point) {
   point.inverse_jacobian = jacobian.inverse();
 }
 
-/// The solution x of J x = -slopes.
-GiNaC::matrix ClosurePoints::solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point) {
-  if (point.inverse_jacobian.rows() != slopes.size()) {
+const std::vector<GiNaC::ex>& ClosurePoints::open_parts(const ClosureDerivative& derivative) {
+  follow_system();
+  std::vector<GiNaC::ex>& open = open_parts_[&derivative];
+  if (open.empty()) {
+    GiNaC::exmap at_rest;
+    for (const GiNaC::symbol& symbol : system_.symbols_of(derivative)) {
+      at_rest[symbol] = 0;
+    }
+    for (const GiNaC::ex& equation : system_.equations_of(derivative)) {
+      open.push_back(equation.subs(at_rest, GiNaC::subs_options::no_pattern));
+    }
+  }
+  return open;
+}
+
+void ClosurePoints::solve(const ClosureDerivative& derivative, Point& point) {
+  const std::vector<GiNaC::ex>& open = open_parts(derivative);
+  for (const GiNaC::ex& part : open) {
+    solve_for(system_.expanded(part), point);
+  }
+  if (point.inverse_jacobian.rows() != open.size()) {
     throw NotAlgebraic("total derivatives need as many closures as unknowns");
   }
-  return point.inverse_jacobian.mul(values_of(slopes, point.values)).mul_scalar(-1);
-}
-
-void ClosurePoints::solve_sensitivities(const GiNaC::exset& occurring, Point& point) {
-  const std::vector<const AuditSymbol*> solved = system_.unknowns();
-  for (const ClosureSystem::Sensitivity& asked : system_.sensitivities()) {
-    if (!occurring.contains(asked.symbol) || point.values.contains(asked.symbol)) {
-      continue;
-    }
-    const GiNaC::matrix solution = solution_of(slopes_of_closures(*asked.parameter), point);
-    for (const ClosureSystem::Sensitivity& sensitivity : system_.sensitivities()) {
-      if (sensitivity.parameter == asked.parameter) {
-        const auto place = std::find(solved.begin(), solved.end(), sensitivity.unknown);
-        point.values[sensitivity.symbol] =
-            solution(static_cast<unsigned>(place - solved.begin()), 0).expand();
-      }
-    }
-  }
-}
-
-const std::vector<GiNaC::ex>& ClosurePoints::rates_of_closures(bool second) {
-  follow_system();
-  std::vector<GiNaC::ex>& rates = second ? second_rates_ : rates_;
-  if (!rates.empty()) {
-    return rates;
-  }
-  for (const ClosureSystem::Closure& closure : system_.closures()) {
-    GiNaC::ex rate = system_.rate(closure.expression);
-    rate = second ? system_.rate(rate) : rate;
-    for (const AuditSymbol* unknown : system_.unknowns()) {
-      rate = rate.subs((second ? unknown->second_rate : unknown->rate) == 0,
-                       GiNaC::subs_options::no_pattern);
-    }
-    rates.push_back(rate);
-  }
-  return rates;
-}
-
-void ClosurePoints::solve_rates(Point& point) {
-  const std::vector<const AuditSymbol*> solved = system_.unknowns();
-  if (solved.empty() || point.values.contains(solved[0]->rate)) {
-    return;
-  }
-  for (const bool second : {false, true}) {
-    const GiNaC::matrix solution = solution_of(rates_of_closures(second), point);
-    for (unsigned row = 0; row < solved.size(); ++row) {
-      point.values[second ? solved[row]->second_rate : solved[row]->rate] =
-          solution(row, 0).expand();
-    }
+  const GiNaC::matrix solution =
+      point.inverse_jacobian.mul(values_of(open, point.values)).mul_scalar(-1);
+  unsigned row = 0;
+  for (const GiNaC::symbol& symbol : system_.symbols_of(derivative)) {
+    point.values[symbol] = solution(row++, 0).expand();
   }
 }
 

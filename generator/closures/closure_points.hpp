@@ -82,22 +82,18 @@ class ClosurePoints {
   void solve_for(const GiNaC::ex& whole, Point& point);
   [[nodiscard]] bool assemble(GiNaC::exmap& values);
   void invert_jacobian(Point& point);
-  void solve_sensitivities(const GiNaC::exset& occurring, Point& point);
-  void solve_rates(Point& point);
-  /// The partial derivatives of the closures by a symbol.
-  [[nodiscard]] const std::vector<GiNaC::ex>& slopes_of_closures(const AuditSymbol& by);
-  /// The first or second rates of the closures where those of the unknowns are zero.
-  [[nodiscard]] const std::vector<GiNaC::ex>& rates_of_closures(bool second);
-  [[nodiscard]] GiNaC::matrix solution_of(const std::vector<GiNaC::ex>& slopes, const Point& point);
+  void solve(const ClosureDerivative& derivative, Point& point);
+  /// r in the equations J x + r = 0 of a derivative x.
+  [[nodiscard]] const std::vector<GiNaC::ex>& open_parts(const ClosureDerivative& derivative);
   [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
   bool closures_are_algebraic_ = true;                           ///< in this revision
   std::optional<AssemblyByLengths> assembly_;                    ///< of this revision
-  std::map<const AuditSymbol*, std::vector<GiNaC::ex>> slopes_;  ///< of this revision
-  std::vector<GiNaC::ex> rates_, second_rates_;  ///< of the closures, of this revision
+  std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision
   CircleAlgebra algebra_;
+  unsigned solved_ = 0;              ///< rates of third order or higher that have a number
   unsigned revision_ = 0;            ///< of the system that the points belong to
   std::size_t angles_ = 0;           ///< symbols of the system that the algebra knows
   std::map<bool, PointList> lists_;  ///< by whether they are assembled

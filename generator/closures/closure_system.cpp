@@ -1,6 +1,7 @@
 #include "closures/closure_system.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "equations/symbols.hpp"
 
@@ -98,46 +99,188 @@ std::vector<std::string> ClosureSystem::names() const {
   return all;
 }
 
-GiNaC::ex ClosureSystem::partial(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const {
+GiNaC::ex ClosureSystem::slope(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const {
   GiNaC::ex sum = expression.diff(symbol);
   for (const GiNaC::ex& name : equations::symbols_of(expression)) {
     if (const GiNaC::ex* const definition = definition_of(name)) {
-      sum += expression.diff(GiNaC::ex_to<GiNaC::symbol>(name)) * partial(*definition, symbol);
+      sum += expression.diff(GiNaC::ex_to<GiNaC::symbol>(name)) * slope(*definition, symbol);
     }
   }
   return sum;
+}
+
+const ClosureDerivative& ClosureSystem::derivative(const ClosureDerivative& wanted) {
+  const auto is_it = [&](const ClosureDerivative& one) {
+    return one.of == wanted.of && one.partly_by == wanted.partly_by && one.by == wanted.by &&
+           one.times == wanted.times;
+  };
+  const auto known = std::ranges::find_if(derivatives_, is_it);
+  return known == derivatives_.end() ? derivatives_.emplace_back(wanted) : *known;
+}
+
+const GiNaC::symbol& ClosureSystem::component(const ClosureDerivative& derivative,
+                                              const AuditSymbol& unknown) {
+  const auto key = std::make_pair(&derivative, &unknown);
+  if (const auto known = component_symbols_.find(key); known != component_symbols_.end()) {
+    return known->second;
+  }
+  const bool is_rate = derivative.of == nullptr && derivative.by.empty();
+  GiNaC::symbol symbol = is_rate && derivative.times == 1   ? unknown.rate
+                         : is_rate && derivative.times == 2 ? unknown.second_rate
+                                                            : GiNaC::symbol();
+  if (!is_rate || derivative.times > 2) {
+    std::string name = derivative.of == nullptr
+                           ? unknown.name
+                           : "d(" + component(*derivative.of, unknown).get_name() + ", " +
+                                 derivative.partly_by->name + ")";
+    for (const AuditSymbol* parameter : derivative.by) {
+      name = "D(" + name + ", " + parameter->name + ")";
+    }
+    for (int left = derivative.times; left > 0; left -= 2) {
+      name = (left == 1 ? "rate(" : "rate2(") + name + ")";
+    }
+    symbol = GiNaC::symbol(name);
+  }
+  components_.emplace(symbol, Component{&derivative, &unknown, symbol});
+  return component_symbols_.emplace(key, symbol).first->second;
+}
+
+const ClosureSystem::Component* ClosureSystem::component_of(const GiNaC::ex& symbol) const {
+  const auto found = components_.find(symbol);
+  return found == components_.end() ? nullptr : &found->second;
+}
+
+const ClosureDerivative* ClosureSystem::derivative_of(const GiNaC::ex& symbol) const {
+  const Component* const found = component_of(symbol);
+  return found == nullptr ? nullptr : found->derivative;
+}
+
+std::vector<GiNaC::symbol> ClosureSystem::symbols_of(const ClosureDerivative& derivative) {
+  std::vector<GiNaC::symbol> symbols;
+  for (const AuditSymbol* unknown : unknowns()) {
+    symbols.push_back(component(derivative, *unknown));
+  }
+  return symbols;
+}
+
+std::vector<GiNaC::ex> ClosureSystem::equations_of(const ClosureDerivative& derivative) {
+  std::vector<GiNaC::ex> equations;
+  const auto each = [&](const std::vector<GiNaC::ex>& before, const auto& further) {
+    std::ranges::transform(before, std::back_inserter(equations), further);
+  };
+  ClosureDerivative before = derivative;
+  if (derivative.times > 0) {
+    --before.times;
+    each(equations_of(before), [&](const GiNaC::ex& equation) { return rate(equation); });
+  } else if (!derivative.by.empty()) {
+    before.by.pop_back();
+    each(equations_of(before),
+         [&](const GiNaC::ex& equation) { return total(equation, *derivative.by.back()); });
+  } else if (derivative.of != nullptr) {
+    each(equations_of(*derivative.of),
+         [&](const GiNaC::ex& equation) { return partial(equation, *derivative.partly_by); });
+  } else {
+    for (const Closure& closure : closures_) {
+      equations.push_back(closure.expression);
+    }
+  }
+  return equations;
+}
+
+template <typename Further>
+GiNaC::ex ClosureSystem::through_derivatives(const GiNaC::ex& expression, const Further& further) {
+  GiNaC::ex sum;
+  for (const GiNaC::ex& name : equations::symbols_of(expanded(expression))) {
+    if (const Component* const found = component_of(name)) {
+      const GiNaC::ex part = slope(expression, found->symbol);
+      if (!part.is_zero()) {
+        const AuditSymbol& unknown = *found->unknown;
+        ClosureDerivative wanted = *found->derivative;
+        wanted = further(*found->derivative, wanted);
+        sum += part * component(derivative(wanted), unknown);
+      }
+    }
+  }
+  return sum;
+}
+
+GiNaC::ex ClosureSystem::partial(const GiNaC::ex& expression, const AuditSymbol& by) {
+  return slope(expression, by.symbol) +
+         through_derivatives(expression, [&](const ClosureDerivative& of, const auto&) {
+           return ClosureDerivative{&of, &by, {}, 0};
+         });
 }
 
 GiNaC::ex ClosureSystem::total(const GiNaC::ex& expression, const AuditSymbol& parameter) {
-  GiNaC::ex sum = partial(expression, parameter.symbol);
+  const auto further = [&](ClosureDerivative wanted) {
+    const auto place = [this](const AuditSymbol* symbol) {
+      return std::ranges::find_if(symbols_,
+                                  [&](const AuditSymbol& one) { return &one == symbol; }) -
+             symbols_.begin();
+    };
+    wanted.by.insert(std::ranges::upper_bound(wanted.by, place(&parameter), {}, place), &parameter);
+    return wanted;
+  };
+  GiNaC::ex sum = slope(expression, parameter.symbol);
   for (const AuditSymbol* unknown : unknowns()) {
-    const GiNaC::ex slope = partial(expression, unknown->symbol);
-    if (slope.is_zero()) {
-      continue;
+    if (const GiNaC::ex part = slope(expression, unknown->symbol); !part.is_zero()) {
+      sum += part * component(derivative(further({})), *unknown);
     }
-    auto known = std::find_if(
-        sensitivities_.begin(), sensitivities_.end(), [&](const Sensitivity& sensitivity) {
-          return sensitivity.unknown == unknown && sensitivity.parameter == &parameter;
-        });
-    if (known == sensitivities_.end()) {
-      const std::string name = "D(" + unknown->name + ", " + parameter.name + ")";
-      sensitivities_.push_back({unknown, &parameter, GiNaC::symbol(name)});
-      known = std::prev(sensitivities_.end());
-    }
-    sum += slope * known->symbol;
   }
-  return sum;
+  return sum + through_derivatives(
+                   expression, [&](const auto&, const auto& wanted) { return further(wanted); });
 }
 
-GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) const {
-  GiNaC::ex sum;
-  for (const AuditSymbol& symbol : symbols_) {
-    if (symbol.unknown || symbol.moving) {
-      sum += partial(expression, symbol.symbol) * symbol.rate;
-      sum += partial(expression, symbol.rate) * symbol.second_rate;
+GiNaC::symbol ClosureSystem::rate_symbol(const AuditSymbol& symbol, int order) {
+  if (order <= 2) {
+    return order == 1 ? symbol.rate : symbol.second_rate;
+  }
+  const auto key = std::make_pair(&symbol, order);
+  const auto known = higher_rates_.find(key);
+  if (known != higher_rates_.end()) {
+    return known->second;
+  }
+  std::string name = symbol.name;
+  for (int left = order; left > 0; left -= 2) {
+    name = (left == 1 ? "rate(" : "rate2(") + name + ")";
+  }
+  return higher_rates_.emplace(key, GiNaC::symbol(name)).first->second;
+}
+
+const AuditSymbol* ClosureSystem::moved_by(const GiNaC::ex& symbol) const {
+  for (const AuditSymbol& one : symbols_) {
+    if (one.moving && (symbol.is_equal(one.rate) || symbol.is_equal(one.second_rate))) {
+      return &one;
     }
   }
-  return sum;
+  for (const auto& [key, rate] : higher_rates_) {
+    if (symbol.is_equal(rate)) {
+      return key.first;
+    }
+  }
+  return nullptr;
+}
+
+GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) {
+  GiNaC::ex sum;
+  for (const AuditSymbol& symbol : symbols_) {
+    if (symbol.unknown) {
+      if (const GiNaC::ex part = slope(expression, symbol.symbol); !part.is_zero()) {
+        sum += part * component(derivative({nullptr, nullptr, {}, 1}), symbol);
+      }
+    } else if (symbol.moving) {
+      sum += slope(expression, symbol.symbol) * symbol.rate;
+      for (int order = 1; order <= 2 || higher_rates_.contains({&symbol, order}); ++order) {
+        if (const GiNaC::ex part = slope(expression, rate_symbol(symbol, order)); !part.is_zero()) {
+          sum += part * rate_symbol(symbol, order + 1);
+        }
+      }
+    }
+  }
+  return sum + through_derivatives(expression, [](const auto&, ClosureDerivative wanted) {
+           ++wanted.times;
+           return wanted;
+         });
 }
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
@@ -153,12 +296,10 @@ GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
 }
 
 bool ClosureSystem::follows_closures(const GiNaC::ex& expression) const {
-  const GiNaC::exset occurring = equations::symbols_of(expanded(expression));
-  return std::any_of(sensitivities_.begin(), sensitivities_.end(),
-                     [&](const Sensitivity& entry) { return occurring.contains(entry.symbol); }) ||
-         std::any_of(symbols_.begin(), symbols_.end(), [&](const AuditSymbol& symbol) {
-           return occurring.contains(symbol.rate) || occurring.contains(symbol.second_rate);
-         });
+  return std::ranges::any_of(
+      equations::symbols_of(expanded(expression)), [&](const GiNaC::ex& symbol) {
+        return derivative_of(symbol) != nullptr || moved_by(symbol) != nullptr;
+      });
 }
 
 std::vector<const AuditSymbol*> ClosureSystem::unknowns() const {

@@ -136,7 +136,7 @@ class Reader {
       const GiNaC::ex rate = system_.rate(first);
       return called == "rate" ? rate : system_.rate(rate);
     }
-    if (called == "d") return system_.partial(first, symbol(node.arguments[1]).symbol);
+    if (called == "d") return system_.partial(first, symbol(node.arguments[1]));
     if (called == "D") return total(first, symbol(node.arguments[1]), node);
     if (called == "derivative") return derivative(node, first);
     const GiNaC::ex second = scalar(node.arguments[1]);
@@ -241,7 +241,7 @@ class Reader {
     const AuditSymbol& by = symbol(node.arguments[1]);
     const bool closure = argument.kind == text::Expression::Kind::name &&
                          system_.closure_named(resolved(argument.name)) != nullptr;
-    return closure ? system_.partial(of, by.symbol) : total(of, by, node);
+    return closure ? system_.partial(of, by) : total(of, by, node);
   }
 
   GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {

@@ -29,7 +29,7 @@ bool ClosurePoints::takes_either_sign(const AuditSymbol& symbol) {
   return symbol.unknown ||
          std::any_of(system_.closures().begin(), system_.closures().end(),
                      [&](const ClosureSystem::Closure& closure) {
-                       const GiNaC::ex slope = system_.partial(closure.expression, symbol.symbol);
+                       const GiNaC::ex slope = system_.slope(closure.expression, symbol.symbol);
                        return GiNaC::is_a<GiNaC::numeric>(slope) && !slope.is_zero();
                      });
 }

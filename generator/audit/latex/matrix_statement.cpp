@@ -124,10 +124,10 @@ std::optional<MatrixAnswer> audit_inverse(PaperFormulas& formulas, const Stated&
       GiNaC::ex sum;
       for (const std::string& unknown : left.rows) {
         const closures::AuditSymbol& each = *formulas.system().symbol_named(unknown);
-        sum += formulas.system().partial(closure, each.symbol) *
+        sum += formulas.system().slope(closure, each.symbol) *
                formulas.system().total(each.symbol, by);
       }
-      const GiNaC::ex direct = formulas.system().partial(closure, by.symbol);
+      const GiNaC::ex direct = formulas.system().slope(closure, by.symbol);
       findings.push_back(audit_equation(formulas.points(), row + " by " + column, sum,
                                         minus ? -direct : direct,
                                         {formulas.source(stated.tokens), stated.place}));
