@@ -89,8 +89,8 @@ class ClosurePoints {
                                         const GiNaC::exmap& values);
 
   ClosureSystem& system_;
-  bool closures_are_algebraic_ = true;                           ///< in this revision
-  std::optional<AssemblyByLengths> assembly_;                    ///< of this revision
+  bool closures_are_algebraic_ = true;                                     ///< in this revision
+  std::optional<AssemblyByLengths> assembly_;                              ///< of this revision
   std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision
   CircleAlgebra algebra_;
   unsigned solved_ = 0;              ///< rates of third order or higher that have a number

@@ -47,8 +47,8 @@ struct ClosureDerivative {
 /// f(q, a) = 0 with unknowns q and parameters a, and expressions in them. Expressions hold sines
 /// and cosines as such, abbreviations as symbols of their own, and derivatives of unknowns as
 /// symbols whose values belong to a point (ClosurePoints). Each such derivative x solves equations
-/// J x + r = 0 with J = df/dq, which are the derivatives of f, or of those of the derivative that it
-/// is a derivative of: J dq/da = -df/da, J q' = -(df/da) a', and so on.
+/// J x + r = 0 with J = df/dq, which are the derivatives of f, or of those of the derivative that
+/// it is a derivative of: J dq/da = -df/da, J q' = -(df/da) a', and so on.
 class ClosureSystem {
  public:
   struct Closure {
@@ -143,7 +143,8 @@ class ClosureSystem {
   std::vector<Closure> closures_;
   std::deque<ClosureDerivative> derivatives_;
   std::map<GiNaC::ex, Component, GiNaC::ex_is_less> components_;
-  std::map<std::pair<const ClosureDerivative*, const AuditSymbol*>, GiNaC::symbol> component_symbols_;
+  std::map<std::pair<const ClosureDerivative*, const AuditSymbol*>, GiNaC::symbol>
+      component_symbols_;
   std::map<std::pair<const AuditSymbol*, int>, GiNaC::symbol> higher_rates_;
   unsigned revision_ = 0;
 };

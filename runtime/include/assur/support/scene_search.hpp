@@ -161,10 +161,14 @@ class Search {
     } else if (loose.moving != 0) {
       count_families(loose.moving);
     } else if constexpr (Own::settles) {
-      // Nearly singular groups may be placed far from where all constraints together hold.
+      // Nearly singular groups may be placed far from where all constraints together hold. Where
+      // these hold, they may lock the mechanism: then they contradict one another's rates.
+      const bool is_regular = placed.regularity == Status::ok;
       Placed settled = placed;
-      if ((placed.regularity == Status::ok || Own::settle(settled)) && Own::keeps_limits(settled)) {
-        keep(settled, placed);
+      if ((!is_regular || Own::keeps_limits(placed)) &&
+          ((is_regular && Solver::order == 0) || Own::settle(settled)) &&
+          Own::keeps_limits(settled)) {
+        keep(is_regular ? placed : settled, placed);
       } else {
         ++solution_.left_out;
       }
