@@ -167,7 +167,7 @@ bool OtherWays::settle(const MechanismSolver& own, const std::function<void()>& 
         return true;
       }
     } catch (const OverConstrained&) {
-      if (!solver.is_unsure()) {
+      if (!lacks_all && !solver.is_unsure()) {
         throw;
       }
     } catch (const MechanismError&) {

@@ -217,10 +217,14 @@ class ConfigurationWalk {
   /// determine it, all of them together do.
   void list() {
     placement_.note_listed();
-    if (!redundancy_ || placed_.regularity == Status::ok) {
-      list_placed(
-          gap_of_redundant(values_, placed_.links, placed_.regularity),
-          !placed_.rates_known || goes_on_redundantly(values_, placed_.links, placed_.regularity));
+    const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
+    // Rounding may leave regular groups further apart than it leaves all constraints together.
+    const bool is_certain =
+        placed_.regularity == Status::ok &&
+        (gap == 0 || gap_of_redundant(values_, placed_.links, Status::near_singular) > 0);
+    if (!redundancy_ || is_certain) {
+      list_placed(gap, !placed_.rates_known ||
+                           goes_on_redundantly(values_, placed_.links, placed_.regularity));
       return;
     }
     const PlacedLinks without = placed_;

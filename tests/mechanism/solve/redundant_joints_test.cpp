@@ -435,5 +435,40 @@ TEST(RedundantJoints, AreLeftOutAnewWhereTheRestHardlyDeterminesTheLinks) {
   EXPECT_TRUE(kept.events.empty());
 }
 
+/// Beside the place where a crank is in line with another one, groups are regular and rounding
+/// leaves them further apart than all constraints together.
+TEST(RedundantJoints, OfCranksHoldWhereverThePlanIsMade) {
+  const std::vector<std::vector<std::array<int, 2>>> lattice = {{{1, 2}, {2, 1}, {0, 1}},
+                                                                {{2, 0}, {0, 2}, {1, 0}},
+                                                                {{0, 0}, {3, 0}, {1, 0}},
+                                                                {{3, 0}, {2, 1}, {1, 0}},
+                                                                {{3, 2}, {0, 2}, {0, 1}}};
+  for (const std::vector<std::array<int, 2>>& pivots : lattice) {
+    SceneMaker maker;
+    for (std::size_t crank = 0; crank < pivots.size(); ++crank) {
+      const std::string number = std::to_string(crank);
+      maker.point("ground", "A" + number, pivots[crank][0], pivots[crank][1]);
+      maker.point("coupler", "B" + number, pivots[crank][0], pivots[crank][1]);
+      maker.bar("crank" + number, {{"A" + number, 0}, {"B" + number, 2}});
+    }
+    Json json = maker.parameter("phi", 0.3).drive("A1", "phi", 0, 0).scene();
+    json["want"] = {"position"};
+    const Solved elsewhere = solved(json);
+    for (const double quarter : {0., 1., 2.}) {
+      for (double beside = 1e-12; beside < 0.01; beside *= 7) {
+        for (const double phi :
+             {quarter * std::numbers::pi / 2 + beside, quarter * std::numbers::pi / 2 - beside}) {
+          SCOPED_TRACE(phi);
+          json["parameters"]["phi"] = phi;
+          mechanism::Values values = elsewhere.plan.values();
+          values.set(mechanism::ParameterIndex(0), phi);
+          EXPECT_EQ(elsewhere.plan.solve(values).configurations.size(),
+                    solved(json).configurations().size());
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assur::test

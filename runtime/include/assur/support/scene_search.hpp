@@ -7,6 +7,7 @@
 #include <assur/assembly.hpp>
 #include <assur/support/configuration_order.hpp>
 #include <assur/support/placed_group.hpp>
+#include <assur/support/redundant.hpp>
 #include <assur/support/scene_access.hpp>
 #include <cmath>
 #include <cstddef>
@@ -164,11 +165,14 @@ class Search {
       // Nearly singular groups may be placed far from where all constraints together hold. Where
       // these hold, they may lock the mechanism: then they contradict one another's rates.
       const bool is_regular = placed.regularity == Status::ok;
+      const Scalar gap = Own::gap(placed);
+      const bool holds = is_regular && gap <= redundancy_slack(Scalar(1), Status::ok);
+      const bool may_hold =
+          !is_regular || gap <= redundancy_slack(Scalar(1), Status::near_singular);
       Placed settled = placed;
-      if ((!is_regular || Own::keeps_limits(placed)) &&
-          ((is_regular && Solver::order == 0) || Own::settle(settled)) &&
+      if (may_hold && ((holds && Solver::order == 0) || Own::settle(settled)) &&
           Own::keeps_limits(settled)) {
-        keep(is_regular ? placed : settled, placed);
+        keep(holds ? placed : settled, placed);
       } else {
         ++solution_.left_out;
       }
