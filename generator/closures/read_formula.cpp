@@ -236,12 +236,16 @@ class Reader {
     return above / below;
   }
 
+  /// Whether this is a closure, or a derivative of one as papers print it.
+  [[nodiscard]] bool is_of_closure(const text::Expression& node) const {
+    return node.kind == text::Expression::Kind::name
+               ? system_.closure_named(resolved(node.name)) != nullptr
+               : node.name == "derivative" && is_of_closure(node.arguments[0]);
+  }
+
   GiNaC::ex derivative(const text::Expression& node, const GiNaC::ex& of) {
-    const text::Expression& argument = node.arguments[0];
     const AuditSymbol& by = symbol(node.arguments[1]);
-    const bool closure = argument.kind == text::Expression::Kind::name &&
-                         system_.closure_named(resolved(argument.name)) != nullptr;
-    return closure ? system_.partial(of, by) : total(of, by, node);
+    return is_of_closure(node.arguments[0]) ? system_.partial(of, by) : total(of, by, node);
   }
 
   GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {

@@ -97,11 +97,23 @@ class FormulaReader {
   Expression bare_symbol();
 
   // Derivatives.
+  /// \frac{\partial^2 x}{\partial a \partial b}: what stands behind the first signs.
   Expression derivative(const Tokens& of, const Tokens& by, std::size_t at);
+  /// What a derivative is by, and how often.
+  struct By {
+    Expression symbol;
+    int times;
+  };
+  By read_by(const Tokens& tokens, std::size_t at);
+  [[nodiscard]] int order_of(const std::string& digits, std::size_t at) const;
+  /// What stands behind \frac{d}{d t}: a bracket, or all that is left of the product.
+  Expression operand();
+  /// The derivative by the time of an order.
+  Expression rates(Expression of, int order, std::size_t at);
   /// \partial a/\partial b
   Expression inline_derivative();
-  /// \frac{d x}{d t} and \frac{d^2 x}{d t^2}
-  Expression time_derivative(const Tokens& above, const Tokens& below, std::size_t at);
+  /// \frac{d x}{d t}, \frac{d^2 x}{d \theta^2} and \frac{d}{d t}(x)
+  Expression total_derivative(const Tokens& above, const Tokens& below, std::size_t at);
 
   Tokens tokens_;
   const Reading& reading_;

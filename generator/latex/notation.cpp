@@ -30,6 +30,16 @@ bool is_symbol(const Token& token) {
   return token.is_command() && contains(symbol_names, token.text.substr(1));
 }
 
+constexpr int most_dots = 4;
+
+/// How many dots a command puts above a symbol.
+int dots_of(const Token& token) {
+  constexpr std::array<std::string_view, most_dots> commands = {"\\dot", "\\ddot", "\\dddot",
+                                                                "\\ddddot"};
+  const auto found = std::find(commands.begin(), commands.end(), token.text);
+  return found == commands.end() ? 0 : static_cast<int>(found - commands.begin()) + 1;
+}
+
 bool is_skipped(const Token& token) {
   return is_layout(token) || is_thin_space(token) || token.is("\\mathstrut");
 }
@@ -92,7 +102,7 @@ bool glob(const std::string& pattern, const std::string& text, std::vector<std::
 }
 
 std::string dotted(int dots, const std::string& name) {
-  return (dots == 0 ? "" : dots == 1 ? "dot." : "ddot.") + name;
+  return (dots == 0 ? "" : std::string(static_cast<std::size_t>(dots), 'd') + "ot.") + name;
 }
 
 std::string whole_name(const Atom& atom) {
@@ -123,7 +133,7 @@ class AtomReader {
       ++at_;
       return true;
     }
-    if (token.is("\\dot") || token.is("\\ddot") || token.is("{")) {
+    if (dots_of(token) > 0 || token.is("{")) {
       return inside(token);
     }
     const bool accent = contains(accents, token.text);
@@ -151,9 +161,9 @@ class AtomReader {
       throw FormulaError("dots stand above a single symbol", token.place);
     }
     atom_ = *inner;
-    atom_.dots += token.is("{") ? 0 : token.is("\\dot") ? 1 : 2;
-    if (atom_.dots > 2) {
-      throw FormulaError("more than two dots are not read", token.place);
+    atom_.dots += dots_of(token);
+    if (atom_.dots > most_dots) {
+      throw FormulaError("more than four dots are not read", token.place);
     }
     if (!atom_.superscript.empty() && token.is("{")) {
       return false;  // a power in braces is a formula

@@ -131,7 +131,7 @@ Expression FormulaReader::quantity(const Meaning& meaning) {
   at_ = meaning.end;
   Expression tree = formula_of(meaning, at);
   if (meaning.dots > 0) {
-    tree = call(meaning.dots == 1 ? "rate" : "rate2", Operation::other, {std::move(tree)}, at);
+    tree = rates(std::move(tree), meaning.dots, at);
   }
   if (!meaning.power.empty()) {
     return powered(std::move(tree), meaning.power, at);
@@ -223,8 +223,8 @@ Expression FormulaReader::fraction() {
     if (above[0].is("\\partial") && below[0].is("\\partial")) {
       return derivative(slice(above, 1, above.size()), slice(below, 1, below.size()), at);
     }
-    if (is_d(above, 0) && is_d(below, 0) && above.size() > 1) {
-      return time_derivative(above, below, at);
+    if (is_d(above, 0) && is_d(below, 0) && below.size() > 1) {
+      return total_derivative(above, below, at);
     }
   }
   Expression numerator = read(above, at);

@@ -7,8 +7,11 @@
 #include <iostream>
 #include <random>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #include "audit/audit.hpp"
+#include "audit/latex/paper_audit.hpp"
 #include "whole_campaign.hpp"
 
 namespace assur::test::nested_derivatives {
@@ -169,6 +172,40 @@ TEST(NestedDerivatives, AreTheKnownNumbers) {
   EXPECT_NEAR(value(crank.total(crank.total(crank.x, crank.th), crank.th)), -0.34555, 5e-6);
   EXPECT_NEAR(value(crank.total(crank.total(crank.x, crank.r), crank.l)), 0.2371, 5e-5);
   EXPECT_NEAR(value(crank.total(crank.rate(crank.x), crank.l)), 0.15224, 5e-6);
+}
+
+/// What an audit of a paper with one equation says of it.
+bool agrees_in_print(const std::string& equation) {
+  const std::string map = SliderCrank::declared + std::string("\\theta = th\n\\varphi = ph\n");
+  const AuditReport report = latex::audit_paper_text(
+      "\\begin{equation}\n" + equation + "\n\\end{equation}\n", "p.tex", map, "p.map");
+  const Finding& finding = report.statements.at(0).findings.at(0);
+  EXPECT_TRUE(finding.agrees() || finding.is_wrong())
+      << equation << ": " << finding.comparison.evidence;
+  return finding.agrees();
+}
+
+TEST(NestedDerivatives, AreReadInPrint) {
+  for (const auto& [left, right] : std::vector<std::pair<std::string, std::string>>{
+           {"\\frac{d\\varphi}{d\\theta}", "-\\frac{r\\cos\\theta}{l\\cos\\varphi}"},
+           {"\\frac{d^2 x}{d\\theta^2}", "\\frac{\\partial^2 x}{\\partial\\theta^{2}}"},
+           {"\\frac{\\partial^2 x}{\\partial r\\,\\partial l}",
+            "\\frac{\\partial^2 x}{\\partial l \\partial r}"},
+           {"\\frac{\\partial^3 x}{\\partial r^2 \\partial l}",
+            "\\frac{\\partial}{\\partial l}\\left(\\frac{\\partial^2 x}{\\partial r^2}\\right)"},
+           {"\\frac{d}{d\\theta}\\left(\\frac{d\\varphi}{d\\theta}\\right)",
+            "\\frac{d^2\\varphi}{d\\theta^2}"},
+           {"\\frac{d}{dt}\\ddot{x}", "\\dddot{x}"},
+           {"\\frac{d^4 x}{dt^4}", "\\ddddot{x}"},
+           {"\\frac{\\partial \\dot{x}}{\\partial l}",
+            "\\frac{d}{dt}\\left(\\frac{\\partial x}{\\partial l}\\right)"},
+           {"\\frac{\\partial \\ddot{\\varphi}}{\\partial r}",
+            "\\frac{d^2}{dt^2}\\frac{\\partial\\varphi}{\\partial r}"},
+           {"\\frac{\\partial^2 f_2}{\\partial\\varphi^2}", "-l\\sin\\varphi"}}) {
+    EXPECT_TRUE(agrees_in_print(left + " = " + right)) << left;
+    EXPECT_FALSE(agrees_in_print(left + " = 0")) << left;
+    EXPECT_FALSE(agrees_in_print(left + " = 2 \\left(" + right + "\\right)")) << left;
+  }
 }
 
 }  // namespace
