@@ -123,10 +123,12 @@ void CppScope::take_parameter(Tokens parameter, bool shared) {
     locals_.forget(name, why_not_read(sort));
     return;
   }
-  locals_.take(name);
   if (sort == ValueSort::whole) {
-    locals_.declare_whole(name);
+    locals_.refuse(name, "its type holds whole numbers alone; write double");
+    return;
   }
+  const bool is_number = sort == ValueSort::real;
+  locals_.take(name, is_number ? "" : why_not_read(sort));
 }
 
 void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
@@ -174,6 +176,10 @@ void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
   if (sort == ValueSort::rounded || sort == ValueSort::unknown) {
     locals_.refuse_calls(value);
     locals_.forget(name, why_not_read(sort));
+    return;
+  }
+  if (std::ranges::any_of(value, [&](const Token& token) { return token.is(name.name.c_str()); })) {
+    locals_.forget(name, "its first value reads the variable itself");
     return;
   }
   if (has(type, "auto") && is_whole_value(value)) {

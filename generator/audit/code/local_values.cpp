@@ -10,7 +10,53 @@ namespace {
 
 constexpr long largest_whole = std::numeric_limits<std::int32_t>::max();
 
+/// `q[2][1]` as `q` and two indices.
+struct Element {
+  std::string of;
+  std::ptrdiff_t indices;
+};
+
+Element element_of(const CodeName& name) {
+  const std::size_t dot = name.spelled.rfind('.');
+  const std::size_t open = name.spelled.find('[', dot == std::string::npos ? 0 : dot);
+  return {name.spelled.substr(0, open),
+          std::count(name.spelled.begin() +
+                         static_cast<std::ptrdiff_t>(std::min(open, name.spelled.size())),
+                     name.spelled.end(), '[')};
+}
+
 }  // namespace
+
+void LocalValues::expect_one_spelling(const CodeName& name) const {
+  const Element element = element_of(name);
+  for (const Assigned& other : assigned_) {
+    const Element set = element_of(other.name);
+    if (set.of == element.of && set.indices > 0 && element.indices > 0 &&
+        set.indices != element.indices) {
+      throw CodeError(
+          "'" + name.spelled + "' and '" + other.name.spelled + "' may be one value" + by_running,
+          name.place);
+    }
+  }
+}
+
+void LocalValues::expect_own_storage(const CodeName& name) const {
+  const std::size_t dot = name.spelled.find('.');
+  if (name.called && dot != std::string::npos && name.spelled.find('[', dot) != std::string::npos) {
+    throw CodeError("'" + name.spelled + "' may be another name of a value" + by_running,
+                    name.place);
+  }
+  const Element element = element_of(name);
+  const auto is_whole = [&](const Assigned& other) {
+    return element.indices > 0 && other.name.spelled == element.of && !other.taken &&
+           names_.meanings.contains(other.name.name);
+  };
+  if (std::ranges::any_of(assigned_, is_whole)) {
+    throw CodeError("'" + name.spelled + "' may be '" + element.of + "' itself" + by_running,
+                    name.place);
+  }
+  expect_one_spelling(name);
+}
 
 void LocalValues::refuse_calls(const CodeFormula& formula) const {
   std::vector<CodeName> calls = formula.unknown_calls;
@@ -45,6 +91,7 @@ void LocalValues::expect_readable(const CodeName& name) const {
   if (const auto found = members_.find(member); found != members_.end()) {
     throw CodeError("'" + name.spelled + "' cannot be read: " + found->second, name.place);
   }
+  expect_one_spelling(name);
   for (auto at = assigned_.rbegin(); at != assigned_.rend(); ++at) {
     if (at->name.name == name.name && at->name.spelled != name.spelled) {
       throw CodeError("'" + name.spelled + "' and '" + at->name.spelled +
@@ -52,10 +99,10 @@ void LocalValues::expect_readable(const CodeName& name) const {
                       name.place);
     }
     if (name.is_part_of(at->name)) {
-      if (at->taken) {
+      if (at->taken && (at->reason.empty() || name.spelled != at->name.spelled)) {
         return;
       }
-      if (name.spelled != at->name.spelled) {
+      if (name.spelled != at->name.spelled && !at->refused) {
         throw CodeError("'" + name.spelled + "' is part of '" + at->name.spelled +
                             "', which is set here and cannot be followed" + by_running,
                         name.place);
@@ -91,6 +138,7 @@ void LocalValues::expect_free(const CodeName& name) const {
 
 void LocalValues::set(const CodeName& name, Tokens expression) {
   expect_free(name);
+  expect_own_storage(name);
   const bool whole = std::any_of(whole_.begin(), whole_.end(),
                                  [&](const CodeName& each) { return name.is_part_of(each); });
   std::string reason;
@@ -130,13 +178,19 @@ void LocalValues::set(const CodeName& name, Tokens expression) {
 
 void LocalValues::forget(const CodeName& name, const std::string& reason) {
   expect_free(name);
+  expect_own_storage(name);
   names_.meanings.erase(name.name);
   assigned_.push_back({name, reason, name.place});
 }
 
-void LocalValues::take(const CodeName& name) {
+void LocalValues::take(const CodeName& name, const std::string& reason) {
   names_.meanings.erase(name.name);
-  assigned_.push_back({name, "", name.place, true});
+  assigned_.push_back({name, reason, name.place, true});
+}
+
+void LocalValues::refuse(const CodeName& name, const std::string& reason) {
+  names_.meanings.erase(name.name);
+  assigned_.push_back({name, reason, name.place, false, true});
 }
 
 void LocalValues::hold(Tokens expression) {

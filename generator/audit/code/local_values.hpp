@@ -23,8 +23,11 @@ class LocalValues {
   void set(const CodeName& name, Tokens expression);
   /// Whatever the variable stood for, it can no longer be read, for that reason.
   void forget(const CodeName& name, const std::string& reason);
-  /// A parameter of the function is the symbol of its name, whatever is declared outside.
-  void take(const CodeName& name);
+  /// A parameter of the function is the symbol of its name, whatever is declared outside, and so
+  /// are its parts; with a reason, the parts alone can be read.
+  void take(const CodeName& name, const std::string& reason = "");
+  /// Neither the parameter nor its parts can be read, for that reason.
+  void refuse(const CodeName& name, const std::string& reason);
   /// The variables of an expression may not be set any more, since something refers to them.
   void hold(Tokens expression);
   /// Its values, and those of its parts, are whole numbers.
@@ -52,10 +55,15 @@ class LocalValues {
     CodeName name;
     std::string reason;  ///< why it cannot be read; empty where it can
     closures::Place place;
-    bool taken = false;  ///< a parameter: its parts are symbols too
+    bool taken = false;    ///< a parameter: its parts are symbols too
+    bool refused = false;  ///< the reason is that of its parts, too
   };
 
   void expect_free(const CodeName& name) const;
+  /// Throws CodeError for an element that is spelled with another number of indices elsewhere.
+  void expect_one_spelling(const CodeName& name) const;
+  /// Throws CodeError where what is set may be another spelling of something else.
+  void expect_own_storage(const CodeName& name) const;
   void expect_readable(const CodeName& name) const;
   void refuse_calls(const CodeFormula& formula) const;
 

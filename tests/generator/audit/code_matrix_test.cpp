@@ -89,8 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
              "J(1, 0) = l*cos(q_0); J(0, 0) = -l*sin(q_0); J(0, 1) = -s + "
              "J(1, 0) - J(1,0);",
              0, "all 4 agree"},
-        Code{"OtherMatrix", "JJ(0, 0) += 1; H.J(0, 0) = 3; J(0, 0) = -l*sin(q_0);" REST, 0,
-             "all 4 agree"},
+        Code{"OtherMatrix", "JJ(0, 0) += 1; J(0, 0) = -l*sin(q_0);" REST, 0, "all 4 agree"},
+        Code{"MatrixOfSomethingElse", "H.J(0, 0) = 3; J(0, 0) = -l*sin(q_0);" REST, 2,
+             "'H.J[0][0]' may be another name of a value"},
         Code{"InAFunction",
              "struct P { double l; };\nnamespace a { using namespace std;\n"
              "template <class S> void f(M<S>& J, const P& p) { J(0, 0) = -p.l*sin(q_0);" REST
