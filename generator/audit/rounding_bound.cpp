@@ -1,5 +1,6 @@
 #include "audit/rounding_bound.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace assur::generator::audit {
@@ -122,16 +123,22 @@ SymbolValues symbol_values(closures::ClosurePoints& points,
     const double number = as_double(value);
     values[symbol] = rounded(number, 0);
   }
-  const auto solved = [&](const GiNaC::symbol& symbol) {
+  const auto solved = [&](const GiNaC::symbol& symbol, double size) {
     if (const auto found = values.find(symbol); found != values.end()) {
       solving = solving == 0 ? condition(point) : solving;
-      found->second.error = 8 * solving * (1 + std::abs(found->second.value));
+      found->second.error = 8 * solving * (size + std::abs(found->second.value));
     }
   };
   closures::ClosureSystem& system = points.system();
   for (const auto& [symbol, value] : point.values) {
     if (system.derivative_of(symbol) != nullptr) {
-      solved(GiNaC::ex_to<GiNaC::symbol>(symbol));
+      solved(GiNaC::ex_to<GiNaC::symbol>(symbol), 1);
+    }
+  }
+  double longest = 0;
+  for (const closures::AuditSymbol& symbol : system.symbols()) {
+    if (!symbol.angle) {
+      longest = std::max(longest, std::abs(values.at(symbol.symbol).value));
     }
   }
   for (const closures::AuditSymbol& symbol : system.symbols()) {
@@ -139,6 +146,9 @@ SymbolValues symbol_values(closures::ClosurePoints& points,
       const equations::Vector2 direction = points.direction(symbol.symbol);
       const double angle = std::atan2(values.at(direction.y).value, values.at(direction.x).value);
       values[symbol.symbol] = rounded(angle, 0);
+    }
+    if (symbol.unknown) {  // computed from all lengths, also where it vanishes
+      solved(symbol.symbol, symbol.angle ? 1 : longest);
     }
   }
   return values;

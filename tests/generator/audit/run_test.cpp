@@ -49,6 +49,12 @@ INSTANTIATE_TEST_SUITE_P(
                  "double p, double t, double w) { double v = -r*std::cos(p)*w/(l*std::cos(t)); "
                  "return {v, -r*std::sin(p)*w - l*std::sin(t)*v}; }",
                  "rate(theta), rate(s)\n  result f(r, l, phi, theta, rate_phi)", 0, "all 2 agree"},
+         // At points with r = l and cos(phi) < 0 the slider is at zero, up to rounding.
+         Program{"PositionThatVanishes", "a.cpp",
+                 "#include <cmath>\n#include <vector>\nstd::vector<double> f(double r, double l, "
+                 "double p) { return {r*std::cos(p) + std::sqrt(l*l - r*r*std::sin(p)*std::sin(p))"
+                 "}; }",
+                 "s\n  result f(r, l, phi)\n  where cos(theta)", 0, "agrees, computed at 40"},
          Program{"RatesOfUnknowns", "a.cpp",
                  "#include <cmath>\n#include <vector>\nstd::vector<double> f(double r, double l, "
                  "double p, double t, double w, double v, double a) { return {-r*std::sin(p)*a - "
