@@ -105,6 +105,15 @@ PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
     reader_.fail(rest.place, "the matrix has more than " + std::to_string(most_entries) +
                                  " entries; divide it");
   }
+  for (const std::string& row : matrix.rows) {
+    for (const std::string& column : matrix.columns) {
+      if (reader_.system().closure_named(row) == nullptr &&
+          reader_.system().symbol_named(column)->unknown) {
+        reader_.fail(columns.place, "'" + row + "' follows the closures, and '" + column +
+                                        "' is an unknown; a matrix has derivatives by parameters");
+      }
+    }
+  }
   return matrix;
 }
 

@@ -1,5 +1,6 @@
 #include "closures/read_formula.hpp"
 
+#include <algorithm>
 #include <array>
 #include <assur/text/expression.hpp>
 #include <assur/text/suggestion.hpp>
@@ -139,6 +140,12 @@ class Reader {
     if (called == "d") return system_.partial(first, symbol(node.arguments[1]));
     if (called == "D") return total(first, symbol(node.arguments[1]), node);
     if (called == "derivative") return derivative(node, first);
+    if (called == "total") {
+      if (holds_closure(node.arguments[0])) {
+        fail("a closure stays zero along the solutions; write a partial derivative", node);
+      }
+      return total(first, symbol(node.arguments[1]), node);
+    }
     const GiNaC::ex second = scalar(node.arguments[1]);
     if (node.operation == Operation::divide) return quotient(first, second, node);
     if (node.operation == Operation::multiply) expect_readable_product(first, second, node);
@@ -236,16 +243,19 @@ class Reader {
     return above / below;
   }
 
-  /// Whether this is a closure, or a derivative of one as papers print it.
-  [[nodiscard]] bool is_of_closure(const text::Expression& node) const {
-    return node.kind == text::Expression::Kind::name
-               ? system_.closure_named(resolved(node.name)) != nullptr
-               : node.name == "derivative" && is_of_closure(node.arguments[0]);
+  /// Whether a closure occurs in this, which is differentiated as a function then: along the
+  /// solutions it is zero.
+  [[nodiscard]] bool holds_closure(const text::Expression& node) const {
+    return (node.kind == text::Expression::Kind::name &&
+            system_.closure_named(resolved(node.name)) != nullptr) ||
+           std::ranges::any_of(node.arguments, [this](const text::Expression& argument) {
+             return holds_closure(argument);
+           });
   }
 
   GiNaC::ex derivative(const text::Expression& node, const GiNaC::ex& of) {
     const AuditSymbol& by = symbol(node.arguments[1]);
-    return is_of_closure(node.arguments[0]) ? system_.partial(of, by) : total(of, by, node);
+    return holds_closure(node.arguments[0]) ? system_.slope(of, by.symbol) : total(of, by, node);
   }
 
   GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {

@@ -88,7 +88,7 @@ Expression FormulaReader::total_derivative(const Tokens& above, const Tokens& be
     fail("the orders of this derivative above and below the bar differ", at);
   }
   for (int times = 0; times < order; ++times) {
-    tree = binary("derivative", Operation::other, std::move(tree), one.symbol, at);
+    tree = binary("total", Operation::other, std::move(tree), one.symbol, at);
   }
   return tree;
 }

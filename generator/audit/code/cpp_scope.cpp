@@ -178,7 +178,7 @@ void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
     locals_.forget(name, why_not_read(sort));
     return;
   }
-  if (std::ranges::any_of(value, [&](const Token& token) { return token.is(name.name.c_str()); })) {
+  if (mention_of(value, name.name) != nullptr) {
     locals_.forget(name, "its first value reads the variable itself");
     return;
   }

@@ -51,7 +51,8 @@ void LocalValues::expect_own_storage(const CodeName& name) const {
     return element.indices > 0 && other.name.spelled == element.of && !other.taken &&
            names_.meanings.contains(other.name.name);
   };
-  if (std::ranges::any_of(assigned_, is_whole)) {
+  const bool is_symbol = element.indices > 0 && system_.is_known(element.of);
+  if (is_symbol || std::ranges::any_of(assigned_, is_whole)) {
     throw CodeError("'" + name.spelled + "' may be '" + element.of + "' itself" + by_running,
                     name.place);
   }

@@ -232,7 +232,7 @@ INSTANTIATE_TEST_SUITE_P(
         Code{"Truncated", BODY("int c = l;\nJ(0, 0) = -c*sin(q_0);" REST), 2,
              "mine.cpp:2:9: 'c' cannot be read: its value is rounded to a whole number"},
         Code{"TruncatedParameter", "void f(M& J, int n) {J(0, 0) = n/2*l;" REST "}", 2,
-             "a quotient of whole numbers is rounded"},
+             "'n' cannot be read: its type holds whole numbers alone; write double"},
         Code{"QuotientOfNames", BODY("auto n = 1; J(0, 0) = n/2*l;" REST), 2,
              "a quotient of whole"},
         Code{"QuotientInBrackets", BODY("J(0, 0) = (1 + 1)/(4)*l;" REST), 2, "a quotient of whole"},

@@ -95,6 +95,13 @@ INSTANTIATE_TEST_SUITE_P(
              "'l' cannot be read: its type is not known; write double"},
         Trap{"InitialisedByItself", "a.cpp", tenth("const double k = k;"), 2,
              "'k' cannot be read: its first value reads the variable itself"},
+        Trap{"InitialisedByAMember", "a.cpp",
+             "struct P { double l; };\nvoid f(M& J, const P& p) { const double l = p.l; " + right +
+                 "}",
+             0, agree},
+        Trap{"ParameterAsAnElement", "a.m",
+             "function J = f(l, s, q_0)\nl(1) = 2;\nJ = [-l*sin(q_0), -s; l*cos(q_0), 0];\nend\n",
+             2, "'l[1]' may be 'l' itself"},
         Trap{"PartsByName", "a.cpp",
              head("Eigen::VectorXd q", "q.head(1) = 2*q.head(1); J(0, 0) = -q(0)*sin(q_0);" + rest),
              2, "'q.head[1]' may be another name of a value"},

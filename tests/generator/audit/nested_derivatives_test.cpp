@@ -160,6 +160,27 @@ TEST(NestedDerivatives, MayBeTakenInAnyOrder) {
   EXPECT_TRUE(agrees("D(rate(th), l)", "0"));
 }
 
+/// What an audit of a paper with one equation says of it.
+bool agrees_in_print(const std::string& equation) {
+  const std::string map = SliderCrank::declared + std::string("\\theta = th\n\\varphi = ph\n");
+  const AuditReport report = latex::audit_paper_text(
+      "\\begin{equation}\n" + equation + "\n\\end{equation}\n", "p.tex", map, "p.map");
+  const Finding& finding = report.statements.at(0).findings.at(0);
+  EXPECT_TRUE(finding.agrees() || finding.is_wrong())
+      << equation << ": " << finding.comparison.evidence;
+  return finding.agrees();
+}
+
+TEST(NestedDerivatives, OfClosuresArePartial) {
+  EXPECT_TRUE(
+      agrees_in_print("\\frac{\\partial \\dot f_1}{\\partial\\theta} = "
+                      "-r\\cos\\theta\\,\\dot\\theta"));
+  EXPECT_FALSE(agrees_in_print("\\frac{\\partial \\dot f_1}{\\partial\\theta} = 0"));
+  EXPECT_TRUE(
+      agrees_in_print("\\frac{\\partial}{\\partial\\theta}\\left(2 f_1\\right) = "
+                      "-2r\\sin\\theta"));
+}
+
 /// r = 1, l = 2, th = 1 and a rate of 1: 0.15224 and the like, to all digits that are given.
 TEST(NestedDerivatives, AreTheKnownNumbers) {
   const SliderCrank crank;
@@ -172,17 +193,6 @@ TEST(NestedDerivatives, AreTheKnownNumbers) {
   EXPECT_NEAR(value(crank.total(crank.total(crank.x, crank.th), crank.th)), -0.34555, 5e-6);
   EXPECT_NEAR(value(crank.total(crank.total(crank.x, crank.r), crank.l)), 0.2371, 5e-5);
   EXPECT_NEAR(value(crank.total(crank.rate(crank.x), crank.l)), 0.15224, 5e-6);
-}
-
-/// What an audit of a paper with one equation says of it.
-bool agrees_in_print(const std::string& equation) {
-  const std::string map = SliderCrank::declared + std::string("\\theta = th\n\\varphi = ph\n");
-  const AuditReport report = latex::audit_paper_text(
-      "\\begin{equation}\n" + equation + "\n\\end{equation}\n", "p.tex", map, "p.map");
-  const Finding& finding = report.statements.at(0).findings.at(0);
-  EXPECT_TRUE(finding.agrees() || finding.is_wrong())
-      << equation << ": " << finding.comparison.evidence;
-  return finding.agrees();
 }
 
 TEST(NestedDerivatives, AreReadInPrint) {
