@@ -72,10 +72,7 @@ void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
       solve(*derivative, point);
     } else if (system_.moved_by(symbol) != nullptr) {
       // A rate of third order or higher: any number will do, a different one at each point.
-      constexpr unsigned most = 1U << 20;
-      const auto so_far = static_cast<unsigned>(point.values.size() + 31 * solved_ + 1);
-      point.values[symbol] = FewDigits(so_far % most).rate();
-      ++solved_;
+      point.values[symbol] = FewDigits(++rates_drawn_).rate();
     }
   }
 }

@@ -93,7 +93,7 @@ class ClosurePoints {
   std::optional<AssemblyByLengths> assembly_;                              ///< of this revision
   std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision
   CircleAlgebra algebra_;
-  unsigned solved_ = 0;              ///< rates of third order or higher that have a number
+  unsigned rates_drawn_ = 0;         ///< rates of third order or higher that have a number
   unsigned revision_ = 0;            ///< of the system that the points belong to
   std::size_t angles_ = 0;           ///< symbols of the system that the algebra knows
   std::map<bool, PointList> lists_;  ///< by whether they are assembled
