@@ -38,6 +38,12 @@ class PartFinder {
         needed_[joint.second] = true;
       }
     }
+    for (const JointIndex pin : structure.linkage.second_pins) {
+      for (const FeatureIndex feature : mechanism.joints()[pin].between) {
+        needed_[mechanism.features()[feature].link] =
+            needed_[mechanism.features()[feature].link] || reported.has(pin);
+      }
+    }
   }
 
   /// The links that are needed. Links that hold another one are placed before it, so one pass

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
 
 #include "plan/plan_data.hpp"
 #include "relative_frames.hpp"
@@ -45,7 +46,11 @@ JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& l
         other.acceleration(2) - one.acceleration(2)};
   }
   const auto listed = std::ranges::find(slides, index, &SlideState::joint);
-  const SlideState& slide = listed == slides.end() ? measured_slide(values, links, index) : *listed;
+  std::optional<SlideState> measured;
+  if (listed == slides.end()) {  // a second pin in a slot, which no group measures
+    measured = measured_slide(values, links, index);
+  }
+  const SlideState& slide = measured ? *measured : *listed;
   Eigen::MatrixXd second;
   if (values.second_order()) {
     second = slide.follows.second[0];

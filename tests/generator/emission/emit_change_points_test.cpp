@@ -227,6 +227,16 @@ Json slotted_arm() {
   return maker.slide("S", "arm.S", "block.S").drive("A", "p", 0, 0).parameter("p", 0.7).scene();
 }
 
+/// A slider with two pins in one slot, whose crank is as long as its rod.
+Json two_pins_in_one_slot() {
+  SceneMaker maker;
+  maker.bar("ground", {{"A", 0}}).bar("crank", {{"A", 0}, {"B", 1}});
+  maker.bar("rod", {{"B", 0}, {"C", 1}}).bar("slider", {{"C", 0}, {"P", -0.5}, {"Q", 1}});
+  maker.line("ground", "slot", {0, 0}, {1, 0});
+  maker.slot("SQ", "slider.Q", "ground.slot").slot("SP", "ground.slot", "slider.P");
+  return maker.drive("A", "p", 0, 0).parameter("p", 0.7).scene();
+}
+
 /// A tetrad with all joints in line where the parameter is zero: it loses two ranks there.
 Json flat_tetrad() {
   SceneMaker maker;
@@ -268,7 +278,8 @@ TEST(EmitChangePoints, TracksAreTheBranchesOfSweeps) {
       {"kite", four_bar_of(2, 3, 3, 2)},
       {"crank_and_rod", of_one_parameter(crank_by_rocker(), "A")},
       {"slotted_arm", slotted_arm()},
-      {"flat_tetrad", flat_tetrad()}};
+      {"flat_tetrad", flat_tetrad()},
+      {"two_pins", two_pins_in_one_slot()}};
   if (is_whole_campaign()) {
     made_scenes.insert(made_scenes.end(), {{"one_parallelogram", parallelograms(1)},
                                            {"three_parallelograms", parallelograms(3)},

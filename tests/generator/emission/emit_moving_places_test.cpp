@@ -146,5 +146,56 @@ TEST(EmitMovingPlaces, AgreesWithSolveOfLawsAndRatesOfTheirOwn) {
   }
 }
 
+/// A sleeve with two pins in the slot of a rod, both moving, and a slider with two pins in a slot
+/// of the ground, whose crank is as long as its rod; all slides are told, or the second pin alone.
+Json two_pins_in_one_slot(bool is_sleeve, bool tells_second_alone) {
+  const std::string link = is_sleeve ? "sleeve" : "slider";
+  const std::string slot = is_sleeve ? "rod" : "ground";
+  Json scene = {{"links",
+                 {{"ground", {{"O", {0, 0}}}},
+                  {"crank", {{"O", {0, 0}}, {"A", {1, 0}}}},
+                  {"rod", {{"A", {0, 0}}, {"C", {1.25, 0}}}},
+                  {link, {{"P", {-0.5, 0}}, {"Q", {1, 0}}, {"C", {0, 0}}}}}},
+                {"drivers", {{"O", {{"position", 0.4}, {"velocity", 1}, {"acceleration", 0.5}}}}},
+                {"outputs", {{"P", link + ".P"}}},
+                {"want", {"position", "velocity", "acceleration"}}};
+  scene["joints"]["O"] = pin("ground.O", "crank.O");
+  if (is_sleeve) {
+    scene["links"]["ground"]["D"] = {2.5, 0.25};
+    scene["links"]["rod"] = {{"D", {0, 0}}};
+    scene["joints"]["D"] = pin("ground.D", "rod.D");
+    scene["joints"]["A"] = pin("crank.A", "sleeve.C");
+  } else {
+    scene["joints"]["A"] = pin("crank.A", "rod.A");
+    scene["joints"]["C"] = pin("rod.C", "slider.C");
+  }
+  scene["links"][slot]["slot"] = {{"through", {0.25, 0}}, {"along", {2, 0}}};
+  for (const std::string name : {"Q", "P"}) {
+    scene["joints"]["S" + name] = {{"type", "pin-in-slot"},
+                                   {"between", {link + "." + name, slot + ".slot"}}};
+  }
+  if (tells_second_alone) {
+    scene["report"] = {{"joints", {"SQ"}}, {"links", Json::array()}};
+  }
+  return scene;
+}
+
+TEST(EmitMovingPlaces, AgreesWithSolveOfTwoPinsInOneSlot) {
+  const TemporaryDirectory directory;
+  std::vector<EmittedScene> scenes;
+  for (const bool is_sleeve : {false, true}) {
+    for (const bool tells_second_alone : {false, true}) {
+      const std::string stem =
+          std::string(is_sleeve ? "sleeve" : "slider") + (tells_second_alone ? "_second" : "_all");
+      const auto file = directory.write(stem + ".json",
+                                        two_pins_in_one_slot(is_sleeve, tells_second_alone).dump());
+      scenes.push_back({file, stem, struct_of(stem), {}});
+    }
+  }
+  for (const int compared : compare_with_solve(scenes)) {
+    EXPECT_GT(compared, 10);
+  }
+}
+
 }  // namespace
 }  // namespace assur::test::emit_moving_places_test
