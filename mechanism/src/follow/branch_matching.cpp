@@ -1,6 +1,7 @@
 #include "branch_matching.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace assur::mechanism::follow {
@@ -12,12 +13,26 @@ namespace {
 /// can be and still be taken for a straight piece of one branch.
 constexpr double longest_bend = 0.01;
 
+/// The rows of one link in a point.
+constexpr int rows_of_link = 4;
+
 /// The distance of the origin from the segment between two points.
 double distance_to_segment(const Eigen::VectorXd& from, const Eigen::VectorXd& to) {
   const Eigen::VectorXd along = to - from;
   const double length = along.squaredNorm();
   const double part = length > 0 ? std::clamp(-from.dot(along) / length, 0.0, 1.0) : 0.0;
   return (from + part * along).norm();
+}
+
+/// Whether a sum of vectors of configurations is longer than a limit. `part` gives its piece of one
+/// link, from a row on; the links behind the one that decides are not looked at.
+template <typename Part>
+bool is_longer(Eigen::Index size, double limit, const Part& part) {
+  double square = 0;
+  for (Eigen::Index row = 0; row < size && square <= limit * limit; row += rows_of_link) {
+    square += part(row).squaredNorm();
+  }
+  return square > limit * limit;
 }
 
 class Matcher {
@@ -33,7 +48,6 @@ class Matcher {
       }
     } else {
       pair_up();
-      drop_bent_pairs();
       list_alone();
       list_touching();
     }
@@ -80,27 +94,21 @@ class Matcher {
     // Two branches that cross half-way would have no defect either if they turned back there. The
     // turn shows that they go straight on.
     Eigen::MatrixXd bends(left_.count(), right_.count());
+    const Table<PointIndex, double> left_sizes = sizes_of(left_);
+    const Table<PointIndex, double> right_sizes = sizes_of(right_);
     for (const PointIndex from : left_.points.keys()) {
       for (const PointIndex to : right_.points.keys()) {
-        bends(from.row(), to.row()) = bend(left_.points[from], right_.points[to]);
+        const double most = longest_bend * (1 + std::max(left_sizes[from], right_sizes[to]));
+        bends(from.row(), to.row()) = bend_up_to(most, left_.points[from], right_.points[to]);
       }
     }
     for (const PointIndex from : left_.points.keys()) {
       Eigen::Index best = 0;
       Eigen::Index back = 0;
-      bends.row(from.row()).minCoeff(&best);
+      const double least = bends.row(from.row()).minCoeff(&best);
       bends.col(best).minCoeff(&back);
-      if (back == from.row()) {
+      if (std::isfinite(least) && back == from.row()) {
         result_.to_right[from] = PointIndex(static_cast<std::size_t>(best));
-      }
-    }
-  }
-
-  void drop_bent_pairs() {
-    for (const PointIndex point : left_.points.keys()) {
-      PointIndex& to = result_.to_right[point];
-      if (to.exists() && !(bend(point) <= longest_bend * (1 + size_of(point)))) {
-        to = PointIndex();
       }
     }
   }
@@ -123,17 +131,21 @@ class Matcher {
 
   void list_touching() {
     Table<PointIndex, double> bends(left_.count(), 0.0);
+    Table<PointIndex, double> strays(left_.count(), 0.0);
     for (const PointIndex one : left_.points.keys()) {
       if (!result_.to_right[one].exists()) {
         continue;
       }
       bends[one] = bend(one);
+      strays[one] = stray(one);
       for (const PointIndex other : left_.points.keys()) {
         if (!(other < one) || !result_.to_right[other].exists()) {
           continue;
         }
         const double limit = bends[one] + bends[other];
-        if (!is_far(one, other, limit) && !(clearance(one, other) > limit)) {
+        const double strayed = strays[one] + strays[other];
+        if (!is_apart(one, other, limit + strayed) && !is_far(one, other, limit) &&
+            !(clearance(one, other) > limit)) {
           result_.touching.push_back({other, one});
         }
       }
@@ -164,15 +176,51 @@ class Matcher {
   [[nodiscard]] const ConfigurationPoint& matched(PointIndex index) const {
     return right_.points[result_.to_right[index]];
   }
-  [[nodiscard]] double size_of(PointIndex index) const {
-    return std::max(left_.points[index].at.norm(), matched(index).at.norm());
-  }
   /// How far a branch may stray from its cubic: turn + defect.
   [[nodiscard]] double bend(PointIndex index) const {
     return bend(left_.points[index], matched(index));
   }
   [[nodiscard]] double bend(const ConfigurationPoint& from, const ConfigurationPoint& to) const {
     return std::abs(step_) * (to.slope - from.slope).norm() + defect(from, to, step_);
+  }
+
+  /// The same, or infinity where it exceeds a limit.
+  [[nodiscard]] double bend_up_to(double most, const ConfigurationPoint& from,
+                                  const ConfigurationPoint& to) const {
+    const auto defect_of_link = [&](Eigen::Index row) {
+      const auto of = [row](const Eigen::VectorXd& all) { return all.segment<rows_of_link>(row); };
+      return (of(to.at) - of(from.at) - step_ / 2 * (of(from.slope) + of(to.slope))).eval();
+    };
+    if (is_longer(from.at.size(), most, defect_of_link)) {
+      return std::numeric_limits<double>::infinity();
+    }
+    const double bent = bend(from, to);
+    return bent <= most ? bent : std::numeric_limits<double>::infinity();
+  }
+
+  [[nodiscard]] static Table<PointIndex, double> sizes_of(const Snapshot& set) {
+    Table<PointIndex, double> sizes(set.count(), 0.0);
+    for (const PointIndex point : set.points.keys()) {
+      sizes[point] = set.points[point].at.norm();
+    }
+    return sizes;
+  }
+
+  /// How far the cubic of a match strays from where it begins: see `is_far`.
+  [[nodiscard]] double stray(PointIndex index) const {
+    const ConfigurationPoint& from = left_.points[index];
+    const ConfigurationPoint& to = matched(index);
+    return (to.at - from.at).norm() +
+           4.0 / 27 * std::abs(step_) * (from.slope.norm() + to.slope.norm());
+  }
+
+  /// Whether two points of the left set are further apart than a distance.
+  [[nodiscard]] bool is_apart(PointIndex one, PointIndex other, double distance) const {
+    return is_longer(left_.points[one].at.size(), distance, [&](Eigen::Index row) {
+      return (left_.points[one].at.segment<rows_of_link>(row) -
+              left_.points[other].at.segment<rows_of_link>(row))
+          .eval();
+    });
   }
 
   /// Whether the cubics of two matches stay so far apart that nothing has to be sampled: they are

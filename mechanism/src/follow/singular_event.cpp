@@ -271,11 +271,12 @@ class Explanation {
   /// Whether the difference of any two branches reverses its direction.
   [[nodiscard]] static bool change_sides(const ConfigurationBundle& before,
                                          const ConfigurationBundle& after) {
+    constexpr double reversed = 0.6;  // the cosine of 53 degrees: branches bend while they cross
     for (std::size_t one = 0; one < before.count(); ++one) {
       for (std::size_t other = 0; other < one; ++other) {
         const Eigen::VectorXd earlier = before.at(other).at - before.at(one).at;
         const Eigen::VectorXd later = after.at(other).at - after.at(one).at;
-        if (!((later - earlier).norm() > 0.9 * (earlier.norm() + later.norm()))) {
+        if (!(-earlier.dot(later) > reversed * earlier.norm() * later.norm())) {
           return false;
         }
       }

@@ -32,21 +32,15 @@ struct Step {
   bool loses_kept = false;  ///< whether the joint is one that should be kept
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
-  [[nodiscard]] std::size_t largest_group() const {
-    std::size_t largest = 0;
-    for (const FoundGroup& group :
-         structure ? structure->groups.items() : std::vector<FoundGroup>{}) {
-      largest = std::max(largest, group.links.size());
-    }
-    return largest;
-  }
   /// A step comes before those of a larger rank. Slots on bars come early: a slot on a bar leaves
   /// out the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
   /// leaves out no single length.
   using Rank =
       std::tuple<int, bool, std::size_t, std::string, std::size_t, std::string, std::string>;
   [[nodiscard]] Rank rank() const {
-    return {surplus(), loses_kept, largest_group(), redundant.name, points, link, from};
+    return {
+        surplus(), loses_kept, structure ? largest_group(*structure) : 0, redundant.name, points,
+        link,      from};
   }
 };
 
@@ -226,6 +220,14 @@ class BalanceSearch {
 };
 
 }  // namespace
+
+std::size_t largest_group(const Structure& structure) {
+  std::size_t largest = 0;
+  for (const FoundGroup& group : structure.groups) {
+    largest = std::max(largest, group.links.size());
+  }
+  return largest;
+}
 
 BalancedMechanism without_all(const Mechanism& mechanism, std::vector<RedundantJoint> redundant) {
   std::ranges::stable_sort(redundant, {}, &RedundantJoint::name);

@@ -21,6 +21,9 @@ struct BalancedMechanism {
   std::vector<RedundantJoint> redundant;
 };
 
+/// The number of links of the largest group.
+[[nodiscard]] std::size_t largest_group(const Structure& structure);
+
 /// The most that may be left out of one joint. Without one constraint, a pin becomes a pin in a
 /// slot along its link, a slide becomes a pin in a slot, and a pin in a slot is left out as a
 /// whole. Without two constraints, a pin or a slide is left out as a whole.

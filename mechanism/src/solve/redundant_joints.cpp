@@ -16,37 +16,60 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// The two features of a redundant joint in the ground's frame.
-struct Pair {
-  Frame one, other;
-  bool is_line, are_lines;  ///< whether the first one is a line, and whether both are
-  double size;              ///< the largest coordinate of the features and of the links' origins
-  double reach;             ///< the largest of these and of the features on their links
+/// How far the links of a mechanism reach: the largest coordinate of their origins, and of the
+/// features on them.
+struct Extent {
+  double origins = 0, features = 0;
+
+  void include(const Pose<double>& place, double& largest) {
+    largest = std::max({largest, std::abs(place.x), std::abs(place.y)});
+  }
 };
 
-Pair placed(const Values& values, const Table<LinkIndex, Frame>& links,
-            const RedundantJoint& joint) {
+/// The extent of the links that are placed once `groups` groups are; `before` tells how many each
+/// of them needs.
+Extent extent_of(const Values& values, const Table<LinkIndex, Frame>& links,
+                 const Table<LinkIndex, std::size_t>& before, std::size_t groups) {
   const Mechanism& mechanism = values.plan().mechanism;
-  const auto frame = [&](FeatureIndex feature) {
-    return composed(links[mechanism.features()[feature].link], values.frame(feature));
-  };
-  const HeldPair held = held_by(mechanism, joint);
-  Pair pair{frame(joint.one), frame(joint.other), !held.holds[0], held.holds[2], 0, 0};
-  const std::array features = {pair.one.pose, pair.other.pose};
-  const auto include = [](const Pose<double>& place, double& largest) {
-    largest = std::max({largest, std::abs(place.x), std::abs(place.y)});
-  };
-  pair.size = support::largest_coordinate(features);
-  for (const Frame& link : links) {
-    include(link.pose, pair.size);
-  }
-  pair.reach = pair.size;
-  for (const Joint& at : mechanism.joints()) {
-    for (const FeatureIndex feature : at.between) {
-      include(values.frame(feature).pose, pair.reach);
+  Extent extent;
+  for (const LinkIndex link : links.keys()) {
+    if (before[link] <= groups) {
+      extent.include(links[link].pose, extent.origins);
     }
   }
-  return pair;
+  for (const Joint& joint : mechanism.joints()) {
+    for (const FeatureIndex feature : joint.between) {
+      if (before[mechanism.features()[feature].link] <= groups) {
+        extent.include(values.frame(feature).pose, extent.features);
+      }
+    }
+  }
+  return extent;
+}
+
+/// The extent of all links.
+Extent extent_of(const Values& values, const Table<LinkIndex, Frame>& links) {
+  return extent_of(values, links, Table<LinkIndex, std::size_t>(links.size(), 0), 0);
+}
+
+/// The two features of a redundant joint in the ground's frame.
+struct Pair {
+  Pose<double> one, other;
+  bool is_line, are_lines;  ///< whether the first one is a line, and whether both are
+  double size;              ///< the largest coordinate of the features and of the links' origins
+};
+
+Pair placed(const Values& values, const Table<LinkIndex, Frame>& links, const RedundantJoint& joint,
+            const Extent& extent) {
+  const Mechanism& mechanism = values.plan().mechanism;
+  const auto pose = [&](FeatureIndex feature) {
+    return support::pose_in(links[mechanism.features()[feature].link].pose,
+                            values.frame(feature).pose);
+  };
+  const HeldPair held = held_by(mechanism, joint);
+  const Pair pair{pose(joint.one), pose(joint.other), !held.holds[0], held.holds[2], 0};
+  return {pair.one, pair.other, pair.is_line, pair.are_lines,
+          std::max(support::largest_coordinate(std::array{pair.one, pair.other}), extent.origins)};
 }
 
 /// The fastest rates of the mechanism, against which the rounding of rates is measured: two links
@@ -74,9 +97,9 @@ double tolerance_of(const Values& values, double size, Status regularity) {
 }
 
 double gap_of(const Pair& pair) {
-  return pair.are_lines ? support::lines_apart(pair.one.pose, pair.other.pose, pair.size)
-         : pair.is_line ? support::point_off_line(pair.one.pose, pair.other.pose)
-                        : support::points_apart(pair.one.pose, pair.other.pose);
+  return pair.are_lines ? support::lines_apart(pair.one, pair.other, pair.size)
+         : pair.is_line ? support::point_off_line(pair.one, pair.other)
+                        : support::points_apart(pair.one, pair.other);
 }
 
 /// The part of the fastest first and second rates that may be rounding.
@@ -91,9 +114,9 @@ struct Rates {
 
 /// The rates at which a pair parts. The angle between two lines counts as the length that it spans
 /// over the mechanism's size; a pin parts from a slot across the slot only.
-Rates parting(const Pair& pair) {
-  const Eigen::Vector3d rate = pair.other.velocity - pair.one.velocity;
-  const Eigen::Vector3d second_rate = pair.other.acceleration - pair.one.acceleration;
+Rates parting(const Frame& one, const Frame& other, const Pair& pair) {
+  const Eigen::Vector3d rate = other.velocity - one.velocity;
+  const Eigen::Vector3d second_rate = other.acceleration - one.acceleration;
   if (pair.are_lines) {
     return {std::abs(rate(2)) * pair.size, std::abs(second_rate(2)) * pair.size};
   }
@@ -102,27 +125,26 @@ Rates parting(const Pair& pair) {
   if (!pair.is_line) {
     return {first.norm(), second.norm()};
   }
-  const auto& [c, s] = pair.one.pose.direction;
+  const auto& [c, s] = one.pose.direction;
   const Eigen::Vector2d along(c, s);
   const Eigen::Vector2d across(-s, c);
-  const Eigen::Vector2d apart(pair.other.pose.x - pair.one.pose.x,
-                              pair.other.pose.y - pair.one.pose.y);
-  const double turning = pair.one.velocity(2);
+  const Eigen::Vector2d apart(other.pose.x - one.pose.x, other.pose.y - one.pose.y);
+  const double turning = one.velocity(2);
   return {std::abs(across.dot(first) - turning * along.dot(apart)),
           std::abs(across.dot(second) - 2 * turning * along.dot(first) -
-                   pair.one.acceleration(2) * along.dot(apart) -
-                   turning * turning * across.dot(apart))};
+                   one.acceleration(2) * along.dot(apart) - turning * turning * across.dot(apart))};
 }
 
 /// Whether the features of a redundant joint stay together, to first and second order. Rates that
 /// are not known do not part them.
 bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
-                    const RedundantJoint& joint, const RoundingOfRates& rounding) {
-  if (values.plan().request.redundancy_tolerance.exists()) {
-    return true;
-  }
-  const Pair pair = placed(values, links, joint);
-  const Rates rates = parting(pair);
+                    const RedundantJoint& joint, const Extent& extent,
+                    const RoundingOfRates& rounding) {
+  const auto frame = [&](FeatureIndex feature) {
+    return composed(links[values.plan().mechanism.features()[feature].link], values.frame(feature));
+  };
+  const Pair pair = placed(values, links, joint, extent);
+  const Rates rates = parting(frame(joint.one), frame(joint.other), pair);
   const Fastest fastest = fastest_of(links, pair.size);
   double speeding_up = fastest.speed * fastest.turning;
   for (const Frame& link : links) {
@@ -137,8 +159,12 @@ bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
 
 bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& links,
                        const RoundingOfRates& rounding) {
+  if (values.plan().request.redundancy_tolerance.exists()) {
+    return true;
+  }
+  const Extent extent = extent_of(values, links);
   return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return stays_together(values, links, joint, rounding);
+    return stays_together(values, links, joint, extent, rounding);
   });
 }
 
@@ -160,18 +186,45 @@ OverConstrained refused(const PlanData& plan, const std::string& without) {
 
 double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                         Status regularity) {
+  const Extent extent = extent_of(values, links);
   double worst = 0;
   for (const RedundantJoint& joint : values.plan().redundant) {
-    const Pair pair = placed(values, links, joint);
+    const Pair pair = placed(values, links, joint, extent);
     const double gap = gap_of(pair);
     if (!std::isfinite(gap)) {
       return std::numeric_limits<double>::infinity();
     }
-    if (gap > tolerance_of(values, pair.reach, regularity)) {
+    if (gap > tolerance_of(values, std::max(pair.size, extent.features), regularity)) {
       worst = std::max(worst, gap);
     }
   }
   return worst;
+}
+
+WatchedRedundancy::WatchedRedundancy(const Values& values)
+    : values_(values),
+      before_(values.plan().structure.groups_before()),
+      joints_(values.plan().structure.groups.size() + 1) {
+  const PlanData& plan = values.plan();
+  for (const RedundantJoint& joint : plan.redundant) {
+    const auto before = [&](FeatureIndex feature) {
+      return before_[plan.mechanism.features()[feature].link];
+    };
+    joints_[std::max(before(joint.one), before(joint.other))].push_back(&joint);
+  }
+}
+
+bool WatchedRedundancy::may_hold_at(std::size_t groups,
+                                    const Table<LinkIndex, Frame>& links) const {
+  if (joints_[groups].empty()) {
+    return true;
+  }
+  const Extent extent = extent_of(values_, links, before_, groups);
+  return std::ranges::all_of(joints_[groups], [&](const RedundantJoint* joint) {
+    const Pair pair = placed(values_, links, *joint, extent);
+    const double reach = std::max(pair.size, extent.features);
+    return !(gap_of(pair) > tolerance_of(values_, reach, Status::near_singular));
+  });
 }
 
 bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,

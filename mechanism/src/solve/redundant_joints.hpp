@@ -7,6 +7,7 @@
 #include <assur/mechanism/values.hpp>
 #include <assur/status.hpp>
 #include <string>
+#include <vector>
 
 #include "plan/plan_data.hpp"
 
@@ -26,6 +27,23 @@ namespace assur::mechanism::solve {
 /// all close up to rounding or the tolerance that the request states.
 [[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                                       Status regularity);
+
+/// The redundant joints of a plan as tests that run while groups are placed, each as soon as both
+/// links of the joint are.
+class WatchedRedundancy {
+ public:
+  /// The values must outlive it.
+  explicit WatchedRedundancy(const Values& values);
+
+  /// Whether the redundant joints whose links are placed once `groups` groups are may hold. These
+  /// groups must be regular; the tolerance is the wider one of groups that are not.
+  [[nodiscard]] bool may_hold_at(std::size_t groups, const Table<LinkIndex, Frame>& links) const;
+
+ private:
+  const Values& values_;
+  Table<LinkIndex, std::size_t> before_;                    ///< how many groups each link needs
+  std::vector<std::vector<const RedundantJoint*>> joints_;  ///< by the groups that they need
+};
 
 /// The error for a mechanism whose redundant joints fail to close by `gap` at least; if that is
 /// zero, they close, but not after the drivers advance.

@@ -121,18 +121,15 @@ class Planner {
     bool has_groups = false;
     bool is_tried = false;
     std::optional<MechanismError> flaw;
-    for (const plan::LeftOut most : left_out_at_most) {
-      for (const plan::BalancedMechanism& part :
-           plan::balanced(described_->mechanism, excess_, most, kept_)) {
-        has_groups = true;
-        try {
-          if (auto plan = planned_without(part, false)) {
-            return plan;
-          }
-          is_tried = true;
-        } catch (const MechanismError& error) {
-          flaw = error;  // as where a slot would lead from a pin to another one at the same place
+    for (const plan::BalancedMechanism& part : ways()) {
+      has_groups = true;
+      try {
+        if (auto plan = planned_without(part, false)) {
+          return plan;
         }
+        is_tried = true;
+      } catch (const MechanismError& error) {
+        flaw = error;  // as where a slot would lead from a pin to another one at the same place
       }
     }
     if (moving_) {
@@ -153,6 +150,21 @@ class Planner {
   }
 
  private:
+  /// The ways to leave out what is too much, those with the smallest groups first.
+  [[nodiscard]] std::vector<plan::BalancedMechanism> ways() const {
+    std::vector<plan::BalancedMechanism> result;
+    for (const plan::LeftOut most : left_out_at_most) {
+      for (plan::BalancedMechanism& part :
+           plan::balanced(described_->mechanism, excess_, most, kept_)) {
+        result.push_back(std::move(part));
+      }
+    }
+    std::ranges::stable_sort(result, {}, [](const plan::BalancedMechanism& part) {
+      return plan::largest_group(part.structure);
+    });
+    return result;
+  }
+
   /// Plans without the constraints that are left out of each over-constrained part when it is
   /// planned alone. Null where there is only one such part, or where these do not hold.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_by_parts() {

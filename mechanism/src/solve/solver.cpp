@@ -40,6 +40,7 @@ class ConfigurationWalk {
         order_(plan_.named_parts),
         group_order_(placement_),
         limits_(placement_),
+        watched_(values_),
         redundancy_(SettledRedundancy::made_for(values_)),
         is_ordered_by_groups_(most_configurations(structure_) > Plan::most_listed) {}
 
@@ -95,10 +96,26 @@ class ConfigurationWalk {
   void walk(const Search& search, bool cuts, Solution& result) {
     search_ = search;
     cuts_ = cuts;
+    only_consistent_ = search.within_limits || !plan_.request.redundancy_tolerance.exists();
+    leaves_inconsistent_ = only_consistent_;
+    walk_on(result);
+    if (has_left_inconsistent_ && lacks_all()) {  // the error tells by how much they fail to hold
+      leaves_inconsistent_ = false;
+      walk_on(result);
+    }
+    conclude();
+  }
+
+  void walk_on(Solution& result) {
     begin(result);
     descend(0);
     solution_->configurations.resize(listed_);
-    conclude();
+  }
+
+  /// Whether neither a configuration nor a family was found, not even beyond limits.
+  [[nodiscard]] bool lacks_all() const {
+    return passed_ == 0 && listed_ == 0 && solution_->families.empty() &&
+           solution_->left_out.value_or(0) == 0;
   }
 
   /// Resets the solver and the result, whatever state the last position left them in.
@@ -114,7 +131,7 @@ class ConfigurationWalk {
     result.drop_reason.clear();
     result.breaches.clear();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
-    is_inconsistent_ = has_settled_ = is_unsure_ = false;
+    is_inconsistent_ = has_settled_ = is_unsure_ = has_left_inconsistent_ = false;
     least_gap_ = std::numeric_limits<double>::infinity();
     listed_ = passed_ = 0;
     has_cut_ = false;
@@ -135,6 +152,11 @@ class ConfigurationWalk {
     }
     if (cuts_ && !limits_.are_kept_at(depth, solution_->breaches)) {
       has_cut_ = true;
+      return;
+    }
+    if (leaves_inconsistent_ && placed_.regularity == Status::ok &&
+        !watched_.may_hold_at(depth, placed_.links)) {
+      has_left_inconsistent_ = true;
       return;
     }
     const double square = square_;
@@ -228,7 +250,7 @@ class ConfigurationWalk {
       return;
     }
     const PlacedLinks without = placed_;
-    has_settled_ = search_.within_limits;
+    has_settled_ = only_consistent_;
     const double left =
         has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_);
     is_unsure_ = is_unsure_ || left > 0;
@@ -239,7 +261,7 @@ class ConfigurationWalk {
   /// `gap`: by how much redundant constraints are open; `goes_on`: whether they continue to hold.
   void list_placed(double gap, bool goes_on) {
     const bool is_consistent = gap == 0 && goes_on;
-    if (!is_consistent && search_.within_limits) {
+    if (!is_consistent && only_consistent_) {
       is_inconsistent_ = true;
       least_gap_ = std::min(least_gap_, gap);
       return;
@@ -294,15 +316,20 @@ class ConfigurationWalk {
   }
 
   void conclude() {
-    if (redundancy_ && !search_.within_limits) {
+    if (redundancy_ && !only_consistent_) {
       redundancy_->mark_inconsistent(solution_->configurations);
     }
     if (passed_ > listed_) {  // a single configuration was sought, and there are others
       return;
     }
-    if (is_inconsistent_ && solution_->configurations.empty() && solution_->families.empty() &&
-        solution_->left_out.value_or(0) == 0) {
-      throw refusal_of_redundant(plan_, least_gap_);
+    if (is_inconsistent_ && lacks_all()) {
+      const OverConstrained refusal = refusal_of_redundant(plan_, least_gap_);
+      if (search_.within_limits) {
+        throw OverConstrained(refusal);
+      }
+      solution_->status = SolutionStatus::no_assembly;
+      solution_->reason = refusal.what();
+      return;
     }
     if (solution_->configurations.empty() && solution_->dropped > 0 &&
         solution_->families.empty() && search_.within_limits && solution_->left_out == 0) {
@@ -347,6 +374,7 @@ class ConfigurationWalk {
   ConfigurationOrder order_;
   GroupOrder group_order_;
   WatchedLimits limits_;
+  WatchedRedundancy watched_;
   std::optional<SettledRedundancy> redundancy_;
   /// Where there may be more configurations than can be listed, they are numbered as they are met,
   /// so that the first of them are found without the others.
@@ -357,6 +385,11 @@ class ConfigurationWalk {
   bool cuts_ = false;             ///< whether what is beyond limits is left as soon as it is placed
   bool has_cut_ = false;          ///< whether something was left like that
   Solution* solution_ = nullptr;  ///< that is being written
+  /// Whether places at which redundant constraints do not hold are left out. A sweep keeps them
+  /// where a tolerance lets these hold in a part of its range.
+  bool only_consistent_ = true;
+  bool leaves_inconsistent_ = false;  ///< as soon as a redundant joint cannot hold
+  bool has_left_inconsistent_ = false;
   bool is_inconsistent_ = false;  ///< redundant constraints did not hold somewhere
   double least_gap_ = 0;          ///< by which they failed to hold
   bool has_settled_ = false;      ///< the placed configuration by all constraints
