@@ -13,6 +13,9 @@ namespace {
 /// can be and still be taken for a straight piece of one branch.
 constexpr double longest_bend = 0.01;
 
+/// How far others must be from a branch, in parts of how far it goes and bends.
+constexpr double clear_of_others = 3;
+
 /// The rows of one link in a point.
 constexpr int rows_of_link = 4;
 
@@ -84,7 +87,7 @@ class Matcher {
       most_bent = std::max(most_bent, bent);
       reach = std::max(reach, (to.at - from.at).norm());
     }
-    return left_.closest > 3 * (reach + most_bent);
+    return left_.closest > clear_of_others * (reach + most_bent);
   }
 
   void pair_up() {
@@ -275,6 +278,12 @@ double defect(const ConfigurationPoint& left, const ConfigurationPoint& right, d
 bool goes_on(const Snapshot& left, const Snapshot& right) {
   return left.count() == 1 && right.count() == 1 && Matcher(left, right).is_plain() &&
          Matcher(right, left).is_plain();
+}
+
+// The branch goes |h slope| + b, and b off its tangent; the next step may be twice as long.
+double distance_that_matters(const ConfigurationPoint& from, double step) {
+  const double way = 2 * std::abs(step) * from.slope.norm();
+  return clear_of_others * (way + 2 * longest_bend) + longest_bend;
 }
 
 BranchMatching match(const Snapshot& left, const Snapshot& right) {

@@ -40,6 +40,10 @@ struct BranchMatching {
 /// others at both ends that no other can: see `match`.
 [[nodiscard]] bool goes_on(const Snapshot& left, const Snapshot& right);
 
+/// How far from where the tangent leads after a step others need not be known for `goes_on`, there
+/// and for a next step of twice the length.
+[[nodiscard]] double distance_that_matters(const ConfigurationPoint& from, double step);
+
 /// The cubic with the values and derivatives of `left` and `right`, at a part of the interval.
 [[nodiscard]] Eigen::VectorXd cubic(const ConfigurationPoint& left, const ConfigurationPoint& right,
                                     double step, double part);

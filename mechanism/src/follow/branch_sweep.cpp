@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "branch_matching.hpp"
@@ -59,7 +60,8 @@ class BranchFollower {
       observer_.solved(value, first->solution);
       return;
     }
-    current_ = solver_.near(value, first->points[PointIndex(0)].at);
+    constexpr double anywhere = std::numeric_limits<double>::infinity();
+    current_ = solver_.near(value, first->points[PointIndex(0)].at, anywhere);
     solver_.count_from(current_);
   }
 
@@ -75,7 +77,8 @@ class BranchFollower {
       const double next = width == rest ? value : current_->parameter + width;
       const ConfigurationPoint& here = current_->points[PointIndex(0)];
       const SnapshotPointer set =
-          solver_.near(next, here.at + (next - current_->parameter) * here.slope);
+          solver_.near(next, here.at + (next - current_->parameter) * here.slope,
+                       distance_that_matters(here, next - current_->parameter));
       if (goes_on(*current_, *set)) {
         current_ = set;
         solver_.count_from(set);

@@ -341,13 +341,15 @@ SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
   return completed(std::move(snapshot));
 }
 
-SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& point) {
+SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& point,
+                                     double farthest) {
   count_between_steps();
   if (!counted_.empty()) {
     count_turns_at(parameter, parameter);
   }
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   sought_.at = point;
+  sought_.farthest = farthest;
   const std::optional<Nearest> found = solver_.solve_near(sought_, snapshot->solution);
   const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
   if (found && found->runner_up) {

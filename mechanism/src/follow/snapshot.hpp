@@ -60,9 +60,10 @@ class SnapshotSolver {
   /// The set of one configuration: the one with a number, or for zero the one nearest to the
   /// reference. The set is empty if there is none. Throws as `at_step` does.
   [[nodiscard]] SnapshotPointer one_at(double parameter, std::size_t number);
-  /// The set of the one configuration that is nearest to a point; all others are at least `closest`
-  /// away. Throws as `at` does.
-  [[nodiscard]] SnapshotPointer near(double parameter, const Eigen::VectorXd& point);
+  /// The set of the one configuration that is nearest to a point, if it is within a distance of it;
+  /// all others are at least `closest` away. Throws as `at` does.
+  [[nodiscard]] SnapshotPointer near(double parameter, const Eigen::VectorXd& point,
+                                     double farthest);
   /// From now on, angles that laws read are counted by whole turns from those of a set. Sets that
   /// `at_step` and `at` solve are counted from the last step, or from nearer sets between.
   void count_from(const SnapshotPointer& set);

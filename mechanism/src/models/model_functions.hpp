@@ -42,6 +42,13 @@ class ModelFunctions {
     return closure_gap<Model>(read<Dimensions>(d), read<Inputs>(u), result);
   }
 
+  static void stand(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+                    GroupPoses& result) {
+    Poses<double, Model::link_count> poses;
+    Model::link_poses(read<Dimensions>(d), read<Inputs>(u), read<Configuration>(q), poses);
+    std::copy(poses.begin(), poses.end(), result.begin());
+  }
+
   static void move(const FlatVariables& flat_d, const FlatVariables& flat_u,
                    const FlatVariables& flat_q, const MotionQuery& query, GroupMotion& motion) {
     const auto d = read<Dimensions>(flat_d);
@@ -189,13 +196,14 @@ template <typename Model>
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
     using Functions = ModelFunctions<Model>;
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, &Functions::move,
-                                           &Functions::bend, &Functions::expand};
+    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap,
+                                           &Functions::stand,    &Functions::move,
+                                           &Functions::bend,     &Functions::expand};
     return &kernel;
   } else {
     using Functions = DegenerateFunctions<Model>;
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap, nullptr, nullptr,
-                                           nullptr};
+    static constexpr ModelKernel kernel = {
+        &Functions::assemble, &Functions::gap, nullptr, nullptr, nullptr, nullptr};
     return &kernel;
   }
 }

@@ -45,6 +45,9 @@ struct MotionQuery {
   support::Displacement displaced;  ///< of the neighbours, by rounding
 };
 
+/// Where the links of a group stand, in the order of the model's table.
+using GroupPoses = std::array<Pose<double>, most_links>;
+
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
 /// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
@@ -53,7 +56,7 @@ struct GroupMotion {
   double size = 0;                  ///< the distance by which one radian moves points
   double held = 0;                  ///< how far rounding may have moved the group's neighbours
   support::Displacement displaced;  ///< how far, at most, it may have moved the group's links
-  std::array<Pose<double>, most_links> poses;
+  GroupPoses poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
   SmallMatrix inverse;                    ///< of the loop Jacobian
@@ -87,6 +90,9 @@ struct ModelKernel {
                    const support::Displacement& displaced, models::GroupAssemblies& found);
   /// Sets the least residual of the closures, where there are no configurations.
   Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
+  /// Sets the poses of the links where the group's closures hold.
+  void (*stand)(const models::FlatVariables& d, const models::FlatVariables& u,
+                const models::FlatVariables& q, models::GroupPoses& poses);
   void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,
                const models::FlatVariables& q, const models::MotionQuery& query,
                models::GroupMotion& motion);

@@ -1,6 +1,7 @@
 #include "group_solver.hpp"
 
 #include <algorithm>
+#include <assur/support/redundant.hpp>
 #include <cmath>
 #include <limits>
 
@@ -17,13 +18,13 @@ namespace {
 void add_product(const models::SmallMatrix& a, const ParameterRows<Eigen::Dynamic>& b,
                  ParameterRows<Eigen::Dynamic>& result) {
   const Eigen::Index columns = b.cols();
-  for (Eigen::Index row = 0; row < a.rows(); ++row) {
-    double* const to = result.data() + row * columns;
-    for (Eigen::Index k = 0; k < a.cols(); ++k) {
-      const double factor = a(row, k);
-      const double* const from = b.data() + k * columns;
-      for (Eigen::Index column = 0; factor != 0 && column < columns; ++column) {
-        to[column] += factor * from[column];
+  const double* factor = a.data();
+  for (Eigen::Index k = 0; k < a.cols(); ++k) {
+    const double* const from = b.data() + k * columns;
+    double* to = result.data();
+    for (Eigen::Index row = 0; row < a.rows(); ++row, ++factor, to += columns) {
+      for (Eigen::Index column = 0; *factor != 0 && column < columns; ++column) {
+        to[column] += *factor * from[column];
       }
     }
   }
@@ -135,6 +136,14 @@ double GroupSolver::determinant() const {
     }
   }
   return 1 / determinant_of(inverse);
+}
+
+void GroupSolver::stand(std::size_t configuration, Table<LinkIndex, Frame>& links) const {
+  models::GroupPoses poses;
+  model_.kernel->stand(numbers().d, u_, found_.configurations[configuration], poses);
+  for (std::size_t link = 0; link < numbers().links.size(); ++link) {
+    links[numbers().links[link]].pose = support::pose_in(poses[link], numbers().own[link].pose);
+  }
 }
 
 void GroupSolver::place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed) {

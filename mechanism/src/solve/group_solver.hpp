@@ -64,6 +64,8 @@ class GroupSolver {
   /// The least residual of the closures where the group is held, if it has no configuration.
   /// `result` is set where the status is `ok`; the other status is `not_finite`.
   [[nodiscard]] Status gap(double& result) const;
+  /// Sets the poses of the group's links in one of its configurations, and nothing else of them.
+  void stand(std::size_t configuration, Table<LinkIndex, Frame>& links) const;
   /// Places the group's links and slides in one of its configurations; the slides are written to
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);

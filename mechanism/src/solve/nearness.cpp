@@ -1,5 +1,8 @@
 #include "nearness.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "plan/plan_data.hpp"
 #include "reference.hpp"
 
@@ -8,7 +11,9 @@ namespace assur::mechanism::solve {
 Nearness::Nearness(const Placement& placement)
     : placement_(placement),
       angles_(placement.structure().groups.size() + 1),
-      links_(placement.structure().groups.size() + 1) {
+      links_(placement.structure().groups.size() + 1),
+      own_angles_(placement.structure().groups.size()),
+      own_links_(placement.structure().groups.size()) {
   const PlanData& plan = placement.plan();
   const Table<LinkIndex, std::size_t> groups = plan.structure.groups_before();
   for (const ReferenceAngle& angle : plan.request.reference) {
@@ -16,6 +21,16 @@ Nearness::Nearness(const Placement& placement)
   }
   for (const LinkIndex link : plan.mechanism.links().keys()) {
     links_[groups[link]].push_back(link);
+  }
+  for (const GroupIndex group : plan.structure.groups.keys()) {
+    for (const LinkIndex link : plan.structure.groups[group].links) {
+      const auto is_of_link = [link](const ReferenceAngle& angle) { return angle.link == link; };
+      std::ranges::copy_if(plan.request.reference, std::back_inserter(own_angles_[group]),
+                           is_of_link);
+      if (link.place() < plan.mechanism.links().size()) {  // and not a block
+        own_links_[group].push_back(link);
+      }
+    }
   }
 }
 
@@ -29,17 +44,18 @@ void Nearness::seek(const SoughtPoint& point) {
   point_ = &point;
 }
 
-double Nearness::square_at(std::size_t groups) const {
+double Nearness::square_of(const std::vector<ReferenceAngle>& angles,
+                           const std::vector<LinkIndex>& described) const {
   const Table<LinkIndex, Frame>& links = placement_.placed().links;
   double square = 0;
   if (point_ == nullptr) {
-    for (const ReferenceAngle& angle : angles_[groups]) {
+    for (const ReferenceAngle& angle : angles) {
       const double difference = difference_from(placement_.values(), links[angle.link], angle);
       square += difference * difference;
     }
     return square;
   }
-  for (const LinkIndex link : links_[groups]) {
+  for (const LinkIndex link : described) {
     const Pose<double>& pose = links[link].pose;
     const Eigen::Vector4d at(pose.x / point_->length, pose.y / point_->length, pose.direction.cos,
                              pose.direction.sin);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "placement.hpp"
@@ -13,6 +14,8 @@ namespace assur::mechanism::solve {
 struct SoughtPoint {
   Eigen::VectorXd at;
   double length = 1;
+  double farthest =
+      std::numeric_limits<double>::infinity();  ///< configurations beyond do not count
 };
 
 /// The distance of a configuration from the place near which one is sought: the angles of a
@@ -30,14 +33,25 @@ class Nearness {
   [[nodiscard]] bool is_sought() const { return is_sought_; }
   /// The part of the squared distance that belongs to the links which are placed once `groups`
   /// groups are, and not before.
-  [[nodiscard]] double square_at(std::size_t groups) const;
+  [[nodiscard]] double square_at(std::size_t groups) const {
+    return square_of(angles_[groups], links_[groups]);
+  }
+  /// The part of it that belongs to the links of one group.
+  [[nodiscard]] double square_of(GroupIndex group) const {
+    return square_of(own_angles_[group], own_links_[group]);
+  }
 
  private:
+  [[nodiscard]] double square_of(const std::vector<ReferenceAngle>& angles,
+                                 const std::vector<LinkIndex>& links) const;
+
   const Placement& placement_;
   bool is_sought_ = false;
   const SoughtPoint* point_ = nullptr;               ///< null where the reference is sought
   std::vector<std::vector<ReferenceAngle>> angles_;  ///< by the groups before them
   std::vector<std::vector<LinkIndex>> links_;        ///< by the groups before them
+  Table<GroupIndex, std::vector<ReferenceAngle>> own_angles_;  ///< of the links of each group
+  Table<GroupIndex, std::vector<LinkIndex>> own_links_;
 };
 
 }  // namespace assur::mechanism::solve

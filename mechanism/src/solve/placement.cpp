@@ -347,6 +347,14 @@ const models::GroupAssemblies& Placement::assemble(GroupIndex group) {
   return solvers_[group].assemble();
 }
 
+void Placement::stand(GroupIndex group, std::size_t index) {
+  if (structure_.groups[group].base.exists()) {
+    place(group, index);
+  } else {
+    solvers_[group].stand(index, placed_.links);
+  }
+}
+
 void Placement::place(GroupIndex group, std::size_t index) {
   solvers_[group].place(index, first_slide_[group], placed_);
   if (structure_.groups[group].base.exists()) {

@@ -50,6 +50,9 @@ class Placement {
   void hold(GroupIndex group);
   /// Finds the configurations of a group where it is held. Throws MechanismError after too many.
   [[nodiscard]] const models::GroupAssemblies& assemble(GroupIndex group);
+  /// Sets the poses of a group's links in one of these configurations; their rates are set only by
+  /// `place`.
+  void stand(GroupIndex group, std::size_t index);
   /// Places a group in one of the configurations that were found last. If it is solved relative to
   /// a link, it is placed in that link's frame, and shapes the groups behind it.
   void place(GroupIndex group, std::size_t index);

@@ -159,7 +159,7 @@ bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
 
 bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& links,
                        const RoundingOfRates& rounding) {
-  if (values.plan().request.redundancy_tolerance.exists()) {
+  if (values.plan().redundant.empty() || values.plan().request.redundancy_tolerance.exists()) {
     return true;
   }
   const Extent extent = extent_of(values, links);
@@ -186,6 +186,9 @@ OverConstrained refused(const PlanData& plan, const std::string& without) {
 
 double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
                         Status regularity) {
+  if (values.plan().redundant.empty()) {
+    return 0;
+  }
   const Extent extent = extent_of(values, links);
   double worst = 0;
   for (const RedundantJoint& joint : values.plan().redundant) {

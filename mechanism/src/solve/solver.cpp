@@ -24,6 +24,13 @@
 
 namespace assur::mechanism::solve {
 
+namespace {
+
+/// A number for each configuration of a group.
+using Squares = std::array<double, models::most_configurations>;
+
+}  // namespace
+
 /// Walks depth first through the configurations of the groups: what is placed stays placed while
 /// the groups behind it are solved, and is overwritten by the next configuration.
 class ConfigurationWalk {
@@ -76,7 +83,9 @@ class ConfigurationWalk {
   std::optional<Nearest> run_near(const SoughtPoint& point, Solution& result) {
     nearness_.seek(point);
     number_ = 0;
+    farthest_square_ = point.farthest * point.farthest;
     walk({.within_limits = false}, false, result);
+    farthest_square_ = std::numeric_limits<double>::infinity();
     return nearest();
   }
 
@@ -136,7 +145,8 @@ class ConfigurationWalk {
     listed_ = passed_ = 0;
     has_cut_ = false;
     square_ = 0;
-    least_square_ = next_square_ = std::numeric_limits<double>::infinity();
+    least_square_ = std::numeric_limits<double>::infinity();
+    next_square_ = farthest_square_;
   }
 
   /// Whether a single configuration is sought, in the memory of one.
@@ -207,8 +217,12 @@ class ConfigurationWalk {
                       placed_.path_known, placed_.rates_known);
     };
     const std::tuple<Status, double, bool, bool, bool> before = known();
-    const Visits visits = order_of_visits(group, found.count);
+    Squares squares{};
+    const Visits visits = order_of_visits(group, found.count, squares);
     for (std::size_t visit = 0; visit < found.count && !is_found(); ++visit) {
+      if (!(square_ + squares[visits[visit]] < next_square_)) {
+        break;
+      }
       known() = before;
       placement_.place(group, visits[visit]);
       descend(depth + 1);
@@ -217,14 +231,15 @@ class ConfigurationWalk {
 
   /// The order of visiting a group's configurations: nearer ones first if the nearest is sought; in
   /// the group's own order if they are numbered group by group; otherwise as they were found.
-  [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count) {
+  /// `squares`: what each of them adds to the squared distance from what is sought, zero where that
+  /// is not known yet.
+  [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count, Squares& squares) {
     Visits order{};
     std::iota(order.begin(), order.end(), std::size_t{0});
     if (nearness_.is_sought()) {
-      std::array<double, models::most_configurations> squares{};
       for (std::size_t index = 0; index < count; ++index) {
-        placement_.place(group, index);
-        squares[index] = nearness_.square_at(group.place() + 1);
+        placement_.stand(group, index);
+        squares[index] = nearness_.square_of(group);
       }
       std::stable_sort(
           order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count),
@@ -274,7 +289,7 @@ class ConfigurationWalk {
         next_square_ = square_;
         return;
       }
-      next_square_ = least_square_;
+      next_square_ = std::min(next_square_, least_square_);
       least_square_ = square_;
       listed_ = 0;
     }
@@ -397,6 +412,8 @@ class ConfigurationWalk {
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   double square_ = 0;             ///< of the distance from what is sought, of what is placed
   double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
+  /// Within which a configuration is sought.
+  double farthest_square_ = std::numeric_limits<double>::infinity();
 };
 
 MechanismSolver::MechanismSolver(const Values& values)
