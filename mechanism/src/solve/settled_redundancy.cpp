@@ -62,20 +62,6 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
   return without > 0 ? without : open * constraints_.size();
 }
 
-double SettledRedundancy::settle_nearby(PlacedLinks& placed) {
-  const PlacedLinks without = placed;
-  const double gap = settle(placed);
-  const double moved =
-      constraints_.step(poses_of(without.links), poses_of(placed.links)).cwiseAbs().maxCoeff();
-  // Rounding moves a configuration in which several meet by no more than this.
-  constexpr double farthest = 1e-6;
-  if (gap == 0 && moved <= farthest) {
-    return 0;
-  }
-  placed = without;
-  return std::max(gap, moved * constraints_.size());
-}
-
 void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) {
   const Eigen::MatrixXd jacobian = constraints_.jacobian(poses);
   const auto factors = local::factors_of<AllConstraints::Body>(jacobian);
@@ -132,12 +118,14 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   placed.path_known = placed.derivatives_known;
 }
 
-SettledRedundancy::Comparison SettledRedundancy::compared_by_misses(
-    const AllConstraints::Poses& first, const AllConstraints::Poses& second) {
+SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,
+                                                          const AllConstraints::Poses& second) {
   constexpr double near = 0.01;
   constexpr double much_better = 16;
+  constexpr double alike = 4;
   constraints_.measure(first);
-  if (!(constraints_.step(first, second).cwiseAbs().maxCoeff() < near)) {
+  const Eigen::VectorXd apart = constraints_.step(first, second);
+  if (!(apart.cwiseAbs().maxCoeff() < near)) {
     return Comparison::differ;
   }
   const double rounding = constraints_.rounding();
@@ -146,40 +134,15 @@ SettledRedundancy::Comparison SettledRedundancy::compared_by_misses(
   const auto is_much_better = [&](double one, double other) {
     return other > (one > rounding ? much_better * one : rounding);
   };
-  return is_much_better(of_second, of_first)   ? Comparison::first_is_none
-         : is_much_better(of_first, of_second) ? Comparison::second_is_none
-                                               : Comparison::alike;
-}
-
-void SettledRedundancy::mark_inconsistent(std::vector<Configuration>& configurations) {
-  std::vector<Configuration*> near;
-  for (Configuration& one : configurations) {
-    if (one.is_consistent && one.regularity != Status::ok) {
-      near.push_back(&one);
-    }
+  if (is_much_better(of_second, of_first)) {
+    return Comparison::first_is_none;
   }
-  for (std::size_t second = 1; second < near.size(); ++second) {
-    for (std::size_t first = 0; first < second; ++first) {
-      const Comparison found =
-          compared_by_misses(poses_of(near[first]->links), poses_of(near[second]->links));
-      near[first]->is_consistent &= found != Comparison::first_is_none;
-      near[second]->is_consistent &= found != Comparison::second_is_none;
-    }
+  if (is_much_better(of_first, of_second)) {
+    return Comparison::second_is_none;
   }
-}
-
-SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,
-                                                          const AllConstraints::Poses& second) {
-  const Comparison by_misses = compared_by_misses(first, second);
-  if (by_misses != Comparison::alike) {
-    return by_misses;
-  }
-  const double of_first = missed(first);
-  const double of_second = missed(second);
   AllConstraints::Poses halfway = first;
-  constraints_.move(constraints_.step(first, second) / 2, halfway);
-  constexpr double alike = 4;
-  if (missed(halfway) <= alike * std::max({of_first, of_second, constraints_.rounding()})) {
+  constraints_.move(apart / 2, halfway);
+  if (missed(halfway) <= alike * std::max({of_first, of_second, rounding})) {
     return of_second < of_first ? Comparison::first_is_none : Comparison::second_is_none;
   }
   return Comparison::differ;

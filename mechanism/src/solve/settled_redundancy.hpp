@@ -15,7 +15,7 @@ namespace assur::mechanism::solve {
 class SettledRedundancy {
  public:
   /// Which of two configurations nearby the constraints rule out, if any.
-  enum class Comparison : unsigned char { differ, first_is_none, second_is_none, alike };
+  enum class Comparison : unsigned char { differ, first_is_none, second_is_none };
 
   /// Makes one where there is something to settle: redundant constraints that must hold to rounding
   /// and not to a tolerance, not too many links, and no law that reads joints. The values must
@@ -29,16 +29,10 @@ class SettledRedundancy {
   /// that all constraints determine; what they contradict becomes unknown. Returns the residual in
   /// the unit of length, and zero where that may be rounding.
   [[nodiscard]] double settle(PlacedLinks& placed);
-  /// Does the same for a configuration that is followed on its own. If closing would move it to
-  /// another place, or fails, the configuration stays where it is, and the result also counts the
-  /// distance to that place.
-  [[nodiscard]] double settle_nearby(PlacedLinks& placed);
   /// Whether the rates of the configuration that was settled last, where they are known, satisfy
   /// all constraints; in a regular one the second rates must, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
-  /// Marks configurations of a sweep as inconsistent where another one nearby closes much better.
-  void mark_inconsistent(std::vector<Configuration>& configurations);
   /// Compares two settled configurations. One is ruled out where the other is nearby and closes
   /// much better, or where the place halfway between them closes as well, so that rounding does not
   /// separate them.
@@ -46,9 +40,6 @@ class SettledRedundancy {
                                     const AllConstraints::Poses& second);
 
  private:
-  /// Compares two configurations by how well they close alone.
-  [[nodiscard]] Comparison compared_by_misses(const AllConstraints::Poses& first,
-                                              const AllConstraints::Poses& second);
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}
   void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed);
   [[nodiscard]] double missed(const AllConstraints::Poses& links) const;

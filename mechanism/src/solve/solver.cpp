@@ -265,9 +265,8 @@ class ConfigurationWalk {
       return;
     }
     const PlacedLinks without = placed_;
-    has_settled_ = only_consistent_;
-    const double left =
-        has_settled_ ? redundancy_->settle(placed_) : redundancy_->settle_nearby(placed_);
+    has_settled_ = true;
+    const double left = redundancy_->settle(placed_);
     is_unsure_ = is_unsure_ || left > 0;
     list_placed(left, redundancy_->goes_on());
     placed_ = without;
@@ -331,9 +330,6 @@ class ConfigurationWalk {
   }
 
   void conclude() {
-    if (redundancy_ && !only_consistent_) {
-      redundancy_->mark_inconsistent(solution_->configurations);
-    }
     if (passed_ > listed_) {  // a single configuration was sought, and there are others
       return;
     }
@@ -407,7 +403,7 @@ class ConfigurationWalk {
   bool has_left_inconsistent_ = false;
   bool is_inconsistent_ = false;  ///< redundant constraints did not hold somewhere
   double least_gap_ = 0;          ///< by which they failed to hold
-  bool has_settled_ = false;      ///< the placed configuration by all constraints
+  bool has_settled_ = false;      ///< some of them by all constraints
   bool is_unsure_ = false;        ///< see `is_unsure`
   std::size_t listed_ = 0;        ///< configurations; those behind are of an earlier solution
   double square_ = 0;             ///< of the distance from what is sought, of what is placed
