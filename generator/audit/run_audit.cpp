@@ -43,7 +43,10 @@ class ProgramAudit {
         drawing_(points, reference.drawn(), run) {}
 
   RunAnswer answer() {
-    drawn_ = compared(drawing_.drawn(), true);
+    drawn_.asked = drawing_.drawn();
+    simple_.asked = drawing_.simple();
+    compute();
+    drawn_.expected = reference_.at(drawn_.asked, drawing_, precision());
     RunAnswer answer;
     for (std::size_t entry = 0; entry < expected_.items.size(); ++entry) {
       answer.findings.push_back(judged(entry));
@@ -52,7 +55,7 @@ class ProgramAudit {
     const bool wrong = std::any_of(answer.findings.begin(), answer.findings.end(),
                                    [](const Finding& each) { return each.is_wrong(); });
     if (wrong) {
-      ask_simple_points();
+      simple_.expected = reference_.at(simple_.asked, drawing_, precision());
       explain(answer.findings);
     }
     return answer;
@@ -74,21 +77,9 @@ class ProgramAudit {
     return text + reference_.remark() + ": evidence, not proof";
   }
 
-  /// A program that crashes or does not end is not run again.
-  void ask_simple_points() {
-    std::vector<Asked> simple = drawing_.simple();
-    if (simple.empty() || drawn_.given.size() < drawn_.asked.size()) {
-      return;
-    }
-    try {
-      simple_ = compared(std::move(simple), false);
-    } catch (const running::ProgramError&) {
-      simple_ = {};  // its result has another size there
-    }
-  }
-
-  /// Runs the program; with `repeat` once more at the first point, at the end.
-  [[nodiscard]] Comparisons compared(std::vector<Asked> list, bool repeat) {
+  /// Runs the program at the points, once more at the first of them, and at the simple ones, at
+  /// which it may fail: they come last.
+  void compute() {
     running::PointTable table;
     const std::vector<GivenQuantity> given = given_quantities(points_.system(), drawing_);
     for (const GivenQuantity& quantity : given) {
@@ -101,19 +92,22 @@ class ProgramAudit {
       }
       table.points.push_back(std::move(row));
     };
-    std::for_each(list.begin(), list.end(), add);
-    if (repeat) {
-      add(list.front());
-    }
+    std::for_each(drawn_.asked.begin(), drawn_.asked.end(), add);
+    add(drawn_.asked.front());
+    std::for_each(simple_.asked.begin(), simple_.asked.end(), add);
     running::ProgramValues values =
         running::program_values(run_.program, expected_.size, table, limits_);
-    single_ = single_ || values.single_precision;
-    if (repeat && values.points.size() > list.size()) {
-      repeated_ = std::move(values.points.back());
-      values.points.pop_back();
+    single_ = values.single_precision;
+    std::vector<running::PointValues>& all = values.points;
+    const auto begin = all.begin();
+    const auto end_of_drawn = begin + std::ssize(drawn_.asked);
+    if (all.size() <= drawn_.asked.size()) {
+      drawn_.given = std::move(all);
+      return;
     }
-    std::vector<std::vector<ExpectedValue>> expected = reference_.at(list, drawing_, precision());
-    return {std::move(list), std::move(values.points), std::move(expected)};
+    drawn_.given.assign(begin, end_of_drawn);
+    repeated_ = *end_of_drawn;
+    simple_.given.assign(end_of_drawn + 1, all.end());
   }
 
   [[nodiscard]] const Precision& precision() const { return single_ ? in_single : in_double; }
@@ -266,14 +260,6 @@ class ProgramAudit {
     for (std::size_t entry = 0; entry < findings.size(); ++entry) {
       matrix.angles.push_back(reference_.is_angle(entry));
     }
-    for (std::size_t at = 0; at < drawn_.given.size(); ++at) {
-      const std::vector<std::string>& faults = drawn_.given[at].faults;
-      if (std::all_of(faults.begin(), faults.end(),
-                      [](const auto& each) { return each.empty(); })) {
-        matrix.points.push_back(drawn_.asked[at].values);
-        matrix.computed.push_back(drawn_.given[at].entries);
-      }
-    }
     for (std::size_t entry = 0; entry < findings.size(); ++entry) {
       Finding& finding = findings[entry];
       if (!finding.is_wrong()) {
@@ -286,6 +272,14 @@ class ProgramAudit {
       const bool kept = !finding.note.empty() && differs_later(entry);
       if (!kept) {
         show_all(entry, simple_, finding);
+      }
+      matrix.points.clear();
+      matrix.computed.clear();
+      for (std::size_t at = 0; at < drawn_.given.size(); ++at) {
+        if (drawn_.given[at].faults[entry].empty()) {
+          matrix.points.push_back(drawn_.asked[at].values);
+          matrix.computed.push_back(drawn_.given[at].entries);
+        }
       }
       const std::string guess =
           matrix.points.size() < fewest_points ? "" : guessed_slip(matrix, entry, points_.system());
