@@ -19,8 +19,8 @@ using closures::FormulaError;
 using closures::PlacedText;
 
 /// The largest step, as a part of what is large for the quantity, and how often it is halved.
-constexpr double first_step = 0.125;
-constexpr std::size_t step_count = 6;
+constexpr double first_step = 0.5;
+constexpr std::size_t step_count = 8;
 /// A step so small that its square is nothing beside 1.
 constexpr double complex_step = 0x1p-80;
 /// By how many units in its last place a position may be off.

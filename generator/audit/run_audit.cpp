@@ -249,8 +249,13 @@ class ProgramAudit {
   }
 
   [[nodiscard]] bool differs_later(std::size_t entry) const {
-    return !repeated_.entries.empty() &&
-           !(repeated_.entries[entry] == drawn_.given.front().entries[entry]);
+    if (repeated_.entries.empty()) {
+      return false;
+    }
+    const running::PointValues& first = drawn_.given.front();
+    const bool has_value = first.faults[entry].empty();
+    return has_value != repeated_.faults[entry].empty() ||
+           (has_value && first.entries[entry] != repeated_.entries[entry]);
   }
 
   void explain(std::vector<Finding>& findings) {

@@ -12,7 +12,7 @@ struct Precision {
   double blurred;       ///< a larger relative error by rounding makes a point useless
 };
 inline constexpr Precision in_double{0x1p-53, 4096, 1e-6};
-inline constexpr Precision in_single{0x1p-24, 64, 1e-3};
+inline constexpr Precision in_single{0x1p-24, 64, 1e-2};
 
 struct ExpectedValue {
   double value = 0;

@@ -62,8 +62,8 @@ TEST(ExtrapolatedDerivative, IsWithinItsBound) {
   for (int count = 0; count < 2000; ++count) {
     const double x = anywhere(engine);
     for (const Known& known : known_functions()) {
-      SymmetricSamples samples{known.value(x), 0.125, {}, {}, 0};
-      for (double step = 0.125; samples.above.size() < 6; step /= 2) {
+      SymmetricSamples samples{known.value(x), 0.5, {}, {}, 0};
+      for (double step = 0.5; samples.above.size() < 8; step /= 2) {
         samples.above.push_back(known.value(x + step));
         samples.below.push_back(known.value(x - step));
       }
@@ -147,7 +147,7 @@ std::vector<Arm> arms() {
        "import cmath\ndef sin(x): return cmath.sin(x).real\ndef cos(x): return "
        "cmath.cos(x).real\n" +
            python,
-       "by extrapolated differences, to "},
+       "extrapolated differences, to "},
       {"Octave", "arm.m", octave, "by complex steps, to "}};
   for (Arm& each : list) {
     each.text = with(each.text, parts);
@@ -244,7 +244,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"Unknown", CLOSED, OWN, "  position r*cos(th) + l*cos(ph)\n" SPEED, 2,
               "an own position is a function of parameters, and 'ph' is an unknown"},
         Fault{"ByAnUnknown", CLOSED, "of x by ph against own position", PLACE SPEED, 2,
-              "s.audit:6:29: 'ph' is an unknown"},
+              "s.audit:6:28: 'ph' is an unknown"},
         Fault{"NoDerivative", SLIDER, "of x against own position", PLACE SPEED, 2,
               "expected rate(NAME), rate2(NAME) or D(NAME, PARAMETER)"},
         Fault{"NoPosition", SLIDER, OWN, SPEED, 2, "'position EXPRESSION'"},
