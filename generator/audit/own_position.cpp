@@ -4,7 +4,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <regex>
 #include <sstream>
 
 #include "audit/extrapolated_derivative.hpp"
@@ -53,6 +52,22 @@ std::size_t component(const std::string& name, std::vector<std::string>& compone
   return index;
 }
 
+/// `rate(x)` as `rate` and `x`; nothing for a formula of another form.
+std::pair<std::string, std::vector<PlacedText>> derivative_parts(const PlacedText& formula) {
+  const std::size_t open = formula.text.find('(');
+  if (open == std::string::npos || !formula.text.ends_with(')')) {
+    return {};
+  }
+  const std::size_t inside = formula.text.size() - open - 2;
+  const std::vector<PlacedText> arguments =
+      closures::split({formula.text.substr(open + 1, inside), formula.at(open + 2)}, ',');
+  const bool are_names = std::all_of(arguments.begin(), arguments.end(), [](const auto& each) {
+    return text::is_identifier(each.text);
+  });
+  return {closures::trimmed({formula.text.substr(0, open), formula.place}).text,
+          are_names ? arguments : std::vector<PlacedText>{}};
+}
+
 }  // namespace
 
 OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText& rows,
@@ -70,6 +85,9 @@ OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText&
     const std::vector<PlacedText> parameters = closures::words(columns);
     own.expected.size = {names.size(), parameters.size()};
     for (std::size_t row = 0; row < names.size(); ++row) {
+      if (!text::is_identifier(names[row].text)) {
+        throw FormulaError("expected the name of a component of the position", names[row].place);
+      }
       if (component(names[row].text, own.components) != row) {
         throw FormulaError("'" + names[row].text + "' occurs twice", names[row].place);
       }
@@ -83,22 +101,16 @@ OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText&
     }
     return own;
   }
-  static const std::regex by_time(R"((rate2?)\(\s*(\w+)\s*\))");
-  static const std::regex by_parameter(R"(D\(\s*(\w+)\s*,\s*(\w+)\s*\))");
   for (const PlacedText& formula : closures::split(rows, ',')) {
-    std::smatch parts;
-    if (std::regex_match(formula.text, parts, by_time)) {
-      add(formula.text, formula.text,
-          {component(parts[2].str(), own.components), nullptr, parts[1].str() == "rate" ? 1 : 2});
-    } else if (std::regex_match(formula.text, parts, by_parameter)) {
-      const PlacedText name{parts[2].str(),
-                            formula.at(static_cast<std::size_t>(parts.position(2)) + 1)};
-      add(formula.text, formula.text,
-          {component(parts[1].str(), own.components), &parameter(name, system), 1});
-    } else {
+    const auto [operation, arguments] = derivative_parts(formula);
+    const bool by_time = operation == "rate" || operation == "rate2";
+    if (arguments.size() != (by_time ? 1 : 2) || (!by_time && operation != "D")) {
       throw FormulaError("expected rate(NAME), rate2(NAME) or D(NAME, PARAMETER) of a position",
                          formula.place);
     }
+    add(formula.text, formula.text,
+        {component(arguments[0].text, own.components),
+         by_time ? nullptr : &parameter(arguments[1], system), operation == "rate2" ? 2 : 1});
   }
   own.expected.size = {own.entries.size(), 1};
   return own;

@@ -10,9 +10,9 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <regex>
 #include <sstream>
 
+#include "audit/running/declared_precision.hpp"
 #include "audit/running/drivers.hpp"
 #include "audit/running/limited_process.hpp"
 #include "audit/running/work_directory.hpp"
@@ -159,9 +159,8 @@ std::string fault_of(const std::string& complaint, const MatrixSize& size, std::
   return text;
 }
 
-/// Why the program gave no values at the point after `done` others.
-std::string end_text(const ProcessEnd& end, std::size_t done, std::size_t all,
-                     const RunLimits& limits) {
+/// Why the program went no further.
+std::string end_text(const ProcessEnd& end, const RunLimits& limits) {
   switch (end.kind) {
     case ProcessEnd::Kind::too_long:
       return "it did not end within " + seconds_text(limits.seconds);
@@ -171,8 +170,7 @@ std::string end_text(const ProcessEnd& end, std::size_t done, std::size_t all,
     case ProcessEnd::Kind::not_found:
       break;
   }
-  return "it ended with status " + std::to_string(end.code) + " after " + std::to_string(done) +
-         " of " + std::to_string(all) + " points";
+  return "it ended with status " + std::to_string(end.code);
 }
 
 PointValues failed(const std::string& why, std::size_t count) {
@@ -235,29 +233,15 @@ std::string point_lines(const PointTable& table) {
   return text;
 }
 
-/// Whether a C or C++ file declares a function that the rows call with a parameter of type float.
 bool declares_single_parameters(const UserProgram& program) {
   if (program.language != Language::cpp && program.language != Language::c) {
     return false;
   }
-  static const std::regex comment(R"(//[^\n]*|/\*[^*]*\*+(?:[^/*][^*]*\*+)*/)");
-  static const std::regex call(R"(([A-Za-z_]\w*)\s*\()");
-  static const std::regex single(R"(\bfloat\b)");
-  const std::string text =
-      std::regex_replace(text::read_input_file(program.file.string()), comment, " ");
   std::string rows = program.result;
   for (const std::string& statement : program.before) {
     rows += " " + statement;
   }
-  for (std::sregex_iterator at(rows.begin(), rows.end(), call), end; at != end; ++at) {
-    const std::regex declared("\\b" + (*at)[1].str() + R"(\s*\(([^()]*)\))");
-    for (std::sregex_iterator found(text.begin(), text.end(), declared); found != end; ++found) {
-      if (std::regex_search((*found)[1].str(), single)) {
-        return true;
-      }
-    }
-  }
-  return false;
+  return has_single_parameters(text::read_input_file(program.file.string()), rows);
 }
 
 }  // namespace
@@ -289,11 +273,11 @@ ProgramValues program_values(const UserProgram& program, const MatrixSize& size,
   const std::size_t done = values.points.size();
   const std::string complaint = work.read("complaint");
   if (complaint.empty() && !std::filesystem::exists(work.path() / "values")) {
-    throw ProgramError(end_text(end, done, table.points.size(), limits));
+    throw ProgramError(end_text(end, limits));
   }
   if (!complaint.empty() || done < table.points.size()) {
-    const std::string why = complaint.empty() ? end_text(end, done, table.points.size(), limits)
-                                              : fault_of(complaint, size, done);
+    const std::string why =
+        complaint.empty() ? end_text(end, limits) : fault_of(complaint, size, done);
     values.points.push_back(failed(why, count));
   }
   return values;

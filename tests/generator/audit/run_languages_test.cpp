@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"OctaveError", "f.m", "function J = f(l, theta)\nerror('no way');\nend\n", CALL, 1,
                  "ended with no way"},
          Program{"OctaveExits", "f.m", "function J = f(l, theta)\nexit(0);\nend\n", CALL, 1,
-                 "ended with status 0 after 0 of 41 points"},
+                 "ended with status 0\n"},
          Program{"OctaveHangs", "f.m", "function J = f(l, theta)\nwhile true\nend\nend\n", CALL, 1,
                  "did not end within 2 s"},
          Program{"OctaveCell", "f.m", "function J = f(l, theta)\nJ = {1, 2; 3, 4};\nend\n", CALL, 1,
@@ -190,8 +190,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"Throws", "a.js",
                  JAVASCRIPT("if (l > 1) throw new RangeError('long'); " FULL_RIGHT), CALL, 1,
                  "note        it fails at 35 of 40 points; it agrees at the others"},
-         Program{"Exits", "a.js", JAVASCRIPT("process.exit(0);"), CALL, 1,
-                 "ended with status 0 after 0 of"},
+         Program{"Exits", "a.js", JAVASCRIPT("process.exit(0);"), CALL, 1, "ended with status 0\n"},
          Program{"Kept", "a.js",
                  "let last = 0;\n" JAVASCRIPT("const c = last; last = cos(theta); "
                                               "return [[-l*sin(theta), -1], [l*c, 0]];"),

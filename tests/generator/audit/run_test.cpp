@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
              "-1.2\n    at          l = 2, (cos, sin)(theta) = (4/5, 3/5)\n    note        it "
              "fails at 35 of 40 points; it agrees at the others"},
          Program{"EndsAtSome", "a.cpp",
-                 CPP("if (l < 0.6) std::abort(); return {{l*sin(theta), -1}, {l*cos(theta), 0}};"),
+                 CPP("if (l < 1) std::abort(); return {{l*sin(theta), -1}, {l*cos(theta), 0}};"),
                  CALL, 1, "of 40; it differs at the others"},
          Program{"ComplexNumber", "a.cpp",
                  "#include <complex>\nstd::complex<double> f(double l) { return "
@@ -246,7 +246,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "l\n  result f(l)", 1, "printed     it is a complex number, 0+"},
          Program{
              "SizeOfItsOwn", "a.cpp",
-             CPP("Rows J = {{-l*sin(theta), -1}, {l*cos(theta), 0}}; if (l < 0.7) J.pop_back(); "
+             CPP("Rows J = {{-l*sin(theta), -1}, {l*cos(theta), 0}}; if (l < 1) J.pop_back(); "
                  "return J;"),
              CALL, 1, "printed     the result is 1 by 2, not 2 by 2"},
          Program{"Throws", "a.cpp", CPP("throw 1;"), CALL, 1,
@@ -258,7 +258,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{
              "Forks", "a.cpp",
              "#include <unistd.h>\n" CPP("if (fork() == 0) { sleep(100); } _exit(0); return {};"),
-             CALL, 1, "ended with status 0 after 0 of 41 points"},
+             CALL, 1, "ended with status 0\n"},
          Program{
              "Eats", "a.cpp",
              CPP("std::vector<double>* all = new std::vector<double>(std::size_t{1} << 31, 1.0);"
@@ -274,7 +274,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"WantsInput", "a.py", "def f(l, t):\n  return input()\n", CALL, 1,
                  "ended with EOFError"},
          Program{"Exits", "a.cpp", "#include <cstdlib>\n" CPP("std::exit(7);"), CALL, 1,
-                 "ended with status 7 after 0 of 41 points"},
+                 "ended with status 7\n"},
          Program{"NoNumber", "a.cpp", CPP("return {{-l*sin(theta), -1}, {std::sqrt(-l - 4), 0}};"),
                  CALL, 1, "(2,1) d f2/d theta: fails"},
          Program{"Infinite", "a.cpp", CPP("return {{-l*sin(theta), -1}, {l, 1/(l-l)}};"), CALL, 1,
