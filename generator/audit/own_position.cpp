@@ -382,6 +382,11 @@ std::string OwnPosition::remark() const {
   return text.str();
 }
 
+std::string OwnPosition::why_untold() const {
+  return failure_.empty() ? "differences of its position cannot tell its value at nearly all points"
+                          : "its position has no value at nearly all points: " + failure_;
+}
+
 double OwnPosition::slack(const Precision& /*precision*/) const { return in_double.unit; }
 
 }  // namespace assur::generator::audit

@@ -44,6 +44,7 @@ class OwnPosition : public RunReference {
                                                            AskedPoints& drawing,
                                                            const Precision& precision) override;
   [[nodiscard]] std::string remark() const override;
+  [[nodiscard]] std::string why_untold() const override;
   [[nodiscard]] double slack(const Precision& precision) const override;
 
  private:

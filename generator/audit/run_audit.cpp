@@ -207,7 +207,7 @@ class ProgramAudit {
     if (failing > 0) {
       finding.note = failing_text(failing, differing, told);
     } else if (told < fewest_points) {
-      comparison = {Verdict::undecided, "its value cannot be told at nearly all points", "", ""};
+      comparison = {Verdict::undecided, reference_.why_untold(), "", ""};
     } else if (differs_later(entry)) {
       const double first = drawn_.given.front().entries[entry];
       comparison.verdict = Verdict::differs;

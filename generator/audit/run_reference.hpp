@@ -53,6 +53,8 @@ class RunReference {
                                                                    const Precision& precision) = 0;
   /// How the values were found, for a report; empty if by the derivation.
   [[nodiscard]] virtual std::string remark() const { return ""; }
+  /// Why an entry has no value that can be compared at nearly all points.
+  [[nodiscard]] virtual std::string why_untold() const = 0;
   /// By how much of its error bound a guess at a slip may be off.
   [[nodiscard]] virtual double slack(const Precision& precision) const = 0;
 };
@@ -70,6 +72,9 @@ class DerivedReference : public RunReference {
   [[nodiscard]] std::vector<std::vector<ExpectedValue>> at(std::vector<Asked>& list,
                                                            AskedPoints& drawing,
                                                            const Precision& precision) override;
+  [[nodiscard]] std::string why_untold() const override {
+    return "rounding hides its value at nearly all points";
+  }
   [[nodiscard]] double slack(const Precision& precision) const override;
 
  private:

@@ -238,7 +238,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"AtAssembledPoints", CLOSED, OWN, PLACE SPEED, 0, "agrees, computed at 40 assembled"},
         Fault{"Fails", SLIDER, OWN, PLACE "  result bad(rate_th)", 1, "rate(x): fails"},
         Fault{"PositionFails", SLIDER, OWN, "  position x(r, l, th)/0\n" SPEED, 1,
-              "because     its value cannot be told at nearly all points"},
+              "because     its position has no value at nearly all points: it ended with "},
         Fault{"NothingMoves", "length r l\nangle th w\n", OWN, PLACE "  result v(r, l, th, w)", 2,
               "s.audit:4:12: nothing moves, so the position has no rate"},
         Fault{"Unknown", CLOSED, OWN, "  position r*cos(th) + l*cos(ph)\n" SPEED, 2,

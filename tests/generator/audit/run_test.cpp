@@ -238,17 +238,17 @@ INSTANTIATE_TEST_SUITE_P(
              "-1.2\n    at          l = 2, (cos, sin)(theta) = (4/5, 3/5)\n    note        it "
              "fails at 35 of 40 points; it agrees at the others"},
          Program{"EndsAtSome", "a.cpp",
-                 CPP("if (l < 1) std::abort(); return {{l*sin(theta), -1}, {l*cos(theta), 0}};"),
+                 "#include <cstdlib>\n" CPP(
+                     "if (l < 1) std::abort(); return {{l*sin(theta), -1}, {l*cos(theta), 0}};"),
                  CALL, 1, "of 40; it differs at the others"},
          Program{"ComplexNumber", "a.cpp",
                  "#include <complex>\nstd::complex<double> f(double l) { return "
                  "std::sqrt(std::complex<double>(-l*l)); }",
                  "l\n  result f(l)", 1, "printed     it is a complex number, 0+"},
-         Program{
-             "SizeOfItsOwn", "a.cpp",
-             CPP("Rows J = {{-l*sin(theta), -1}, {l*cos(theta), 0}}; if (l < 1) J.pop_back(); "
-                 "return J;"),
-             CALL, 1, "printed     the result is 1 by 2, not 2 by 2"},
+         Program{"SizeOfItsOwn", "a.cpp",
+                 CPP("Rows J = {{-l*sin(theta), -1}, {l*cos(theta), 0}}; if (l < 1) J.pop_back(); "
+                     "return J;"),
+                 CALL, 1, "printed     the result is 1 by 2, not 2 by 2"},
          Program{"Throws", "a.cpp", CPP("throw 1;"), CALL, 1,
                  "printed     it ended with an exception\n"},
          Program{"Hangs", "a.cpp", CPP("for (volatile int i = 0;; i = i) {} return {};"), CALL, 1,
