@@ -188,9 +188,10 @@ class Guesser {
     if (off <= in_double * largest || off > in_single * largest) {
       return "";
     }
+    const double unit_of_digit = std::pow(10, std::floor(std::log10(off)));
     std::ostringstream text;
     text.precision(1);
-    text << off;
+    text << std::ceil(off / unit_of_digit) * unit_of_digit;
     return "it agrees to " + text.str() +
            " at all points: is it computed in single precision "
            "(float)?";
