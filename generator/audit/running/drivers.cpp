@@ -96,12 +96,17 @@ std::string script_driver(const UserProgram& program, const std::string& form,
                                        {"entry", quoted(program.entry)}});
 }
 
-std::string octave_driver(const UserProgram& program, const std::vector<std::string>& names) {
+std::string octave_driver(const UserProgram& program, const MatrixSize& size,
+                          const std::vector<std::string>& names) {
   std::string quantities;
   for (std::size_t at = 0; at < names.size(); ++at) {
     quantities += "  " + names[at] + " = assur_quantities(" + std::to_string(at + 1) + ");\n";
   }
+  const bool is_list = size.rows == 1 || size.columns == 1;  // which may stand or lie
   const std::string check =
+      std::string(is_list ? "  if isvector(result) && numel(result) == {{rows}} * {{columns}}\n"
+                            "    result = reshape(result, {{rows}}, {{columns}});\n  end\n"
+                          : "") +
       "  if ! isequal(size(result), [{{rows}} {{columns}}])\n"
       "    complain(strjoin(cellfun(@num2str, num2cell(size(result)), \"UniformOutput\", false), "
       "\" by \"));\n  end\n";
@@ -132,7 +137,7 @@ Driver driver_of(const UserProgram& program, const MatrixSize& size, const Point
       driver = {"assur_driver.py", script_driver(program, "driver.py", names)};
       break;
     case Language::octave:
-      driver = {"assur_driver.m", octave_driver(program, names)};
+      driver = {"assur_driver.m", octave_driver(program, size, names)};
       break;
     case Language::javascript:
       driver = {"assur_driver.cjs", script_driver(program, "driver.cjs", names)};

@@ -116,6 +116,9 @@ INSTANTIATE_TEST_SUITE_P(
                  "function J = f(l, theta)\nif l > 1, error('too long'); end\nJ = [-l*sin(theta), "
                  "-1; l*cos(theta), 0];\nend\n",
                  CALL, 1, "note        it fails at 35 of 40 points; it agrees at the others"},
+         Program{"OctaveRowForAList", "f.m",
+                 "function v = f(l, theta)\nv(1) = -l*sin(theta);\nv(2) = l*cos(theta);\nend\n",
+                 "-l*sin(theta), l*cos(theta)\n  result f(l, theta)", 0, "all 2 agree"},
          Program{"OctaveSingle", "f.m",
                  "function J = f(l, theta)\nJ = single([-l*sin(theta), -1; l*cos(theta), 0]);\n"
                  "end\n",
