@@ -116,8 +116,12 @@ class ProgramAudit {
   [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) const {
     std::vector<GiNaC::ex> told = {reference_.expressions()[entry]};
     for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
-      if (drawing_.mentions(symbol.name)) {
-        told.emplace_back(symbol.symbol);
+      for (const auto& [name, value] :
+           {std::pair(symbol.name, symbol.symbol), std::pair("rate_" + symbol.name, symbol.rate),
+            std::pair("rate2_" + symbol.name, symbol.second_rate)}) {
+        if (drawing_.mentions(name)) {
+          told.emplace_back(value);
+        }
       }
     }
     return points_.point_text(point, told);
