@@ -160,7 +160,8 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
     reader_.fail(file.place, "C++ (.cpp, .hpp, ...) and MATLAB (.m) are read, and '" + ending +
                                  "' is neither" + code::by_running);
   }
-  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
+  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size(),
+                                    ending == ".c"};
   try {
     for (const code::CodeEntry& entry :
          matlab ? code::read_matlab_matrix(source, audited, reader_.system())

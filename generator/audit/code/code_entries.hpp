@@ -19,6 +19,7 @@ struct AuditedMatrix {
   std::string array;
   std::size_t rows;
   std::size_t columns;
+  bool is_c = false;  ///< the code is C, where `auto` does not mean the type of the value
 
   [[nodiscard]] std::string size_text() const {
     return std::to_string(rows) + " by " + std::to_string(columns);

@@ -243,14 +243,16 @@ class CppReader : public CodeReader {
       throw CodeError("this parameter cannot be read" + by_running, parameter[0].place);
     }
     if (!gives_values_ && declared.name->is(array_.c_str())) {
-      declare_matrix(declared, Origin::given);
+      declare_matrix(declared, Origin::own).zero = true;  // the caller has cleared it
       copied_ = !declared.type.is_shared() && !declared.type.plain;
       return;
     }
     const bool output = gives_values_ && !type->constant && declared.type.kind == Kind::number &&
                         declared.type.reference;
-    variables_.declare(*declared.name, output ? Origin::own : Origin::given, declared.type);
+    Variable& variable =
+        variables_.declare(*declared.name, output ? Origin::own : Origin::given, declared.type);
     if (output) {
+      variable.type->reference = false;  // it is what the function gives
       outputs_.push_back(declared.name->spelling);
     }
   }
@@ -355,6 +357,10 @@ class CppReader : public CodeReader {
   void read_declaration(Tokens statement, const Type& type, Tokens declared) {
     if (type.outlives && !type.computed && variables_.in_function()) {
       throw CodeError("a static variable keeps its value from the first call" + by_running,
+                      statement[0].place);
+    }
+    if (type.deduced && audited_.is_c) {
+      throw CodeError("'auto' means a whole number to some compilers of C; write double",
                       statement[0].place);
     }
     const bool grouped = !declared.empty() && declared[0].is("(");
@@ -534,13 +540,16 @@ class CppReader : public CodeReader {
           "'" + first.spelling + "' is set, but it is not declared in this function" + by_running,
           first.place);
     }
-    if (known != nullptr && known->origin == Origin::given && known->type &&
-        (!known->is_settable() || known->type->kind == Kind::other)) {
+    const bool unknown = known != nullptr && known->origin == Origin::given && known->type &&
+                         known->type->kind == Kind::other;
+    const Spelled target =
+        unknown ? Spelled{known, "", "", "", {}, Sort::real, first.place, 0, false, true}
+                : variables_.spelled(part);
+    if (target.shared) {
       throw CodeError("what is set through '" + first.spelling + "' may be " + array_ +
                           ", or another value" + by_running,
                       first.place);
     }
-    const Spelled target = variables_.spelled(part);
     if (&part[target.tokens] != &*mark) {
       refuse_statement(part);
     }

@@ -178,7 +178,10 @@ Type TypeNames::made_of(const std::string& space, const std::string& name,
     type.reference = true;
     return type;
   }
-  if (space == "Eigen" && name == "Matrix" && arguments.size() == 3 && is_size(1) && is_size(2)) {
+  const bool ordered = arguments.size() == 4 && (are(arguments[3], {"Eigen", "::", "RowMajor"}) ||
+                                                 are(arguments[3], {"Eigen", "::", "ColMajor"}));
+  if (space == "Eigen" && name == "Matrix" && (arguments.size() == 3 || ordered) && is_size(1) &&
+      is_size(2)) {
     Type type = type_at(0);
     if (type.kind == Kind::number && !type.is_shared()) {
       type.rows = size_in(arguments[1]);

@@ -366,10 +366,15 @@ class Reader {
           token.place);
     }
     constexpr std::ptrdiff_t kept_digits = std::numeric_limits<double>::digits10;
-    const std::string digits = text.substr(0, text.find_first_of("eE"));
+    const std::size_t mark = text.find_first_of("eE");
+    const std::string digits = text.substr(0, mark);
     const auto first = digits.begin() + static_cast<std::ptrdiff_t>(std::min(
                                             digits.find_first_not_of(".0"), digits.size()));
-    if (decimal && digits.end() - first - std::count(first, digits.end(), '.') >= kept_digits) {
+    if (mark != std::string::npos && text.size() - mark > 5) {
+      throw CodeError("the exponent of this number is too large", token.place);
+    }
+    if ((decimal || !is_cpp()) &&
+        digits.end() - first - std::count(first, digits.end(), '.') >= kept_digits) {
       throw CodeError(
           "a number of so many digits is a rounded one; write what it stands for" + by_running,
           token.place);

@@ -93,16 +93,13 @@ std::vector<std::vector<Tokens>> rows_of(Tokens inside, const std::set<std::size
                                             at + 1 < inside.size() ? &inside[at + 1] : nullptr))) {
       finish(at, at);
     }
+    if (inside[at].is(",") || inside[at].is(";")) {
+      finish(at, at + 1);
+    }
     if ((new_line || inside[at].is(";")) && !rows.back().empty()) {
-      finish(at, at);
       rows.emplace_back();
     }
-    if (inside[at].is(",") || inside[at].is(";")) {
-      if (inside[at].is(",")) {
-        finish(at, at + 1);
-      }
-      from = at + 1;
-    } else if (inside[at].is("(") || inside[at].is("[")) {
+    if (inside[at].is("(") || inside[at].is("[")) {
       at = behind_closing(inside, at) - 1;
     }
   }
@@ -314,12 +311,13 @@ class MatlabReader : public CodeReader {
   }
 
   [[nodiscard]] Variable& matrix(const Token& name) {
-    Variable* const known = variables_.find(array_);
-    return known != nullptr
-               ? *known
-               : variables_.declare(name,
-                                    is_function_ ? Variable::Origin::given : Variable::Origin::free,
-                                    std::nullopt);
+    if (Variable* const known = variables_.find(array_)) {
+      return *known;
+    }
+    Variable& matrix = variables_.declare(
+        name, is_function_ ? Variable::Origin::own : Variable::Origin::free, std::nullopt);
+    matrix.zero = is_function_;  // it grows by zeros
+    return matrix;
   }
 
   void read_filling(Tokens target, Tokens value) {

@@ -142,6 +142,8 @@ void Variables::take_parts(Tokens rest, Spelled& number) const {
     throw CodeError("'" + number.text() + "' " + why, number.place);
   };
   const Type* type = &*number.variable->type;
+  number.shared =
+      type->is_shared() || (type->plain && number.variable->origin == Variable::Origin::given);
   while (type->kind != Kind::number) {
     std::size_t taken = 0;
     if (type->kind == Kind::structure) {
@@ -156,6 +158,7 @@ void Variables::take_parts(Tokens rest, Spelled& number) const {
       }
       add_member(number, rest[1]);
       type = &found->second;
+      number.shared = number.shared || type->is_shared();
       taken = 2;
     } else if (type->kind == Kind::list || type->kind == Kind::grid) {
       std::vector<std::size_t> indices;
@@ -234,6 +237,11 @@ Spelled Variables::spelled(Tokens tokens) {
   if (has_meaning(name.spelling) && find(name.spelling) == nullptr) {
     throw CodeError("'" + name.spelling + "' cannot be read here" + by_running, name.place);
   }
+  if (language_ == Language::matlab && in_function_ && find(name.spelling) == nullptr) {
+    throw CodeError(
+        "'" + name.spelling + "' is neither given to this function nor set in it" + by_running,
+        name.place);
+  }
   // A name that nothing declares is looked at before it is kept, since it may be a call.
   Variable unknown{Variable::Origin::free, name.place};
   Variable* const known = find(name.spelling);
@@ -269,7 +277,7 @@ Spelled Variables::spelled(Tokens tokens) {
   return number;
 }
 
-Cell Variables::read(const Spelled& number) const {
+Cell Variables::read(const Spelled& number) {
   const Variable& variable = *number.variable;
   const auto refuse = [&](const std::string& reason, closures::Place place) {
     throw Unreadable("'" + number.text() + "' cannot be read: " + reason, place);
@@ -296,12 +304,15 @@ Cell Variables::read(const Spelled& number) const {
   if (number.sort != Sort::real) {
     refuse(rounded, variable.place);
   }
-  for (const auto* scope : {&inner_, &outer_}) {
-    if (number.formula != number.name && scope->contains(number.formula)) {
-      throw CodeError("'" + number.text() + "' and '" + number.formula +
-                          "' would be read as one; give one of them another name",
-                      number.place);
-    }
+  const bool hides = number.formula != number.name && find(number.formula) != nullptr;
+  std::string other = number.text();
+  if (variable.origin == Variable::Origin::given) {
+    other = symbols_.emplace(number.formula, other).first->second;
+  }
+  if (hides || other != number.text()) {
+    throw CodeError("'" + number.text() + "' and '" + (hides ? number.formula : other) +
+                        "' would be read as one; give one of them another name",
+                    number.place);
   }
   if (number.formula == "pi" || number.formula == "deg") {
     throw CodeError("a variable named '" + number.formula +

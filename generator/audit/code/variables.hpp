@@ -40,11 +40,6 @@ struct Variable {
   std::vector<std::string> parts{};  ///< all that are spelled, one of each shape
   std::map<std::string, Cell> cells{};
   bool zero = false;  ///< what is never set is zero
-
-  [[nodiscard]] bool is_settable() const {
-    return origin != Origin::given || !type ||
-           (!type->is_shared() && !type->constant && !type->plain);
-  }
 };
 
 /// A number that is spelled in the code: a variable or a part of one.
@@ -58,6 +53,7 @@ struct Spelled {
   closures::Place place;
   std::size_t tokens;
   bool round = false;
+  bool shared = false;  ///< what is set here may belong to something else
 
   [[nodiscard]] std::string text() const { return name + part; }
 };
@@ -96,7 +92,7 @@ class Variables {
   /// The number with which the tokens begin. Throws CodeError for what is no number.
   [[nodiscard]] Spelled spelled(Tokens tokens);
   /// Its value now. Throws Unreadable.
-  [[nodiscard]] Cell read(const Spelled& number) const;
+  [[nodiscard]] Cell read(const Spelled& number);
   /// Throws CodeError where setting it may change something else.
   void set(const Spelled& number, Cell cell);
   /// What is read until `release` is held: it may not be set any more.
@@ -114,6 +110,7 @@ class Variables {
   std::map<std::string, Variable> outer_;
   std::map<std::string, Variable> inner_;
   std::set<std::string> functions_;
+  std::map<std::string, std::string> symbols_;  ///< how those are spelled that were read
   std::vector<std::pair<const Variable*, std::string>> held_;
   bool in_function_ = false;
 };

@@ -283,7 +283,7 @@ TEST_P(HandWrittenMatlab, IsReadAsItStands) {
       << "expected: " << GetParam().answer << "\nfound:    " << said;
 }
 
-#define MFUNCTION(text) "function J = f(p, q)\n" text "end\n"
+#define MFUNCTION(text) "function J = f(p, q, l, s, q_0)\n" text "end\n"
 #define MREST "J(1, 2) = -s;\nJ(2, 1) = l*cos(q_0);\n"
 INSTANTIATE_TEST_SUITE_P(
     Code, HandWrittenMatlab,
@@ -299,7 +299,7 @@ INSTANTIATE_TEST_SUITE_P(
         Code{"Powers", MFUNCTION("J(1, 1) = -l.^2./l*sin(q_0)*1/2*2^1;\n" MREST), 0, "all 4 agree"},
         Code{"Wrong", MFUNCTION("J(1, 1) = l*sin(q_0);\n" MREST), 1, "differs by sign"},
         Code{"SignsInAList", MFUNCTION("J = [-l*sin(q_0) - s; l*cos(q_0) 0];\n"), 2,
-             "audited as 2 by 2, and this has 1 rows, one of 2"},
+             "audited as 2 by 2, and this has 2 rows, one of 1"},
         Code{"IndexFromZero", MFUNCTION("J(0, 1) = 1;\n"), 2, "this entry is outside"},
         Code{"Transposed", MFUNCTION("J(1, 1) = -l*sin(q_0);\n" MREST "J = J';\n"), 2,
              "mine.m:5:6: a transpose"},

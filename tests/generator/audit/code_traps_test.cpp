@@ -258,7 +258,8 @@ INSTANTIATE_TEST_SUITE_P(
              "A f() { std::array<std::array<double, 2>, 2> J{}; J[0][0] = -l*sin(q_0);"
              "J[0][1] = -s; J[1][0] = l*cos(q_0); return J; }",
              0, agree},
-        Trap{"MatlabLarger", "a.m", "function J = f(l)\nJ = zeros(3);\n" + right + "\nend\n", 2,
+        Trap{"MatlabLarger", "a.m",
+             "function J = f(l, q_0, s)\nJ = zeros(3);\n" + right + "\nend\n", 2,
              "this entry is outside"},
         Trap{"OtherLanguage", "a.py", "J[0][0] = 1", 2, "'.py' is neither; audit it by running"}),
     [](const testing::TestParamInfo<Trap>& at) { return std::string(at.param.name); });
@@ -277,7 +278,7 @@ INSTANTIATE_TEST_SUITE_P(
         Trap{"LargerSquare", "a.m", matlab("J = zeros(3);\nJ(1, 1) = -l*sin(q_0);\n"), 2,
              "J is 3 by 3 in the end, and is audited as 2 by 2"},
         Trap{"BeyondAll", "a.m", matlab("J = zeros(99999999999999999999);\n"), 2, "in the end"},
-        Trap{"Smaller", "a.m", "function J = f(l)\nJ(1, 1) = -l*sin(q_0);\nend\n", 2,
+        Trap{"Smaller", "a.m", "function J = f(l, q_0)\nJ(1, 1) = -l*sin(q_0);\nend\n", 2,
              "J is 1 by 1 in the end, and is audited as 2 by 2"},
         Trap{"SineGiven", "a.m", "function J = f(l, sin)\nJ(1, 1) = 0;\nend\n", 2,
              "a.m:1:19: 'sin' is given another meaning"},
