@@ -318,6 +318,12 @@ class Reader {
 
   Part variable() {
     const std::size_t from = at_;
+    const Token& name = tokens_[from];
+    if (is_cpp() && types_ != nullptr && types_->opens("Eigen", name.spelling) &&
+        variables_.find(name.spelling) == nullptr) {
+      throw CodeError("'" + name.spelling + "' may be one of Eigen's constants" + by_running,
+                      name.place);
+    }
     const Spelled number = variables_.spelled(rest());
     at_ += number.tokens;
     const Cell cell = variables_.read(number);
