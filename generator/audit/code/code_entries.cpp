@@ -64,6 +64,9 @@ std::vector<CodeEntry> CodeReader::entries_of(const std::vector<Cell>& cells,
   }
   std::vector<CodeEntry> entries;
   for (const Cell& cell : cells) {
+    if (cell.source.empty()) {  // what was assigned cannot be read
+      throw CodeError(cell.reason, cell.place);
+    }
     entries.push_back({cell.source, cell});
   }
   return entries;

@@ -223,6 +223,12 @@ class CppReader : public CppScope {
     if (output) {
       variable.type->reference = false;  // it is what the function gives
       outputs_.push_back(declared.name->spelling);
+    } else if (gives_values_ && !type->constant && type->pointer && type->kind == Kind::list &&
+               type->sort == Sort::real && !declared.type.plain) {
+      Token pointed = *declared.name;  // what it points to may be given as `*name`
+      pointed.spelling = "*" + pointed.spelling;
+      variables_.declare(pointed, Origin::own, std::nullopt);
+      outputs_.push_back(pointed.spelling);
     }
   }
 
@@ -280,6 +286,9 @@ class CppReader : public CppScope {
       if (statement.size() != 4 || !statement[3].is_name()) {
         refuse_statement(statement);
       }
+    } else if (gives_values_ && statement.size() > 3 && statement[0].is("*") &&
+               statement[2].is("=")) {
+      give_pointed(statement);
     } else if (is_declaration(statement)) {
       Tokens rest = statement;
       const std::optional<Type> type = types_.take(rest);
@@ -584,12 +593,25 @@ class CppReader : public CppScope {
     }
   }
 
+  /// `*x = EXPR` of a parameter, which is not read from then on.
+  void give_pointed(Tokens statement) {
+    Variable* const pointed = variables_.find("*" + statement[1].spelling);
+    if (pointed == nullptr) {
+      refuse_statement(statement);
+    }
+    pointed->cells[""] = stored(kept(statement.subspan(3)), Sort::real);
+    variables_.find(statement[1].spelling)->refused = "it is set through its pointer";
+  }
+
   /// What the function has set through its parameters, in their order.
   void give_outputs(const Token& name) {
     given_at_ = name.place;
     for (const std::string& output : outputs_) {
       const Variable& variable = *variables_.find(output);
       const auto cell = variable.cells.find("");
+      if (cell == variable.cells.end() && output[0] == '*') {
+        continue;  // it may be read only
+      }
       if (cell == variable.cells.end()) {
         throw CodeError("'" + output + "' is never assigned", variable.place);
       }

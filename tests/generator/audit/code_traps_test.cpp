@@ -527,6 +527,98 @@ INSTANTIATE_TEST_SUITE_P(
         Trap{"ElementsOfALocal", "a.cpp", times("k[1]/l", "double k[2]; k[1] = l;"), 0, agree}),
     [](const testing::TestParamInfo<Trap>& at) { return std::string(at.param.name); });
 
+/// What a function gives, where its name stands in place of a matrix.
+INSTANTIATE_TEST_SUITE_P(
+    Results, CodeTraps,
+    testing::Values(
+        Trap{"List", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) {\nreturn "
+             "{-l*sin(q_0), -s, l*cos(q_0), 0};\n}\n",
+             0, agree},
+        Trap{"WrongList", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) {\nreturn "
+             "{-l*sin(q_0), l*cos(q_0), -s, 0};\n}\n",
+             1, "2 of 4 agree"},
+        Trap{"ShortList", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) {\nreturn "
+             "{-l*sin(q_0), -s, l*cos(q_0)};\n}\n",
+             2, "a.cpp:3:8: the type that is returned is not known"},
+        Trap{"ListOfFloats", "a.cpp",
+             "#include <cmath>\nstd::array<float, 4> J(double l, double s, double q_0) {\nreturn "
+             "{-l*sin(q_0), -s, l*cos(q_0), 0};\n}\n",
+             2, "a.cpp:3:8: the type that is returned is not known"},
+        Trap{"RoundedValue", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) {\nint k = "
+             "l; return {-l*sin(q_0), -s, l*cos(q_0), k};\n}\n",
+             2, "a.cpp:3:9: 'k' cannot be read: its value is rounded to a whole"},
+        Trap{"Named", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) "
+             "{\nstd::array<double, 4> k; k[0] = -l*sin(q_0); k[1] = -s; k[2] = l*cos(q_0); k[3] = "
+             "0; return k;\n}\n",
+             0, agree},
+        Trap{"NamedAndUnset", "a.cpp",
+             "#include <cmath>\nstd::array<double, 4> J(double l, double s, double q_0) "
+             "{\nstd::array<double, 4> k; k[0] = -l*sin(q_0); return k;\n}\n",
+             2, "a.cpp:3:53: 'k[1]' is never assigned"},
+        Trap{"Tuple", "a.cpp",
+             "#include <cmath>\nauto J(double l, double s, double q_0) {\nreturn "
+             "std::make_tuple(-l*sin(q_0), -s, l*cos(q_0), 0);\n}\n",
+             0, agree},
+        Trap{"TupleWithAWhole", "a.cpp",
+             "#include <cmath>\nstd::tuple<double, double, double, int> J(double l, double s, "
+             "double q_0) {\nreturn {-l*sin(q_0), -s, l*cos(q_0), 0};\n}\n",
+             2, "a.cpp:3:8: the type that is returned is not known"},
+        Trap{"Outputs", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double& a, double& b, "
+             "double& c, double& d) {\na = -l*sin(q_0); b = -s; c = l*cos(q_0); d = 0;\n}\n",
+             0, agree},
+        Trap{"OutputsInAnotherOrder", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double& b, double& a, "
+             "double& c, double& d) {\na = -l*sin(q_0); b = -s; c = l*cos(q_0); d = 0;\n}\n",
+             1, "2 of 4 agree"},
+        Trap{"OutputUnset", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double& a, double& b, "
+             "double& c, double& d) {\na = -l*sin(q_0); b = -s; c = l*cos(q_0); \n}\n",
+             2, "a.cpp:2:81: 'd' is never assigned"},
+        Trap{"OutputOfWholes", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double& a, double& b, "
+             "double& c, int& d) {\na = -l*sin(q_0); b = -s; c = l*cos(q_0); d = 0;\n}\n",
+             0, agree},
+        Trap{"Pointers", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double * a, double * b, "
+             "double * c, double * d) {\n*a = -l*sin(q_0); *b = -s; *c = l*cos(q_0); *d = 0;\n}\n",
+             0, agree},
+        Trap{"PointerReadAfterwards", "a.cpp",
+             "#include <cmath>\nvoid J(double l, double s, double q_0, double * a, double * b, "
+             "double * c, double * d) {\n*a = -l*sin(q_0); *b = -s; *c = l*cos(q_0); *d = "
+             "a[0];\n}\n",
+             2, "a.cpp:2:49: 'a[0]' cannot be read: it is set through its pointer"},
+        Trap{"TwoFunctions", "a.cpp",
+             "#include <cmath>\ndouble J(double l) {\nreturn l; }\ndouble J(double l, double s) { "
+             "return s;\n}\n",
+             2, "a.cpp:4:8: a second function 'J'"},
+        Trap{"Structure", "a.cpp",
+             "struct R { double a, b, c, d; };\nR J(double l, double s, double q_0) { return "
+             "R{-l*sin(q_0), -s, l*cos(q_0), 0}; }",
+             0, agree},
+        Trap{"MembersInAnotherOrder", "a.cpp",
+             "struct R { double a, c, b, d; };\nR J(double l, double s, double q_0) { R r; r.a = "
+             "-l*sin(q_0); r.b = -s; r.c = l*cos(q_0); r.d = 0; return r; }",
+             1, "2 of 4 agree"},
+        Trap{"MembersOfAStructure", "a.cpp",
+             "struct R { double a, b, c, d; };\nR J(double l, double s, double q_0) { R r; r.a = "
+             "-l*sin(q_0); r.b = -s; r.c = l*cos(q_0); r.d = 0; return r; }",
+             0, agree},
+        Trap{"MatlabOutputs", "a.m",
+             "function [a, b, c, d] = J(l, s, q_0)\na = -l*sin(q_0);\nb = -s;\nc = l*cos(q_0);\nd "
+             "= 0;\nend\n",
+             0, agree},
+        Trap{"MatlabColumn", "a.m",
+             "function v = J(l, s, q_0)\nv = [-l*sin(q_0); -s; l*cos(q_0); 0];\nend\n", 0, agree},
+        Trap{"MatlabOutputUnset", "a.m", "function [a, b] = J(l, s, q_0)\na = -l*sin(q_0);\nend\n",
+             2, "a.m:1:14: 'b' is never assigned"}),
+    [](const testing::TestParamInfo<Trap>& at) { return std::string(at.param.name); });
+
 /// What MATLAB computes from what looks alike.
 INSTANTIATE_TEST_SUITE_P(
     MatlabMeans, CodeTraps,
