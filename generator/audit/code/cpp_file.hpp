@@ -25,6 +25,7 @@ struct CppItem {
 /// The statements between braces. Throws CodeError for control flow, nested blocks and what stands
 /// behind a `return`.
 [[nodiscard]] std::vector<Tokens> statements_of(Tokens inside);
+/// Throws CodeError for a word of control flow or memory, and says which.
 void expect_plain_words(Tokens statement);
 
 /// Whether a token names the variable, and not a member of something else.

@@ -14,6 +14,7 @@ class CppScope : public CodeReader {
   [[noreturn]] void refuse(const Token& at) const;
   [[noreturn]] void refuse_statement(Tokens statement) const;
   [[noreturn]] void refuse_mention(const Token& token, const std::string& where) const;
+  /// Throws CodeError for a function that formulas have.
   void read_function_name(const Token& name);
   /// Comparisons of expressions.
   void read_condition(Tokens condition);
@@ -29,9 +30,12 @@ class CppScope : public CodeReader {
   [[nodiscard]] Cell kept(Tokens value, std::vector<Spelled>* used = nullptr);
   /// What a variable of that sort keeps of a value.
   [[nodiscard]] static Cell stored(Cell cell, Sort sort);
+  /// `TARGET = EXPR`; after `TARGET += EXPR` the target cannot be read. Throws CodeError where the
+  /// target may be more than the function's own variable.
   void assign(Tokens part, Tokens statement);
   /// Throws CodeError where a value mentions the matrix and not one of its entries.
   void check_reading(Tokens value) const;
+  /// How many tokens at the front are an entry of the matrix; zero if they are none.
   [[nodiscard]] std::size_t entry_length(Tokens tokens) const;
 
   const std::string& array_;

@@ -59,6 +59,7 @@ class TypeNames {
   void read_using(Tokens statement);
   void read_typedef(Tokens statement);
   void read_structure(const Token& name, Tokens members);
+  /// Throws CodeError for a name that has a meaning.
   void define(const Token& name, Type type);
   [[nodiscard]] bool knows(const Token& name) const { return own_.contains(name.spelling); }
   /// Whether `NAME` alone is the one of the namespace.

@@ -124,7 +124,7 @@ class MatlabReader : public CodeReader {
       const Tokens statement = tokens.subspan(from, end - from);
       const bool marked = end < tokens.size() && (tokens[end].is(";") || tokens[end].is(","));
       if (!statement.empty() && statement[0].is("function")) {
-        read_head(statement, marked);
+        read_head(statement);
       } else if (!statement.empty()) {
         read(statement);
       }
@@ -167,7 +167,7 @@ class MatlabReader : public CodeReader {
   }
 
   /// `function J = name(r, l)` or `function [x, y] = name(r, l)`, and nothing stands before it.
-  void read_head(Tokens head, bool) {
+  void read_head(Tokens head) {
     if (begun_) {
       refuse("a second function or statements before one cannot be followed", head[0]);
     }
@@ -194,9 +194,9 @@ class MatlabReader : public CodeReader {
       }
     }
     begun_ = is_function_ = true;
-    gives_values_ = rest[0].is(array_.c_str());
     const bool gives = std::any_of(outputs_.begin(), outputs_.end(),
                                    [&](const Token* name) { return name->is(array_.c_str()); });
+    gives_values_ = !gives && rest[0].is(array_.c_str());
     if (!gives && !gives_values_) {
       refuse("the function does not return " + array_, head[0]);
     }
@@ -255,7 +255,10 @@ class MatlabReader : public CodeReader {
       variables_.declare(statement[0], Variable::Origin::own, std::nullopt);
     }
     const Spelled target = variables_.spelled(statement);
-    if (target.tokens != at) {
+    const auto known = lists_.find(target.name);
+    const bool grows =
+        known != lists_.end() && !target.indices.empty() && target.indices[0] > known->second.first;
+    if (target.tokens != at || grows) {
       refuse("what is set here cannot be followed", statement[0]);
     }
     if (list) {

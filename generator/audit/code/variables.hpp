@@ -74,6 +74,7 @@ class Variables {
     inner_.clear();
     in_function_ = true;
   }
+  /// Forgets what the function declared.
   void leave_function() {
     inner_ = std::move(outer_);
     in_function_ = false;
@@ -82,11 +83,14 @@ class Variables {
   [[nodiscard]] bool is_of_function(const std::string& name) const {
     return in_function_ && inner_.contains(name);
   }
+  /// Whatever is spelled `NAME(...)` is a call of a function of the file.
   void add_function(const std::string& name) { functions_.insert(name); }
   [[nodiscard]] bool is_function(const std::string& name) const {
     return functions_.contains(name);
   }
+  /// The variable of that name, or nullptr.
   [[nodiscard]] Variable* find(const std::string& name);
+  /// The variable of that name, which is one that nothing declares if there is no other.
   [[nodiscard]] Variable& found(const Token& name);
 
   /// The number with which the tokens begin. Throws CodeError for what is no number.
@@ -95,8 +99,9 @@ class Variables {
   [[nodiscard]] Cell read(const Spelled& number);
   /// Throws CodeError where setting it may change something else.
   void set(const Spelled& number, Cell cell);
-  /// What is read until `release` is held: it may not be set any more.
+  /// A reference is held to it: it may not be set any more.
   void hold(const Spelled& number) { held_.emplace_back(number.variable, number.part); }
+  /// Throws CodeError for what is held.
   void expect_free(const Variable& variable, const std::string& part, const std::string& text,
                    closures::Place place) const;
 

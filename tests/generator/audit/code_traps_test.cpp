@@ -707,6 +707,10 @@ INSTANTIATE_TEST_SUITE_P(
              "function J = f(l, s, q_0)\na = [l, s];\na(1) = 2;\nJ = [-a(1)*sin(q_0), -s; "
              "l*cos(q_0), 0];\nend\n",
              1, "3 of 4 agree"},
+        Trap{"ListGrows", "a.m",
+             "function J = f(l, s, q_0)\na = [-l*sin(q_0), -s];\nb = [l*cos(q_0), 0];\na(3) = "
+             "1;\nb(3) = 1;\nJ = [a; b];\nend\n",
+             2, "a.m:4:1: what is set here cannot be followed"},
         Trap{"ListRead", "a.m",
              "function J = f(l, s, q_0)\na = [l; s];\nJ = [-a(1)*sin(q_0), -a(2); l*cos(q_0), "
              "0];\nend\n",
