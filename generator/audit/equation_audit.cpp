@@ -76,10 +76,10 @@ std::vector<Finding> audit_matrix(closures::ClosurePoints& points, const Printed
     const PrintedEntry& entry = matrix.entries[place];
     findings.push_back(audit_entry(
         points, matrix, place / matrix.columns.size(), place % matrix.columns.size(),
-        {entry.printed(), entry.text.place}, [&]() -> GiNaC::ex {
-          return entry.text.empty()
-                     ? GiNaC::ex(0)
-                     : closures::read_formula(entry.text, points.system(), entry.locals);
+        {entry.text.empty() ? "0" : entry.text.text, entry.text.place}, [&]() -> GiNaC::ex {
+          return entry.text.empty() ? GiNaC::ex(0)
+                 : entry.value      ? entry.value()
+                                    : closures::read_formula(entry.text, points.system());
         }));
   }
   return findings;

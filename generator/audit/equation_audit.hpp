@@ -18,12 +18,7 @@ constexpr std::size_t most_entries = 20'000;
 /// One entry of a printed matrix: empty text stands for zero.
 struct PrintedEntry {
   closures::PlacedText text;
-  closures::LocalNames locals;
-  std::string source{};  ///< what the text was made from; empty: the text is as printed
-
-  [[nodiscard]] std::string printed() const {
-    return text.empty() ? "0" : source.empty() ? text.text : source;
-  }
+  std::function<GiNaC::ex()> value{};  ///< of a text that is no formula; may throw FormulaError
 };
 
 /// A printed matrix: rows are closures, or quantities that depend on them; columns are symbols.

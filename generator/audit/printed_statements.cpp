@@ -160,20 +160,20 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
     reader_.fail(file.place, "C++ (.cpp, .hpp, ...) and MATLAB (.m) are read, and '" + ending +
                                  "' is neither" + code::by_running);
   }
-  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size()};
+  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size(),
+                                    ending == ".c"};
   try {
     for (const code::CodeEntry& entry :
          matlab ? code::read_matlab_matrix(source, audited, reader_.system())
                 : code::read_cpp_matrix(source, audited, reader_.system())) {
-      matrix.entries.push_back({entry.text, entry.locals, entry.source});
+      matrix.entries.push_back({entry.text, [entry] { return entry.value(); }});
     }
   } catch (const code::CodeError& error) {
-    throw closures::AuditSyntaxError(path, code::place_in_code(source, error.place), error.what());
+    throw closures::AuditSyntaxError(path, error.place, error.what());
   }
   std::vector<Finding> findings = audit_matrix(points_, matrix);
   for (std::size_t place = 0; place < findings.size(); ++place) {
     Finding& finding = findings[place];
-    finding.place = code::place_in_code(source, finding.place);
     if (matrix.entries[place].text.empty() && !finding.agrees()) {
       finding.note = "nothing is assigned to it, so it counts as zero";
     }

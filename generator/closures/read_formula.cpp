@@ -301,9 +301,9 @@ GiNaC::ex read_formula(const PlacedText& text, ClosureSystem& system, const Loca
 }
 
 GiNaC::ex expression_of(const text::Expression& tree,
-                        const std::function<Place(std::size_t)>& place_of, ClosureSystem& system) {
-  const LocalNames none;
-  return Reader(place_of, system, none).formula(tree);
+                        const std::function<Place(std::size_t)>& place_of, ClosureSystem& system,
+                        const LocalNames& locals) {
+  return Reader(place_of, system, locals).formula(tree);
 }
 
 std::span<const text::ExpressionFunction> formula_functions() { return functions; }

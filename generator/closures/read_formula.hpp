@@ -32,7 +32,7 @@ struct LocalNames {
 /// closure, the total one of all else.
 [[nodiscard]] GiNaC::ex expression_of(const text::Expression& tree,
                                       const std::function<Place(std::size_t)>& place_of,
-                                      ClosureSystem& system);
+                                      ClosureSystem& system, const LocalNames& locals = {});
 
 /// What a formula may call beside the functions of scenes.
 [[nodiscard]] std::span<const text::ExpressionFunction> formula_functions();

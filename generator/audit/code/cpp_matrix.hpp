@@ -1,15 +1,14 @@
-// Turns straight-line C++ that fills a matrix into the matrix's entries.
+// Turns straight-line C++ that fills a matrix, or gives some values, into these.
 #pragma once
 
-#include "audit/code/filled_matrix.hpp"
+#include "audit/code/code_entries.hpp"
 
 namespace assur::generator::audit::code {
 
-/// Finds what one function, or a file of plain statements, assigns to a matrix:
-/// `ARRAY(i, j) = EXPR;`, `ARRAY[i][j] = EXPR;`, indices from 0, or all entries by `ARRAY << EXPR,
-/// EXPR, ...;`; and the local variables that the expressions use. An entry that is not assigned is
-/// zero, with the place where the matrix is first filled. Throws CodeError for everything else that
-/// may change the matrix or a variable: only what is known to be harmless is passed over.
+/// Finds what one function, or a file of statements, assigns to a matrix: `ARRAY(i, j) = EXPR`,
+/// `ARRAY[i][j] = EXPR`, indices from 0, or `ARRAY << EXPR, ...`; or, where ARRAY is the name of a
+/// function, what this returns or sets through its parameters. Throws CodeError for everything that
+/// is not known to compute just that.
 [[nodiscard]] std::vector<CodeEntry> read_cpp_matrix(const std::string& code,
                                                      const AuditedMatrix& matrix,
                                                      closures::ClosureSystem& system);

@@ -2,28 +2,14 @@
 
 #include <algorithm>
 
-namespace assur::generator::audit::code {
+#include "audit/code/cpp_file.hpp"
 
-bool has(Tokens tokens, const char* spelled) {
-  return std::any_of(tokens.begin(), tokens.end(),
-                     [&](const Token& token) { return token.is(spelled); });
-}
+namespace assur::generator::audit::code {
 
 namespace {
 
-CodeName name_of(const Token& token) { return {token.spelling, token.spelling, token.place}; }
-
-bool is_read(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::unknown; }
-
-/// Whether variables of this sort keep the real value that is assigned to them.
-bool is_kept(ValueSort sort) { return sort == ValueSort::real || sort == ValueSort::whole; }
-
-Tokens without_attributes(Tokens tokens) {
-  while (tokens.size() > 1 && tokens[0].is("[") && tokens[1].is("[")) {
-    tokens = tokens.subspan(behind_closing(tokens, 0));
-  }
-  return tokens;
-}
+using Kind = Type::Kind;
+using Origin = Variable::Origin;
 
 }  // namespace
 
@@ -41,225 +27,224 @@ void CppScope::refuse_statement(Tokens statement) const {
                   statement[0].place);
 }
 
-void CppScope::read_file(const FillingFunction& file) {
-  for (const Token& name : file.functions) {
-    locals_.declare_function(name.spelling);
-  }
-  for (const Token& name : file.constants) {
-    locals_.forget(name_of(name), "it is a constant of an enumeration");
-  }
-  in_function_ = file.is_function;
-  for (const Tokens& member : file.members) {
-    read_member(member);
-  }
-  for (const Tokens& list : file.templated) {
-    for (const Tokens& each : declared_parts(list)) {
-      read_template(each);
-    }
-  }
+void CppScope::refuse_mention(const Token& token, const std::string& where) const {
+  throw CodeError(array_ + " is mentioned " + where + by_running, token.place);
 }
 
-void CppScope::read_member(Tokens member) {
-  if (member.size() > 3 && member[0].is("using")) {
-    types_.define(member[1].spelling, member.subspan(3));
-    return;
-  }
-  if (member.size() > 2 && member[0].is("typedef")) {
-    types_.define(member.back().spelling, member.subspan(1, member.size() - 2));
-    return;
-  }
-  const std::size_t length = type_length(member);
-  const bool read = is_read(types_.sort_of(member.first(length)));
-  for (const Tokens& part : comma_parts(member.subspan(read ? member.size() : length))) {
-    if (!part.empty()) {
-      locals_.declare_member(part[0].spelling, why_not_read(ValueSort::rounded));
-    }
-  }
-}
-
-void CppScope::expect_no_function(const CodeName& name) {
-  if (is_known_function(name.name)) {
-    throw CodeError("'" + name.name + "' is given another meaning" + by_running, name.place);
-  }
-}
-
-const CppScope::Declared* CppScope::declared(const CodeName& name) const {
-  const auto found = std::find_if(declared_.rbegin(), declared_.rend(),
-                                  [&](const Declared& each) { return name.is_part_of(each.name); });
-  return found == declared_.rend() ? nullptr : &*found;
-}
-
-void CppScope::read_template(Tokens parameter) {
-  if (parameter.size() < 2) {
-    return;
-  }
-  if (parameter[0].is("class") || parameter[0].is("typename")) {
-    types_.add_real(parameter[1].spelling);
-    locals_.declare_function(parameter[1].spelling);
-  } else {
-    const auto value = std::find_if(parameter.begin(), parameter.end(),
-                                    [](const Token& token) { return token.is("="); });
-    locals_.forget(name_of(*(value - 1)), "it is a parameter of the template");
-  }
-}
-
-void CppScope::take_parameter(Tokens parameter, bool shared) {
-  parameter = without_attributes(parameter);
-  int depth = 0;  // of a template's arguments
-  const auto value = std::find_if(parameter.begin(), parameter.end(), [&](const Token& token) {
-    depth += token.is("<") ? 1 : token.is(">") ? -1 : token.is(">>") ? -2 : 0;
-    return depth <= 0 && (token.is("=") || token.is("[") || token.is(")"));
-  });
-  const Tokens declared = parameter.first(static_cast<std::size_t>(value - parameter.begin()));
-  if (declared.size() < 2 || !declared.back().is_name()) {
-    return;
-  }
-  const CodeName name = name_of(declared.back());
-  const ValueSort sort = types_.sort_of(declared.first(declared.size() - 1));
-  expect_no_function(name);
-  declared_.push_back({name, sort, shared || sort == ValueSort::unknown, false});
-  locals_.declare_real(name.name);
-  if (sort == ValueSort::rounded) {
-    locals_.forget(name, why_not_read(sort));
-    return;
-  }
-  if (sort == ValueSort::whole) {
-    locals_.refuse(name, "its type holds whole numbers alone; write double");
-    return;
-  }
-  const bool is_number = sort == ValueSort::real;
-  locals_.take(name, is_number ? "" : why_not_read(sort));
-}
-
-void CppScope::declare(Tokens part, Tokens statement, Tokens type) {
-  if (part.empty() || !part[0].is_name()) {
-    refuse_statement(statement);
-  }
-  const ValueSort sort = types_.sort_of(type);
-  const bool reference = has(type, "&");
-  const CodeName name = name_of(part[0]);
-  Tokens value = part.subspan(1);
-  const bool view = has(type, "Map") || has(type, "Ref") || has(type, "span");
-  const bool unknown = sort == ValueSort::unknown && !value.empty();
-  expect_no_function(name);
-  declared_.push_back({name, sort, unknown || view, has(type, "auto")});
-  if (const Token* mention = mention_of(value, array_); mention != nullptr && reference) {
-    refuse(*mention);
-  }
-  locals_.declare_real(name.name);
-  if (sort == ValueSort::whole) {
-    locals_.declare_whole(name);
-  }
-  const bool list = !value.empty() && value[0].is("[");
-  while (!value.empty() && value[0].is("[")) {
-    value = value.subspan(behind_closing(value, 0));
-  }
-  if (value.empty() && !list) {
-    locals_.forget(name, "it has no value yet");
-    return;
-  }
-  const bool assigned = !value.empty() && value[0].is("=");
-  value = value.subspan(assigned ? 1 : 0);
-  check_list(value);
-  if (!value.empty() && (value[0].is("{") || (value[0].is("(") && !assigned)) &&
-      behind_closing(value, 0) == value.size()) {
-    value = value.subspan(1, value.size() - 2);
-  }
-  if (list || value.empty() || comma_parts(value).size() > 1) {
-    locals_.forget(
-        name, list ? "give each value of a list a name of its own" : "it is more than one number");
-    return;
-  }
-  if (reference) {
-    locals_.hold(value);
-  }
-  if (sort == ValueSort::rounded || sort == ValueSort::unknown) {
-    locals_.refuse_calls(value);
-    locals_.forget(name, why_not_read(sort));
-    return;
-  }
-  if (mention_of(value, name.name) != nullptr) {
-    locals_.forget(name, "its first value reads the variable itself");
-    return;
-  }
-  if (has(type, "auto") && is_whole_value(value)) {
-    locals_.declare_whole(name);
-  }
-  locals_.set(name, value);
-}
-
-bool CppScope::is_whole_value(Tokens value) const {
-  try {
-    return locals_.is_whole(locals_.formula(value));
-  } catch (const CodeError&) {
-    return false;  // reported where it is used
-  }
-}
-
-void CppScope::assign(Tokens part, Tokens statement) {
-  const Tokens target =
-      part.size() > 2 && are(part.first(2), {"this", "->"}) ? part.subspan(2) : part;
-  const LeadingName name = leading_name(target);
-  if (name.tokens == 0 || name.tokens >= target.size()) {
-    refuse_statement(part.empty() ? statement : part);
-  }
-  const Token& mark = target[name.tokens];
-  if (!mark.is("=") && !mark.is("+=") && !mark.is("-=") && !mark.is("*=") && !mark.is("/=")) {
-    refuse_statement(part);
-  }
-  const Declared* const known = declared(name.name);
-  if (known == nullptr && in_function_) {
+void CppScope::read_function_name(const Token& name) {
+  if (has_meaning(name.spelling)) {
     throw CodeError(
-        "'" + name.name.spelled + "' is set, but it is not declared in this function" + by_running,
-        name.name.place);
+        "a function '" + name.spelling + "' of your own is not the one of formulas" + by_running,
+        name.place);
   }
-  const bool whole = known != nullptr && known->name.spelled == name.name.spelled;
-  if (known != nullptr && (known->shared || (known->shared_parts && !whole))) {
-    throw CodeError("what is set through '" + known->name.spelled + "' may be " + array_ +
-                        ", or another value" + by_running,
-                    name.name.place);
-  }
-  const Tokens value = target.subspan(name.tokens + 1);
-  if (value.empty()) {
-    refuse_statement(part);
-  }
-  check_reading(value);
-  if (!mark.is("=")) {
-    locals_.refuse_calls(value);
-    locals_.forget(name.name, "write its whole value in place of '" + mark.spelling + "'");
-  } else if (known != nullptr && !is_kept(known->sort)) {
-    locals_.refuse_calls(value);
-    locals_.forget(name.name, why_not_read(known->sort));
-  } else {
-    locals_.set(name.name, value);
-  }
+  variables_.add_function(name.spelling);
 }
 
-void CppScope::check_reading(Tokens value) const {
-  for (std::size_t at = 0; at < value.size(); ++at) {
-    if (names_matrix(value, at, array_)) {
-      const std::size_t tokens = leading_name(value.subspan(at)).tokens;
-      if (tokens != 6 && tokens != 7) {
-        refuse(value[at]);
-      }
-    }
-  }
-}
-
-/// Throws CodeError where one of several values, or one in brackets, may do more than give a value.
-void CppScope::check_list(Tokens values) const {
-  check_reading(values);
-  const bool braces = has(values, "{");
+void CppScope::read_condition(Tokens condition) {
   std::size_t from = 0;
-  for (std::size_t at = 0; braces && at < values.size(); ++at) {
-    if (values[at].is("{") || values[at].is("}")) {
-      locals_.refuse_calls(values.subspan(from, at - from));
+  const auto compares = [](const Token& token) {
+    return token.is("<") || token.is(">") || token.is("<=") || token.is(">=") || token.is("==") ||
+           token.is("!=") || token.is("&&") || token.is("||");
+  };
+  for (std::size_t at = 0; at <= condition.size(); ++at) {
+    if (at < condition.size() && condition[at].is("(")) {
+      at = behind_closing(condition, at) - 1;
+    } else if (at == condition.size() || compares(condition[at])) {
+      static_cast<void>(kept(condition.subspan(from, at - from)));
       from = at + 1;
     }
   }
-  if (braces || comma_parts(values).size() > 1 || (!values.empty() && values[0].is("("))) {
-    locals_.refuse_calls(values.subspan(from));
+}
+
+bool CppScope::is_declaration(Tokens statement) {
+  if (statement[0].is_name() && variables_.find(statement[0].spelling) != nullptr) {
+    return false;
   }
+  Tokens rest = statement;
+  if (!statement[0].is_name() || !types_.take(rest) || rest.empty()) {
+    return false;
+  }
+  return rest[0].is_name() ||
+         (rest.size() > 2 && rest[0].is("(") && (rest[1].is("&") || rest[1].is("*")));
+}
+
+void CppScope::declare(const Declarator& declared) {
+  const Token& name = *declared.name;
+  const Type& type = declared.type;
+  Tokens value = declared.rest;
+  expect_new_meaning(name);
+  if (const Token* mention = mention_of(value, array_);
+      mention != nullptr && (type.reference || type.kind == Kind::other) && !type.deduced) {
+    refuse(*mention);
+  }
+  if (type.kind == Kind::other && !type.deduced) {
+    throw CodeError("'" + name.spelling + "' cannot be read: its type is not known; write double",
+                    name.place);
+  }
+  Variable& variable = variables_.declare(name, Origin::own, type);
+  const bool assigned = !value.empty() && value[0].is("=");
+  value = value.subspan(assigned ? 1 : 0);
+  if (value.empty()) {
+    if (assigned || type.deduced) {
+      throw CodeError("a value is missing", name.place);
+    }
+    return;
+  }
+  if (type.kind == Kind::list || type.kind == Kind::grid || type.kind == Kind::structure) {
+    declare_list(variable, value, name);
+    return;
+  }
+  if (value.size() == 1 && value[0].kind == Token::Kind::text && type.deduced) {
+    variable.refused = "it is a text";
+    return;
+  }
+  const bool enclosed = is_enclosed(value, "{") || (!assigned && is_enclosed(value, "("));
+  if (enclosed) {
+    const bool may_be_a_type = value.size() == 3 && value[0].is("(") && value[1].is_name() &&
+                               variables_.find(value[1].spelling) == nullptr;
+    if (may_be_a_type || (value.size() == 2 && (value[0].is("(") || type.deduced))) {
+      throw CodeError("this may declare a function" + by_running, name.place);
+    }
+    if (value.size() == 2) {
+      variable.zero = true;
+      return;
+    }
+    if (type.deduced && assigned) {
+      throw CodeError("'{' cannot be read inside an expression" + by_running, value[0].place);
+    }
+    value = inside_of(value);
+  }
+  check_reading(value);
+  std::vector<Spelled> used;
+  Cell cell = kept(value, &used);
+  if (mention_of(value, name.spelling) != nullptr) {
+    cell = {std::nullopt, Sort::real, "its first value reads the variable itself", name.place};
+  }
+  if (type.deduced) {
+    Type& deduced = *variable.type;
+    deduced.kind = Kind::number;
+    deduced.sort = cell.sort;
+  }
+  if (type.reference) {
+    for (const Spelled& number : used) {
+      variables_.hold(number);
+    }
+  }
+  variable.cells[""] = stored(std::move(cell), variable.type->sort);
+}
+
+void CppScope::declare_list(Variable& variable, Tokens value, const Token& name) {
+  check_reading(value);
+  const bool braces = is_enclosed(value, "{");
+  if (!braces && !are(value, {"(", "#", ")"})) {
+    throw CodeError("'" + name.spelling + "' is more than one number, and this value of it " +
+                        "cannot be read" + by_running,
+                    name.place);
+  }
+  if (are(value, {"{", "}"})) {
+    const Type& type = *variable.type;
+    variable.zero = type.kind != Kind::structure && !type.round && type.rows;
+  } else if (braces) {
+    static_cast<void>(leaves_of(value));
+    variable.refused = "give each value of a list a name of its own";
+  }
+}
+
+std::vector<Cell> CppScope::leaves_of(Tokens value) {
+  if (!is_enclosed(value, "{")) {
+    return {kept(value)};
+  }
+  std::vector<Cell> leaves;
+  for (const Tokens& part : comma_parts(inside_of(value))) {
+    if (part.empty() && value.size() == 2) {
+      break;
+    }
+    const std::vector<Cell> more = leaves_of(part);
+    leaves.insert(leaves.end(), more.begin(), more.end());
+  }
+  return leaves;
+}
+
+Cell CppScope::kept(Tokens value, std::vector<Spelled>* used) {
+  if (value.empty()) {
+    throw CodeError("a value is missing", (value.data() - 1)->place);
+  }
+  check_reading(value);
+  try {
+    return cell_of(value, used);
+  } catch (const Unreadable& error) {
+    return {std::nullopt, Sort::real, error.what(), error.place, {"", value[0].place}};
+  }
+}
+
+Cell CppScope::stored(Cell cell, Sort sort) {
+  if (cell.value && sort == Sort::whole && cell.sort != Sort::whole) {
+    return {std::nullopt, Sort::whole, "its value is rounded to a whole number", cell.source.place};
+  }
+  cell.sort = sort;
+  return cell;
+}
+
+void CppScope::assign(Tokens part, Tokens statement) {
+  if (part.empty() || !part[0].is_name()) {
+    refuse_statement(part.empty() ? statement : part);
+  }
+  const Token& first = part[0];
+  Variable* const known = variables_.find(first.spelling);
+  const auto mark = std::find_if(part.begin(), part.end(), [](const Token& token) {
+    return token.is("=") || token.is("+=") || token.is("-=") || token.is("*=") || token.is("/=");
+  });
+  const Tokens before = part.first(static_cast<std::size_t>(mark - part.begin()));
+  if (mark == part.end() || first.is("auto")) {
+    refuse_statement(part);
+  }
+  if (const Token* mention = mention_of(before, array_); mention != nullptr && !gives_values_) {
+    refuse(*mention);
+  }
+  if (!variables_.is_of_function(first.spelling) && variables_.in_function() &&
+      !variables_.is_function(first.spelling)) {
+    throw CodeError(
+        "'" + first.spelling + "' is set, but it is not declared in this function" + by_running,
+        first.place);
+  }
+  const bool unknown = known != nullptr && known->origin == Origin::given && known->type &&
+                       known->type->kind == Kind::other;
+  const Spelled target =
+      unknown ? Spelled{known, "", "", "", {}, Sort::real, first.place, 0, false, true}
+              : variables_.spelled(part);
+  if (target.shared) {
+    throw CodeError("what is set through '" + first.spelling + "' may be " + array_ +
+                        ", or another value" + by_running,
+                    first.place);
+  }
+  if (&part[target.tokens] != &*mark) {
+    refuse_statement(part);
+  }
+  const Tokens value = part.subspan(target.tokens + 1);
+  if (value.empty()) {
+    refuse_statement(part);
+  }
+  Cell cell = kept(value);
+  if (!mark->is("=")) {
+    cell = {std::nullopt, Sort::real, "write its whole value in place of '" + mark->spelling + "'",
+            target.place};
+  }
+  variables_.set(target, stored(std::move(cell), target.sort));
+}
+
+void CppScope::check_reading(Tokens value) const {
+  for (std::size_t at = 0; !gives_values_ && at < value.size(); ++at) {
+    if (names_variable(value, at, array_) && entry_length(value.subspan(at)) == 0) {
+      refuse(value[at]);
+    }
+  }
+}
+
+std::size_t CppScope::entry_length(Tokens tokens) const {
+  const char* const name = array_.c_str();
+  return are(first_of(tokens, 6), {name, "(", "#", ",", "#", ")"})        ? 6
+         : are(first_of(tokens, 7), {name, "[", "#", "]", "[", "#", "]"}) ? 7
+                                                                          : 0;
 }
 
 }  // namespace assur::generator::audit::code

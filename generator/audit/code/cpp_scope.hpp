@@ -1,61 +1,53 @@
-// Turns what a C++ file and its function declare, except the matrix, into names for formulas.
+// Turns the declarations and assignments of a C++ function, except its matrix, into variables.
 #pragma once
 
-#include "audit/code/declared_type.hpp"
-#include "audit/code/function.hpp"
-#include "audit/code/local_values.hpp"
+#include "audit/code/code_entries.hpp"
 
 namespace assur::generator::audit::code {
 
-/// Whether one of the tokens has this spelling.
-[[nodiscard]] bool has(Tokens tokens, const char* spelled);
-
-class CppScope {
+class CppScope : public CodeReader {
  public:
-  CppScope(const std::string& array, closures::ClosureSystem& system)
-      : array_(array), locals_(system, {}) {}
+  CppScope(const std::string& code, const AuditedMatrix& audited, closures::ClosureSystem& system)
+      : CodeReader(code, audited, system, Language::cpp), array_(audited.array) {}
 
-  [[nodiscard]] LocalValues& locals() { return locals_; }
-  [[nodiscard]] TypeNames& types() { return types_; }
-
-  /// Reads what the file has beside its statements: types, constants, functions and templates.
-  void read_file(const FillingFunction& file);
-  /// Reads a parameter of the function; `shared` if something else may be changed through it.
-  void take_parameter(Tokens parameter, bool shared);
-  /// `name = EXPR`, `name{EXPR}`, `name(EXPR)` or `name` behind a type. Throws CodeError.
-  void declare(Tokens part, Tokens statement, Tokens type);
-  /// `name = EXPR` without a type; after `name += EXPR` the name is unreadable. Throws CodeError.
+ protected:
+  [[noreturn]] void refuse(const Token& at) const;
+  [[noreturn]] void refuse_statement(Tokens statement) const;
+  [[noreturn]] void refuse_mention(const Token& token, const std::string& where) const;
+  /// Throws CodeError for a function that formulas have.
+  void read_function_name(const Token& name);
+  /// Comparisons of expressions.
+  void read_condition(Tokens condition);
+  /// A type, and a name behind it.
+  [[nodiscard]] bool is_declaration(Tokens statement);
+  /// `name = EXPR`, `name{EXPR}`, `name(EXPR)`, `name`, or a list without values that are read.
+  void declare(const Declarator& declared);
+  /// Values of a list are not read, and do no more than give values.
+  void declare_list(Variable& variable, Tokens value, const Token& name);
+  /// The values in nested braces, from left to right.
+  [[nodiscard]] std::vector<Cell> leaves_of(Tokens value);
+  /// A value, or that it reads what cannot be read.
+  [[nodiscard]] Cell kept(Tokens value, std::vector<Spelled>* used = nullptr);
+  /// What a variable of that sort keeps of a value.
+  [[nodiscard]] static Cell stored(Cell cell, Sort sort);
+  /// `TARGET = EXPR`; after `TARGET += EXPR` the target cannot be read. Throws CodeError where the
+  /// target may be more than the function's own variable.
   void assign(Tokens part, Tokens statement);
   /// Throws CodeError where a value mentions the matrix and not one of its entries.
   void check_reading(Tokens value) const;
-
-  /// Throws CodeError for the name of a function of formulas.
-  static void expect_no_function(const CodeName& name);
-  /// Throw CodeError for a use of the matrix, and for a statement, that cannot be read.
-  [[noreturn]] void refuse(const Token& at) const;
-  [[noreturn]] void refuse_statement(Tokens statement) const;
-
- private:
-  void check_list(Tokens values) const;
-  void read_template(Tokens parameter);
-  [[nodiscard]] bool is_whole_value(Tokens value) const;
-
-  /// What the function may set, and how.
-  struct Declared {
-    CodeName name;
-    ValueSort sort = ValueSort::real;
-    bool shared = false;        ///< something else may be set through it
-    bool shared_parts = false;  ///< something else may be set through its parts
-  };
-  /// The last declaration of that name, or of a variable that it is a part of; nullptr if none.
-  [[nodiscard]] const Declared* declared(const CodeName& name) const;
-  void read_member(Tokens member);
+  /// How many tokens at the front are an entry of the matrix; zero if they are none.
+  [[nodiscard]] std::size_t entry_length(Tokens tokens) const;
 
   const std::string& array_;
-  LocalValues locals_;
-  TypeNames types_;
-  std::vector<Declared> declared_;
-  bool in_function_ = false;
+  bool gives_values_ = false;  ///< it is the name of a function
 };
+
+/// Whether the first bracket closes at the end.
+[[nodiscard]] inline bool is_enclosed(Tokens tokens, const char* open) {
+  return !tokens.empty() && tokens[0].is(open) && behind_closing(tokens, 0) == tokens.size();
+}
+[[nodiscard]] inline Tokens inside_of(Tokens tokens) {
+  return tokens.subspan(1, tokens.size() - 2);
+}
 
 }  // namespace assur::generator::audit::code

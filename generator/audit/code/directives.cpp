@@ -137,7 +137,9 @@ void check_directives(Tokens tokens) {
   for (; from < to; ++from) {
     const std::vector<std::string> line = words(from);
     const std::string& text = all[from]->spelling;
-    if (includes_known(line) || line == std::vector<std::string>{"pragma", "once"}) {
+    // The second lets a compiler declare M_PI.
+    if (includes_known(line) || line == std::vector<std::string>{"pragma", "once"} ||
+        line == std::vector<std::string>{"define", "_USE_MATH_DEFINES"}) {
       continue;
     }
     const bool header = !line.empty() && line[0].starts_with("include");

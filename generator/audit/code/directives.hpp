@@ -5,8 +5,8 @@
 
 namespace assur::generator::audit::code {
 
-/// Throws CodeError unless all directives change nothing: known headers, `#pragma once`, and a
-/// guard around the file.
+/// Throws CodeError unless all directives change nothing: known headers, `#pragma once`, `#define
+/// _USE_MATH_DEFINES`, and a guard around the file.
 void check_directives(Tokens tokens);
 
 }  // namespace assur::generator::audit::code

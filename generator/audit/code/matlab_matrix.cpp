@@ -1,15 +1,10 @@
 #include "audit/code/matlab_matrix.hpp"
 
 #include <algorithm>
-#include <assur/text/expression.hpp>
-
-#include "audit/code/function.hpp"
 
 namespace assur::generator::audit::code {
 
 namespace {
-
-constexpr Dialect matlab{true, true, false};
 
 /// The code with comments and line continuations blanked and `.*` as ` *`, so that every letter
 /// keeps its place and the tokens are those of C++.
@@ -98,16 +93,13 @@ std::vector<std::vector<Tokens>> rows_of(Tokens inside, const std::set<std::size
                                             at + 1 < inside.size() ? &inside[at + 1] : nullptr))) {
       finish(at, at);
     }
+    if (inside[at].is(",") || inside[at].is(";")) {
+      finish(at, at + 1);
+    }
     if ((new_line || inside[at].is(";")) && !rows.back().empty()) {
-      finish(at, at);
       rows.emplace_back();
     }
-    if (inside[at].is(",") || inside[at].is(";")) {
-      if (inside[at].is(",")) {
-        finish(at, at + 1);
-      }
-      from = at + 1;
-    } else if (inside[at].is("(") || inside[at].is("[")) {
+    if (inside[at].is("(") || inside[at].is("[")) {
       at = behind_closing(inside, at) - 1;
     }
   }
@@ -118,41 +110,35 @@ std::vector<std::vector<Tokens>> rows_of(Tokens inside, const std::set<std::size
   return rows;
 }
 
-class MatlabMatrix {
+class MatlabReader : public CodeReader {
  public:
-  MatlabMatrix(const std::string& code, const AuditedMatrix& matrix,
+  MatlabReader(const std::string& code, const AuditedMatrix& audited,
                closures::ClosureSystem& system, const std::set<std::size_t>& joined_lines)
-      : array_(matrix.array),
-        filled_(matrix, code),
-        locals_(system, matlab),
+      : CodeReader(code, audited, system, Language::matlab),
+        array_(audited.array),
         joined_(joined_lines) {}
 
   std::vector<CodeEntry> run(Tokens tokens) {
-    std::size_t from = 0;
-    for (std::size_t at = 0; at < tokens.size(); ++at) {
-      const bool new_line = at > from && tokens[at].place.line != tokens[at - 1].place.line &&
-                            !joined_.contains(tokens[at - 1].place.line);
-      if (new_line) {
-        read(tokens.subspan(from, at - from));
-        from = at;
+    for (std::size_t from = 0; from < tokens.size();) {
+      const std::size_t end = statement_end(tokens, from);
+      const Tokens statement = tokens.subspan(from, end - from);
+      const bool marked = end < tokens.size() && (tokens[end].is(";") || tokens[end].is(","));
+      if (!statement.empty() && statement[0].is("function")) {
+        read_head(statement);
+      } else if (!statement.empty()) {
+        read(statement);
       }
-      if (tokens[at].is("function") && at == from) {
-        at = from = header_end(tokens, at);
-        --at;
-      } else if (tokens[at].is(";") || tokens[at].is(",")) {
-        read(tokens.subspan(from, at - from));
-        from = at + 1;
-      } else if (tokens[at].is("(") || tokens[at].is("[") || tokens[at].is("{")) {
-        at = behind_closing(tokens, at) - 1;
-      }
+      from = end + (marked ? 1 : 0);
     }
-    read(tokens.subspan(from));
-    std::vector<CodeEntry> entries = filled_.entries();
+    if (gives_values_) {
+      return given_values();
+    }
+    const Variable* const matrix = variables_.find(array_);
+    std::vector<CodeEntry> entries = entries_of(matrix == nullptr ? Variable{} : *matrix, 1);
     // A script may fill a matrix that existed before, whose size is not known.
-    const AuditedMatrix& audited = filled_.matrix();
-    if ((is_function_ || cleared_) && (rows_ != audited.rows || columns_ != audited.columns)) {
+    if ((is_function_ || cleared_) && (rows_ != audited_.rows || columns_ != audited_.columns)) {
       throw CodeError(array_ + " is " + std::to_string(rows_) + " by " + std::to_string(columns_) +
-                          " in the end, and is audited as " + audited.size_text(),
+                          " in the end, and is audited as " + audited_.size_text(),
                       sized_);
     }
     return entries;
@@ -163,37 +149,79 @@ class MatlabMatrix {
     throw CodeError(what + by_running, at.place);
   }
 
-  /// `function J = name(r, l)`: the function returns the matrix, and nothing stands before it.
-  std::size_t header_end(Tokens tokens, std::size_t from) {
-    std::size_t end = from + 1;
-    while (end < tokens.size() && (tokens[end].place.line == tokens[end - 1].place.line ||
-                                   joined_.contains(tokens[end - 1].place.line))) {
-      ++end;
+  [[nodiscard]] bool begins_line(Tokens tokens, std::size_t at) const {
+    return at > 0 && tokens[at].place.line != tokens[at - 1].place.line &&
+           !joined_.contains(tokens[at - 1].place.line);
+  }
+
+  /// A statement ends before a semicolon or comma outside brackets, or with its line.
+  [[nodiscard]] std::size_t statement_end(Tokens tokens, std::size_t from) const {
+    std::size_t at = from;
+    while (at < tokens.size() && !tokens[at].is(";") && !tokens[at].is(",") &&
+           !(at > from && begins_line(tokens, at))) {
+      at = tokens[at].is("(") || tokens[at].is("[") || tokens[at].is("{")
+               ? behind_closing(tokens, at)
+               : at + 1;
     }
-    const Tokens head = tokens.subspan(from, end - from);
-    const bool gives = std::any_of(head.begin(), head.end(), [&](const Token& token) {
-      return token.is("=") && mention_of(head.first(static_cast<std::size_t>(&token - head.data())),
-                                         array_) != nullptr;
-    });
-    if (begun_ || !gives) {
-      refuse(begun_ ? "a second function or statements before one cannot be followed"
-                    : "the function does not return " + array_,
-             tokens[from]);
+    return at;
+  }
+
+  /// `function J = name(r, l)` or `function [x, y] = name(r, l)`, and nothing stands before it.
+  void read_head(Tokens head) {
+    if (begun_) {
+      refuse("a second function or statements before one cannot be followed", head[0]);
     }
-    for (const Token& token : head.subspan(1)) {
-      if (is_known_function(token.spelling) || token.is("pi")) {
-        refuse("'" + token.spelling + "' is given another meaning", token);
+    const auto equals =
+        std::find_if(head.begin(), head.end(), [](const Token& token) { return token.is("="); });
+    if (equals == head.end()) {
+      refuse("the function does not return " + array_, head[0]);
+    }
+    const auto at = static_cast<std::size_t>(equals - head.begin());
+    Tokens outputs = head.subspan(1, at - 1);
+    Tokens rest = head.subspan(at + 1);
+    if (outputs.size() > 1 && outputs[0].is("[") && outputs.back().is("]")) {
+      outputs = outputs.subspan(1, outputs.size() - 2);
+    }
+    const bool list = rest.size() > 2 && rest[1].is("(") && behind_closing(rest, 1) == rest.size();
+    if (rest.empty() || !rest[0].is_name() || (rest.size() > 1 && !list)) {
+      refuse("the head of this function cannot be read; end its line behind it", head[0]);
+    }
+    for (const Token& name : outputs) {
+      if (name.is_name()) {
+        outputs_.push_back(&name);
+      } else if (!name.is(",")) {
+        refuse("the head of this function cannot be read", name);
       }
     }
-    begun_ = true;
-    is_function_ = true;
-    return end;
+    begun_ = is_function_ = true;
+    const bool gives = std::any_of(outputs_.begin(), outputs_.end(),
+                                   [&](const Token* name) { return name->is(array_.c_str()); });
+    gives_values_ = !gives && rest[0].is(array_.c_str());
+    if (!gives && !gives_values_) {
+      refuse("the function does not return " + array_, head[0]);
+    }
+    variables_.enter_function();
+    const Tokens inputs = list ? rest.subspan(2, rest.size() - 3) : Tokens{};
+    for (const Tokens& input : inputs.empty() ? std::vector<Tokens>{} : comma_parts(inputs)) {
+      if (input.size() != 1 || !input[0].is_name() || input[0].is("varargin")) {
+        refuse("this parameter cannot be read", input.empty() ? head[0] : input[0]);
+      }
+      expect_free_name(input[0]);
+      variables_.declare(input[0], Variable::Origin::given, std::nullopt);
+    }
+    for (const Token* output : outputs_) {
+      expect_free_name(*output);
+    }
+  }
+
+  static void expect_free_name(const Token& name) {
+    if (name.is("pi")) {
+      refuse("'pi' is given another meaning", name);
+    }
+    expect_new_meaning(name);
   }
 
   void read(Tokens statement) {
-    if (statement.empty()) {
-      return;
-    }
     if (ended_ && !(statement.size() == 1 && statement[0].is("end"))) {
       refuse("nothing after this end or return runs", statement[0]);
     }
@@ -203,96 +231,209 @@ class MatlabMatrix {
       ended_ = true;
       return;
     }
-    const LeadingName target = leading_name(statement);
-    const bool sets = target.tokens > 0 && target.tokens + 1 < statement.size() &&
-                      statement[target.tokens].is("=");
-    if (!sets) {
+    const auto equals = std::find_if(statement.begin(), statement.end(),
+                                     [](const Token& token) { return token.is("="); });
+    const auto at = static_cast<std::size_t>(equals - statement.begin());
+    if (equals == statement.end() || at == 0 || at + 1 == statement.size() ||
+        !statement[0].is_name() || statement[1].is_name()) {
       refuse(
           "'" + statement[0].spelling + "': this statement cannot be read; write NAME = EXPRESSION",
           statement[0]);
     }
-    const Tokens value = statement.subspan(target.tokens + 1);
-    expect_plain(value);
-    if (statement[0].is(array_.c_str())) {
-      read_filling(target, statement, value);
-    } else if (text::is_reserved_name(target.name.name)) {
-      refuse("'" + target.name.name + "' is given another meaning", statement[0]);
-    } else if (value[0].is("[")) {
-      locals_.forget(target.name, "give each value of a list a name of its own");
+    expect_free_name(statement[0]);
+    const Tokens value = statement.subspan(at + 1);
+    if (!gives_values_ && statement[0].is(array_.c_str())) {
+      read_filling(statement.first(at), value);
+      return;
+    }
+    expect_entries(value);
+    const bool list = value[0].is("[");
+    Cell cell = list ? Cell{std::nullopt, Sort::real, "give each value of a list a name of its own",
+                            value[0].place}
+                     : cell_of(value);
+    if (variables_.find(statement[0].spelling) == nullptr && is_function_) {
+      variables_.declare(statement[0], Variable::Origin::own, std::nullopt);
+    }
+    const Spelled target = variables_.spelled(statement);
+    const auto known = lists_.find(target.name);
+    const bool grows =
+        known != lists_.end() && !target.indices.empty() && target.indices[0] > known->second.first;
+    if (target.tokens != at || grows) {
+      refuse("what is set here cannot be followed", statement[0]);
+    }
+    if (list) {
+      read_list(target, value);
     } else {
-      locals_.set(target.name, value);
+      variables_.set(target, std::move(cell));
     }
   }
 
-  /// Refuses a mention of the matrix that is not one of its entries, and a^b^c.
-  void expect_plain(Tokens value) const {
-    for (std::size_t at = 0; at < value.size(); ++at) {
-      if (value[at].is(array_.c_str()) && leading_name(value.subspan(at)).tokens != 6) {
+  /// `q = [a, b]` or `[a; b]`: the values of a row or a column.
+  void read_list(const Spelled& target, Tokens value) {
+    const auto rows = rows_at(value);
+    const bool row = rows.size() == 1;
+    if (rows.empty() ||
+        (!row && std::any_of(rows.begin(), rows.end(),
+                             [](const auto& each) { return each.size() != 1; })) ||
+        !target.part.empty()) {
+      refuse("this list cannot be read; give each value a name of its own", value[0]);
+    }
+    std::vector<Cell> cells;
+    for (const std::vector<Tokens>& each : rows) {
+      for (const Tokens& one : each) {
+        expect_entries(one);
+        cells.push_back(cell_of(one));
+      }
+    }
+    Variable& variable = *target.variable;
+    variable.cells.clear();
+    variable.parts = {"[1]"};
+    variable.origin = Variable::Origin::own;
+    for (std::size_t at = 0; at < cells.size(); ++at) {
+      variable.cells["[" + std::to_string(at + 1) + "]"] = cells[at];
+    }
+    lists_[target.name] = {cells.size(), row};
+  }
+
+  [[nodiscard]] std::vector<std::vector<Tokens>> rows_at(Tokens value) const {
+    if (behind_closing(value, 0) != value.size()) {
+      refuse("this list cannot be read", value[0]);
+    }
+    return rows_of(value.subspan(1, value.size() - 2), joined_);
+  }
+
+  /// Refuses a mention of the matrix that is not one of its entries.
+  void expect_entries(Tokens value) const {
+    for (std::size_t at = 0; !gives_values_ && at < value.size(); ++at) {
+      const Tokens rest = value.subspan(at);
+      if (value[at].is(array_.c_str()) && !are(rest.first(std::min<std::size_t>(rest.size(), 6)),
+                                               {array_.c_str(), "(", "#", ",", "#", ")"})) {
         refuse("cannot read this use of " + array_, value[at]);
       }
-      if (value[at].is("^") && at + 1 < value.size()) {
-        std::size_t behind = at + 1;
-        behind += value[behind].is("-") || value[behind].is("+") ? 1 : 0;
-        const Tokens rest = value.subspan(std::min(behind, value.size()));
-        const std::size_t named = leading_name(rest).tokens;
-        behind += rest.empty()      ? 0
-                  : rest[0].is("(") ? behind_closing(rest, 0)
-                                    : std::max<std::size_t>(named, 1);
-        if (behind < value.size() && value[behind].is("^")) {
-          throw CodeError("MATLAB raises the left power first; write its parentheses",
-                          value[behind].place);
-        }
-      }
     }
   }
 
-  void read_filling(const LeadingName& target, Tokens statement, Tokens value) {
-    const CodeName whole{array_, array_, statement[0].place};
-    sized_ = statement[0].place;
-    if (target.tokens == 6) {
-      rows_ = std::max(rows_, index(statement[2]) + 1);
-      columns_ = std::max(columns_, index(statement[4]) + 1);
-      filled_.assign(index(statement[2]), index(statement[4]), target.name, value, locals_);
-    } else if (target.tokens == 1 && value[0].is("[") && behind_closing(value, 0) == value.size()) {
-      std::vector<Tokens> all;
-      const std::vector<std::vector<Tokens>> rows =
-          rows_of(value.subspan(1, value.size() - 2), joined_);
-      for (const std::vector<Tokens>& row : rows) {
-        if (row.size() != filled_.matrix().columns || rows.size() != filled_.matrix().rows) {
-          throw CodeError(array_ + " is audited as " + filled_.matrix().size_text() +
-                              ", and this has " + std::to_string(rows.size()) + " rows, one of " +
-                              std::to_string(row.size()),
-                          value[0].place);
-        }
-        all.insert(all.end(), row.begin(), row.end());
-      }
-      set_size(rows.size(), filled_.matrix().columns);
-      filled_.assign_all(all, value[0].place, locals_);
-      locals_.forget(whole, "it is set as part of a list");
-    } else if (target.tokens == 1 && (are(value, {"zeros", "(", "#", ")"}) ||
-                                      are(value, {"zeros", "(", "#", ",", "#", ")"}))) {
-      set_size(whole_number(value[2]), whole_number(value[value.size() - 2]));
-      filled_.clear();
-      locals_.forget(whole, "it is cleared");
+  [[nodiscard]] Variable& matrix(const Token& name) {
+    if (Variable* const known = variables_.find(array_)) {
+      return *known;
+    }
+    Variable& matrix = variables_.declare(
+        name, is_function_ ? Variable::Origin::own : Variable::Origin::free, std::nullopt);
+    matrix.zero = is_function_;  // it grows by zeros
+    return matrix;
+  }
+
+  void read_filling(Tokens target, Tokens value) {
+    expect_entries(value);
+    const char* const name = array_.c_str();
+    if (are(target, {name, "(", "#", ",", "#", ")"})) {
+      Cell cell = cell_of(value);
+      static_cast<void>(matrix(target[0]));
+      const std::size_t row = whole_number(target[2]);
+      const std::size_t column = whole_number(target[4]);
+      set_entry(row - 1, column - 1, variables_.spelled(target), std::move(cell));
+      rows_ = std::max(rows_, row);
+      columns_ = std::max(columns_, column);
+      sized_ = target[0].place;
+    } else if (are(target, {name}) && value[0].is("[")) {
+      set_all(target[0], value);
+    } else if (are(target, {name}) && (are(value, {"zeros", "(", "#", ")"}) ||
+                                       are(value, {"zeros", "(", "#", ",", "#", ")"}))) {
+      Variable& cleared = matrix(target[0]);
+      cleared.cells.clear();
+      cleared.zero = true;
+      set_size(whole_number(value[2]), whole_number(value[value.size() - 2]), target[0]);
     } else {
       refuse("cannot read this use of " + array_ + "; write " + array_ + "(i, j) = EXPRESSION",
-             statement[0]);
+             target[0]);
     }
   }
 
-  void set_size(std::size_t rows, std::size_t columns) {
+  /// `J = [a, b; c, d]`, where a row may be the name of one.
+  void set_all(const Token& name, Tokens value) {
+    const std::vector<std::vector<Tokens>> rows = rows_at(value);
+    std::vector<std::vector<Cell>> cells;
+    for (const std::vector<Tokens>& row : rows) {
+      cells.emplace_back();
+      for (const Tokens& one : row) {
+        const auto list = one.size() == 1 ? lists_.find(one[0].spelling) : lists_.end();
+        if (list == lists_.end()) {
+          cells.back().push_back(cell_of(one));
+          continue;
+        }
+        const auto [count, is_row] = list->second;
+        if (!is_row) {
+          refuse("a column in a matrix cannot be read", one[0]);
+        }
+        for (std::size_t at = 1; at <= count; ++at) {
+          cells.back().push_back(
+              variables_.find(one[0].spelling)->cells.at("[" + std::to_string(at) + "]"));
+        }
+      }
+      if (cells.back().size() != audited_.columns || rows.size() != audited_.rows) {
+        throw CodeError(array_ + " is audited as " + audited_.size_text() + ", and this has " +
+                            std::to_string(rows.size()) + " rows, one of " +
+                            std::to_string(cells.back().size()),
+                        value[0].place);
+      }
+    }
+    if (rows.size() != audited_.rows) {
+      throw CodeError(array_ + " is audited as " + audited_.size_text() + ", and this has " +
+                          std::to_string(rows.size()) + " rows",
+                      value[0].place);
+    }
+    Variable& filled = matrix(name);
+    for (std::size_t row = 0; row < cells.size(); ++row) {
+      for (std::size_t column = 0; column < audited_.columns; ++column) {
+        const Spelled entry{&filled,
+                            array_,
+                            "[" + std::to_string(row + 1) + "][" + std::to_string(column + 1) + "]",
+                            "",
+                            {},
+                            Sort::real,
+                            name.place,
+                            0,
+                            true};
+        set_entry(row, column, entry, std::move(cells[row][column]));
+      }
+    }
+    filled.zero = true;
+    set_size(rows.size(), audited_.columns, name);
+  }
+
+  void set_size(std::size_t rows, std::size_t columns, const Token& at) {
     rows_ = rows;
     columns_ = columns;
     cleared_ = true;
+    sized_ = at.place;
+    filled_ = filled_.value_or(at.place);
   }
 
-  /// Indices begin with 1; `FilledMatrix` refuses those outside the matrix.
-  [[nodiscard]] static std::size_t index(const Token& token) { return whole_number(token) - 1; }
+  /// What `function [x, y] = name(...)` gives: numbers, or the values of one list.
+  [[nodiscard]] std::vector<CodeEntry> given_values() {
+    std::vector<Cell> cells;
+    for (const Token* output : outputs_) {
+      const Variable* const variable = variables_.find(output->spelling);
+      if (variable == nullptr || variable->cells.empty()) {
+        throw CodeError("'" + output->spelling + "' is never assigned", output->place);
+      }
+      const bool number = variable->cells.contains("");
+      if (!number && (outputs_.size() != 1 || !lists_.contains(output->spelling))) {
+        refuse("'" + output->spelling + "' is not one number", *output);
+      }
+      const std::size_t count = number ? 1 : lists_[output->spelling].first;
+      for (std::size_t at = 1; at <= count; ++at) {
+        cells.push_back(variable->cells.at(number ? "" : "[" + std::to_string(at) + "]"));
+      }
+    }
+    return entries_of(cells, outputs_.empty() ? closures::Place{1, 1} : outputs_[0]->place);
+  }
 
   const std::string& array_;
-  FilledMatrix filled_;
-  LocalValues locals_;
   const std::set<std::size_t>& joined_;
+  std::vector<const Token*> outputs_;
+  std::map<std::string, std::pair<std::size_t, bool>> lists_;  ///< their sizes, and whether rows
+  bool gives_values_ = false;                                  ///< it is the name of the function
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
   closures::Place sized_{1, 1};  ///< where the size was last set
@@ -308,7 +449,7 @@ std::vector<CodeEntry> read_matlab_matrix(const std::string& code, const Audited
                                           closures::ClosureSystem& system) {
   const PlainMatlab text = plain(code);
   const std::vector<Token> tokens = code_tokens(text.text);
-  return MatlabMatrix(code, matrix, system, text.joined_lines).run(tokens);
+  return MatlabReader(code, matrix, system, text.joined_lines).run(tokens);
 }
 
 }  // namespace assur::generator::audit::code

@@ -292,19 +292,4 @@ std::size_t whole_number(const Token& token) {
   return token.spelling.size() > 6 ? 999999 : std::stoul(token.spelling);
 }
 
-closures::Place place_in_code(const std::string& code, closures::Place place) {
-  std::size_t from = 0;
-  for (std::size_t line = 1; line < place.line && from < code.size(); ++line) {
-    from = code.find('\n', from) + 1;
-  }
-  while (true) {
-    const std::size_t end = code.find('\n', from);
-    if (end == std::string::npos || place.column <= end - from + 1) {
-      return place;
-    }
-    place = {place.line + 1, place.column - (end - from + 1)};
-    from = end + 1;
-  }
-}
-
 }  // namespace assur::generator::audit::code

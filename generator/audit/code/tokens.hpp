@@ -36,11 +36,13 @@ using Tokens = std::span<const Token>;
 [[nodiscard]] std::vector<Tokens> comma_parts(Tokens tokens);
 /// The parts of a list of declarations: commas between `<` and `>` are part of a type.
 [[nodiscard]] std::vector<Tokens> declared_parts(Tokens tokens);
+/// At most so many tokens from the front.
+[[nodiscard]] inline Tokens first_of(Tokens tokens, std::size_t count) {
+  return tokens.first(count < tokens.size() ? count : tokens.size());
+}
 /// Whether the tokens are these, one after the other; `#` stands for any whole number.
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
 /// The number that a token spells; 999999 for more than six digits, which no index has.
 [[nodiscard]] std::size_t whole_number(const Token& token);
-/// The place in the code of a place whose column is counted across line ends.
-[[nodiscard]] closures::Place place_in_code(const std::string& code, closures::Place place);
 
 }  // namespace assur::generator::audit::code
