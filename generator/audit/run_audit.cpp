@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "audit/branch_condition.hpp"
 #include "audit/slip_guess.hpp"
 #include "closures/formula_text.hpp"
 #include "closures/read_formula.hpp"
@@ -60,9 +61,7 @@ class ProgramAudit {
  private:
   /// At how many points and under which conditions the program was run, and that this is no proof.
   [[nodiscard]] std::string remark() const {
-    std::string text = "computed at " + std::to_string(asked_.size()) +
-                       (drawing_.assembled() ? " assembled" : "") + " rational points" +
-                       (drawing_.assembled() == expected_.on_closures ? "" : ", not assembled");
+    std::string text = "computed at " + drawing_.sort_of(asked_);
     for (const closures::PlacedText& condition : run_.where) {
       text += (&condition == (run_.where).data() ? " where " : " and ") + condition.text + " > 0";
     }
@@ -121,14 +120,20 @@ class ProgramAudit {
   }
 
   /// The values of the symbols that the derived entry or the call of the program mentions.
-  [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) const {
+  [[nodiscard]] std::string point_text(const Point& point, std::size_t entry) {
     std::vector<GiNaC::ex> told = {expected_.derived[entry]};
     for (const closures::AuditSymbol& symbol : points_.system().symbols()) {
       if (drawing_.mentions(symbol.name)) {
         told.emplace_back(symbol.symbol);
       }
+      for (const auto& [prefix, rate] :
+           {std::pair("rate_", symbol.rate), std::pair("rate2_", symbol.second_rate)}) {
+        if (drawing_.mentions(prefix + symbol.name)) {
+          told.emplace_back(rate);
+        }
+      }
     }
-    return points_.point_text(point, told);
+    return points_.point_text(point, told, drawing_.assembled());
   }
 
   /// The error that rounding may cause, or nothing where it may hide the value.
@@ -169,11 +174,16 @@ class ProgramAudit {
     std::size_t told = 0;
     bool negated = true;
     bool wrong = false;
+    std::vector<Trial> trials;
     try {
       for (Asked& asked : asked_) {
         const std::optional<double> allowed = tolerance(entry, asked);
         told += allowed ? 1 : 0;
-        wrong = differs(entry, asked, finding) || wrong;
+        const bool different = differs(entry, asked, finding);
+        wrong = different || wrong;
+        if (allowed) {
+          trials.push_back({&asked.point, !different});
+        }
         const double derived = drawing_.value_at(expected_.derived[entry], asked.point);
         negated = negated && (!allowed || std::abs(asked.computed[entry] + derived) <= *allowed);
       }
@@ -185,6 +195,16 @@ class ProgramAudit {
     comparison.verdict = !wrong    ? Verdict::agrees
                          : negated ? Verdict::differs_by_sign
                                    : Verdict::differs;
+    const bool somewhere =
+        wrong && std::ranges::any_of(trials, [](const Trial& trial) { return trial.holds; });
+    if (somewhere) {
+      const BranchCondition branch = branch_condition(points_, expected_.derived[entry], trials);
+      comparison.evidence = branch_text(trials, branch) + ": evidence, not proof";
+      if (!branch.empty()) {
+        comparison.verdict = Verdict::on_one_branch;
+        comparison.branch = branch_text(trials, branch);
+      }
+    }
     if (told < fewest_points) {
       comparison.verdict = Verdict::undecided;
       comparison.evidence = "rounding hides its value at nearly all points";

@@ -270,7 +270,8 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) {
       }
     } else if (symbol.moving) {
       sum += slope(expression, symbol.symbol) * symbol.rate;
-      for (int order = 1; order <= 2 || higher_rates_.contains({&symbol, order}); ++order) {
+      for (int order = 1;
+           !symbol.steady && (order <= 2 || higher_rates_.contains({&symbol, order})); ++order) {
         if (const GiNaC::ex part = slope(expression, rate_symbol(symbol, order)); !part.is_zero()) {
           sum += part * rate_symbol(symbol, order + 1);
         }

@@ -28,6 +28,7 @@ struct AuditSymbol {
   std::string meaning;   ///< what the file says of it, for people
   bool unknown = false;  ///< determined by the closures
   bool moving = false;   ///< a parameter with rates of its own
+  bool steady = false;   ///< its rate is constant
   GiNaC::symbol symbol;
   GiNaC::symbol rate;
   GiNaC::symbol second_rate;

@@ -13,8 +13,15 @@ namespace assur::generator::closures {
 
 namespace {
 
+// Lengths are often named d or D.
 constexpr std::array<text::ExpressionFunction, 7> functions = {
-    {{"d", 2}, {"D", 2}, {"rate", 1}, {"rate2", 1}, {"pow", 2}, {"point", 2}, {"polar", 2}}};
+    {{"d", 2, text::Operation::other, true},
+     {"D", 2, text::Operation::other, true},
+     {"rate", 1},
+     {"rate2", 1},
+     {"pow", 2},
+     {"point", 2},
+     {"polar", 2}}};
 
 /// The decimal number that a text spells, exactly.
 GiNaC::numeric exact_number(const std::string& text) {
