@@ -73,8 +73,7 @@ std::string AskedPoints::sort_of(const std::vector<Asked>& points) const {
   const std::string assembled = assembled_ ? " assembled" : "";
   const std::string rational =
       std::to_string(std::ssize(points) - computed) + assembled + " rational points";
-  const std::string solved = std::to_string(computed) + assembled + " points, computed to " +
-                             std::to_string(closures::solution_digits) + " digits";
+  const std::string solved = std::to_string(computed) + assembled + " " + closures::computed_sort;
   return computed == 0                    ? rational
          : computed == std::ssize(points) ? solved
                                           : rational + " and " + solved;

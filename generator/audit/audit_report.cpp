@@ -114,7 +114,10 @@ std::vector<std::pair<std::string, std::string>> details(const Finding& finding)
 std::string statement_text(const AuditReport& report, const AuditedStatement& statement) {
   const std::size_t agree = agreeing(statement);
   const std::string& file = statement.file.empty() ? report.file : statement.file;
+  const bool computed = std::ranges::any_of(
+      statement.findings, [](const Finding& one) { return one.comparison.is_computed; });
   std::string text = statement.label + ": " + counted(statement) +
+                     (computed ? ", at " + closures::computed_sort : "") +
                      (statement.remark.empty() ? "" : ", " + statement.remark) + "\n";
   if (agree == statement.findings.size()) {
     return text;

@@ -21,8 +21,9 @@ struct BranchCondition {
 };
 
 /// The first of a list of simple conditions that holds at all points where the statement does, and
-/// at no other: the sign of a cosine, sine, length or derivative, of the determinant of the
-/// Jacobian, of the cosine or sine of a sum or difference of two angles, ...
+/// at no other: the sign of a cosine, sine, length or derivative, of the cosine or sine of a sum or
+/// difference of two angles, ... Where the sign of the Jacobian's determinant tells, it is a
+/// quantity that always has this sign, or the opposite, or the determinant itself.
 [[nodiscard]] BranchCondition branch_condition(closures::ClosurePoints& points,
                                                const GiNaC::ex& statement,
                                                const std::vector<Trial>& trials);

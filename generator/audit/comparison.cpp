@@ -31,7 +31,7 @@ bool is_nothing(const GiNaC::ex& value) {
 }
 
 std::string amount(const GiNaC::ex& value) {
-  if (GiNaC::is_a<GiNaC::numeric>(value) &&
+  if (value.info(GiNaC::info_flags::rational) &&
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
     return closures::formula_text(value);
   }
@@ -119,7 +119,9 @@ class PointwiseComparison {
               obstacle_.empty() ? "no point was found where the closures hold" : obstacle_, "", ""};
     }
     // Rational points are of one family, on which what holds at random points holds everywhere.
-    return verdict(is_computed(), "");
+    Comparison comparison = verdict(is_computed(), "");
+    comparison.is_computed = is_computed();
+    return comparison;
   }
 
   Comparison run(const closures::ClosurePoints::Rooted& rooted) {
@@ -135,11 +137,13 @@ class PointwiseComparison {
     }
     const std::size_t roots = rooted.algebra.root_count() - rooted.first_own;
     explained_by_roots_ = explained;
-    return verdict(true,
-                   (explained ? "; it holds with the other sign of a root" : "") +
-                       (roots > most_roots ? "; the other signs of its " + std::to_string(roots) +
-                                                 " roots were not tried"
-                                           : std::string()));
+    Comparison comparison =
+        verdict(true, (explained ? "; it holds with the other sign of a root" : "") +
+                          (roots > most_roots ? "; the other signs of its " +
+                                                    std::to_string(roots) + " roots were not tried"
+                                              : std::string()));
+    comparison.is_computed = is_computed();
+    return comparison;
   }
 
  private:
@@ -163,12 +167,11 @@ class PointwiseComparison {
   }
 
   [[nodiscard]] std::string where() const {
-    const std::string count = "at " + std::to_string(trials_.size());
+    const std::string count = "at " + std::to_string(trials_.size()) + " ";
     if (is_computed()) {
-      return count + " points where the closures hold, computed to " +
-             std::to_string(closures::solution_digits) + " digits";
+      return count + closures::computed_sort + " where the closures hold";
     }
-    return count + " random rational points" + (assembled_ ? " where the closures hold" : "") +
+    return count + "random rational points" + (assembled_ ? " where the closures hold" : "") +
            (drawn_.empty() ? "" : ", in all quadrants of its angles");
   }
 
@@ -204,7 +207,9 @@ class PointwiseComparison {
       if (!condition.empty() || explained_by_roots_) {
         return on_one_branch(condition);
       }
-      return different("; " + branch_text(trials_, condition) + remark);
+      Comparison comparison = different("; " + branch_text(trials_, condition) + remark);
+      comparison.branch = branch_text(trials_, condition);
+      return comparison;
     }
     return different(remark);
   }

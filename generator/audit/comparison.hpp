@@ -18,10 +18,11 @@ enum class Verdict : unsigned char {
 
 struct Comparison {
   Verdict verdict;
-  std::string evidence;    ///< how it was decided
-  std::string point;       ///< where the two differ; empty where they agree
-  std::string difference;  ///< printed less derived, there
-  std::string branch{};    ///< `agrees at 20 of 40 points, all those where cos(ph) > 0`
+  std::string evidence;      ///< how it was decided
+  std::string point;         ///< where the two differ; empty where they agree
+  std::string difference;    ///< printed less derived, there
+  std::string branch{};      ///< `agrees at 20 of 40 points, all those where cos(ph) > 0`
+  bool is_computed = false;  ///< compared at computed points, since no rational ones were found
 };
 
 /// Compares exactly, at random rational points. If both expressions agree at all of them, their

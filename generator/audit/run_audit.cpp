@@ -200,9 +200,9 @@ class ProgramAudit {
     if (somewhere) {
       const BranchCondition branch = branch_condition(points_, expected_.derived[entry], trials);
       comparison.evidence = branch_text(trials, branch) + ": evidence, not proof";
+      comparison.branch = branch_text(trials, branch);
       if (!branch.empty()) {
         comparison.verdict = Verdict::on_one_branch;
-        comparison.branch = branch_text(trials, branch);
       }
     }
     if (told < fewest_points) {

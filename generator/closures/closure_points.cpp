@@ -36,6 +36,15 @@ class FewDigits {
   equations::SeededNumbers numbers_;
 };
 
+/// A length that none has yet: what holds only for equal lengths must not hold by chance.
+GiNaC::numeric another(GiNaC::numeric length, std::vector<GiNaC::numeric>& lengths) {
+  while (std::ranges::find(lengths, length) != lengths.end()) {
+    length += GiNaC::numeric(1, 10);
+  }
+  lengths.push_back(length);
+  return length;
+}
+
 /// A value for people: exact, or twelve digits of a decimal or of a long number.
 std::string value_text(const GiNaC::ex& value) {
   if (value.info(GiNaC::info_flags::rational) || !GiNaC::is_a<GiNaC::numeric>(value)) {
@@ -219,6 +228,7 @@ void ClosurePoints::solve(const ClosureDerivative& derivative, Point& point) {
 
 GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
   FewDigits random(seed);
+  std::vector<GiNaC::numeric> lengths;
   GiNaC::exmap values;
   for (const AuditSymbol& symbol : system_.symbols()) {
     if (symbol.angle) {
@@ -226,7 +236,7 @@ GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
       values[algebra_.direction(symbol.symbol).x] = cosine;
       values[algebra_.direction(symbol.symbol).y] = sine;
     } else {
-      values[symbol.symbol] = random.length();
+      values[symbol.symbol] = another(random.length(), lengths);
     }
     if (symbol.moving) {
       values[symbol.rate] = random.rate();
@@ -247,7 +257,7 @@ std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool asse
       return std::nullopt;
     }
     if (assembled) {
-      if (!closures_are_rational_ || !assemble(point.values) || has_lost_a_length(point.values)) {
+      if (!closures_are_rational_ || !assemble(point.values) || is_special(point.values)) {
         return std::nullopt;
       }
       invert_jacobian(point);
@@ -258,10 +268,10 @@ std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool asse
   return point;
 }
 
-/// Whether a length is zero, which none is that is drawn: where all lengths are, everything closes.
-bool ClosurePoints::has_lost_a_length(const GiNaC::exmap& values) const {
+bool ClosurePoints::is_special(const GiNaC::exmap& values) const {
+  GiNaC::exset sizes = {0};
   return std::ranges::any_of(system_.symbols(), [&](const AuditSymbol& symbol) {
-    return !symbol.angle && values.at(symbol.symbol).is_zero();
+    return !symbol.angle && !sizes.insert(GiNaC::abs(values.at(symbol.symbol))).second;
   });
 }
 

@@ -15,6 +15,8 @@ namespace assur::generator::closures {
 
 /// How many computed points serve one comparison: enough for all branches to be among them.
 inline constexpr std::size_t computed_points = 40;
+/// What reports call such points.
+inline const std::string computed_sort = "points of " + std::to_string(solution_digits) + " digits";
 
 /// The points of a system. They are drawn anew when the system changes.
 class ClosurePoints {
@@ -64,9 +66,10 @@ class ClosurePoints {
     std::optional<GiNaC::ex> quantity;  ///< nothing: the determinant of the Jacobian
   };
   /// Such quantities, those of the expression first: cosines and sines of angles, lengths,
-  /// derivatives, and the determinant of the Jacobian; cosines and sines of sums and differences of
-  /// angles, and their products; differences and sums of lengths.
+  /// derivatives; cosines and sines of sums and differences of angles, and their products;
+  /// differences and sums of lengths.
   [[nodiscard]] std::vector<Telling> telling(const GiNaC::ex& expression) const;
+  [[nodiscard]] Telling determinant() const;
   /// The sign of such a quantity at a point; 0 also where it has none.
   [[nodiscard]] int sign(const Telling& telling, Point& point);
 
@@ -99,7 +102,9 @@ class ClosurePoints {
   [[nodiscard]] AssemblyByNewton newton();
   [[nodiscard]] std::deque<Point> rational_points_on_all_branches(const Rooted& rooted,
                                                                   bool assembled);
-  [[nodiscard]] bool has_lost_a_length(const GiNaC::exmap& values) const;
+  /// Whether a length is zero, or as large as another, which none is that is drawn: where all are
+  /// zero, everything closes, and some statements hold only for equal lengths.
+  [[nodiscard]] bool is_special(const GiNaC::exmap& values) const;
   /// Whether a length may be negative: it is unknown, or a coordinate.
   [[nodiscard]] bool takes_either_sign(const AuditSymbol& symbol);
   void solve_for(const GiNaC::ex& whole, Point& point);

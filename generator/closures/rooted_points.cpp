@@ -66,15 +66,6 @@ std::vector<ClosurePoints::Telling> ClosurePoints::telling(const GiNaC::ex& expr
   for (const auto& [name, symbol] : derivatives) {
     add(symbol);
   }
-  std::string jacobian;
-  for (const ClosureSystem::Closure& closure : system_.closures()) {
-    jacobian += (jacobian.empty() ? "" : ", ") + closure.name;
-  }
-  std::string unknowns;
-  for (const AuditSymbol* unknown : system_.unknowns()) {
-    unknowns += (unknowns.empty() ? "" : ", ") + unknown->name;
-  }
-  list.push_back({"det d(" + jacobian + ")/d(" + unknowns + ")", std::nullopt});
   for (const std::vector<GiNaC::ex>* several : {&angles, &lengths}) {
     for (std::size_t one = 0; one < several->size(); ++one) {
       const GiNaC::ex first = (*several)[one];
@@ -103,6 +94,18 @@ std::vector<ClosurePoints::Telling> ClosurePoints::telling(const GiNaC::ex& expr
   return list;
 }
 
+ClosurePoints::Telling ClosurePoints::determinant() const {
+  std::string closures;
+  for (const ClosureSystem::Closure& closure : system_.closures()) {
+    closures += (closures.empty() ? "" : ", ") + closure.name;
+  }
+  std::string unknowns;
+  for (const AuditSymbol* unknown : system_.unknowns()) {
+    unknowns += (unknowns.empty() ? "" : ", ") + unknown->name;
+  }
+  return {"det d(" + closures + ")/d(" + unknowns + ")", std::nullopt};
+}
+
 int ClosurePoints::sign(const Telling& telling, Point& point) {
   constexpr double nothing = 1e-30;  // far above the error of a computed point
   GiNaC::ex value;
@@ -110,10 +113,11 @@ int ClosurePoints::sign(const Telling& telling, Point& point) {
     if (telling.quantity) {
       value = this->value(*telling.quantity, point);
     } else {
-      if (point.inverse_jacobian.is_zero_matrix()) {
-        invert_jacobian(point);
+      Point inverted{point.values, point.inverse_jacobian, point.is_computed};
+      if (inverted.inverse_jacobian.is_zero_matrix()) {
+        invert_jacobian(inverted);
       }
-      value = point.inverse_jacobian.determinant();  // of the same sign
+      value = inverted.inverse_jacobian.determinant();  // of the same sign
     }
   } catch (const std::runtime_error&) {
     return 0;
@@ -168,7 +172,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::rational_points_on_all_branches(
           if (!closures_are_rational_ || !assemble(point.values)) {
             return {};
           }
-          if (has_lost_a_length(point.values)) {
+          if (is_special(point.values)) {
             continue;
           }
           if (follows) {
