@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "closures/formula_text.hpp"
+#include "closures/numeric_matrix.hpp"
 #include "equations/more_digits.hpp"
 #include "equations/seeded_numbers.hpp"
 #include "equations/symbols.hpp"
@@ -19,7 +20,10 @@ class FewDigits {
   explicit FewDigits(unsigned seed) : numbers_(seed) {}
 
   GiNaC::numeric length() { return {integer(5, 30), 10}; }
-  GiNaC::numeric rate() { return {integer(-20, 20), 10}; }
+  GiNaC::numeric rate() {
+    const int tenths = integer(-20, 20);
+    return {tenths == 0 ? 21 : tenths, 10};  // what holds only at rest must not hold by chance
+  }
   /// A rational point of the unit circle off the axes.
   std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
     const int n = integer(2, 7);
@@ -193,7 +197,7 @@ void ClosurePoints::invert_jacobian(Point& point) {
       jacobian(row, column) = values(row, 0);
     }
   }
-  point.inverse_jacobian = jacobian.inverse();
+  point.inverse_jacobian = inverse_of(jacobian);
 }
 
 const std::vector<GiNaC::ex>& ClosurePoints::open_parts(const ClosureDerivative& derivative) {

@@ -3,6 +3,7 @@
 
 #include "closures/closure_points.hpp"
 #include "closures/formula_text.hpp"
+#include "closures/numeric_matrix.hpp"
 #include "equations/symbols.hpp"
 
 namespace assur::generator::closures {
@@ -117,7 +118,7 @@ int ClosurePoints::sign(const Telling& telling, Point& point) {
       if (inverted.inverse_jacobian.is_zero_matrix()) {
         invert_jacobian(inverted);
       }
-      value = inverted.inverse_jacobian.determinant();  // of the same sign
+      return determinant_sign(inverted.inverse_jacobian);  // that of the Jacobian's
     }
   } catch (const std::runtime_error&) {
     return 0;

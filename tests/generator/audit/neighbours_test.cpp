@@ -108,7 +108,7 @@ TEST(Names, AreRefusedWhereFormulasHaveAFunctionOfThatName) {
   EXPECT_TRUE(audit_text("length d D x\nangle th ph\nunknown ph x\nmoving th\n"
                          "loop f1 f2 = polar(d, th) + polar(D, ph) - point(x, 0)\n"
                          "printed equation (1) : x = d*cos(th) + D*cos(ph)\n"
-                         "printed equation (2) : D(x, d) = D(d, d)*(cos(th) - tan(ph)*sin(th))\n"
+                         "printed equation (2) : D(x, d) = D(d, d)*(cos(th) + tan(ph)*sin(th))\n"
                          "printed equation (3) : d(D*d, D) = d\n"
                          "printed matrix (4) of f1 by d D\n  cos(th), cos(ph)\n",
                          "n")

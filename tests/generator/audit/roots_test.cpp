@@ -354,6 +354,33 @@ TEST(Roots, ABranchIsToldByASignAndAPointOfEach) {
             std::string::npos);
 }
 
+TEST(Roots, RatesAreComparedWhereLengthsAreFixed) {
+  const auto verdict = [](const Mechanism& mechanism, const std::string& equation) {
+    return audit_text(mechanism.declared + ("printed equation (1) : " + equation + "\n"), "r")
+        .statements.at(0)
+        .findings.at(0)
+        .comparison;
+  };
+  const Comparison right = verdict(fixed_crank, "rate(theta) = -cos(phi)*rate(phi)/(3*cos(theta))");
+  EXPECT_EQ(right.verdict, Verdict::agrees);
+  EXPECT_EQ(right.evidence, "at 40 points of 100 digits where the closures hold");
+  EXPECT_EQ(verdict(fixed_crank, "rate(theta) = cos(phi)*rate(phi)/(3*cos(theta))").verdict,
+            Verdict::differs_by_sign);
+  EXPECT_EQ(
+      verdict(fixed_crank, "rate(theta) = -cos(phi)*rate(phi)/(3*cos(theta)) + 1e-20").verdict,
+      Verdict::differs);
+  EXPECT_EQ(verdict(fixed_crank,
+                    "3*cos(theta)*rate2(theta) = 3*sin(theta)*rate(theta)^2"
+                    " - cos(phi)*rate2(phi) + sin(phi)*rate(phi)^2")
+                .verdict,
+            Verdict::agrees);
+  EXPECT_EQ(verdict(four_bar, "rate(u) = rate(p)*sin(p - q)/(2*sin(u - q))").verdict,
+            Verdict::agrees);
+  EXPECT_EQ(verdict(four_bar, "rate(u) = rate(p)*sin(p - u)/(2*sin(u - q))").verdict,
+            Verdict::differs);
+  EXPECT_EQ(verdict(tilted, "rate(q) = -a*cos(p)*rate(p)/(b*cos(q + g))").verdict, Verdict::agrees);
+}
+
 /// A parallelogram and the crossed one: nothing has one sign in the one and another in the other.
 TEST(Roots, ABranchThatNoSignTellsIsCounted) {
   const AuditReport report = audit_text(

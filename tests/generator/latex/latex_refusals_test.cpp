@@ -137,7 +137,7 @@ const std::vector<Refusal> refusals = {
      "the orders of this derivative above and below the bar differ"},
     {"\\partial c/\\partial c = b", 1,
      "what follows the closures is differentiated by a parameter, and 'c' is an unknown"},
-    {"\\frac{\\partial\\dot c}{\\partial\\dot b} = a", 1, "'b' has no rate; declare 'moving b'"},
+    {"\\frac{\\partial\\dot c}{\\partial\\dot b} = a", 31, "'b' has no rate; declare 'moving b'"},
     {"\\frac{d}{d t} a\\,b = c", 16, "write brackets around what is differentiated"},
     {"\\dot{a b} = c", 1, "dots stand above a single symbol"},
     {"\\dot{\\ddddot{a}} = c", 1, "more than four dots are not read"},
