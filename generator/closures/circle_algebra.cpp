@@ -20,8 +20,8 @@ equations::Vector2 multiplied_out(const equations::Vector2& first,
           (first.x * second.y + first.y * second.x).expand()};
 }
 
-/// The direction of a multiple of pi whose cosine and sine are known as roots of numbers: those of
-/// pi/4, pi/6, pi/5 and their sums. Throws NotAlgebraic for others.
+/// The direction of a multiple of pi whose cosine and sine are known as roots of numbers: that of a
+/// multiple of pi/12. Throws NotAlgebraic for others.
 equations::Vector2 direction_of_number(const GiNaC::ex& angle) {
   const equations::Vector2 direction{GiNaC::cos(angle), GiNaC::sin(angle)};
   for (const GiNaC::ex& part : {direction.x, direction.y}) {
