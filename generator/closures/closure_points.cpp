@@ -81,7 +81,8 @@ void ClosurePoints::follow_system() {
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     try {  // numbers the roots of closures before those of expressions
       const GiNaC::ex form = algebraic(closure.expression);
-      closures_are_rational_ = closures_are_rational_ && !makes_roots(form);
+      closures_are_rational_ =
+          closures_are_rational_ && !makes_roots(form) && algebra_.root_count() == 0;
     } catch (const NotAlgebraic&) {
       closures_are_algebraic_ = false;  // reported where it is needed
     }
@@ -254,28 +255,31 @@ GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
 }
 
 std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool assembled,
-                                                        bool rational_roots) {
+                                                        bool different_lengths) {
   Point point{random_values(seed), {}};
+  if (!assembled) {
+    return point;
+  }
   try {
-    if (rational_roots && !algebra_.roots_are_rational(point.values)) {
+    if (!closures_are_rational_ || !assemble(point.values) ||
+        is_special(point.values, different_lengths)) {
       return std::nullopt;
     }
-    if (assembled) {
-      if (!closures_are_rational_ || !assemble(point.values) || is_special(point.values)) {
-        return std::nullopt;
-      }
-      invert_jacobian(point);
-    }
-  } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, there
+    invert_jacobian(point);
+  } catch (const std::runtime_error&) {  // a singular Jacobian
     return std::nullopt;
   }
   return point;
 }
 
-bool ClosurePoints::is_special(const GiNaC::exmap& values) const {
+bool ClosurePoints::is_special(const GiNaC::exmap& values, bool different_lengths) const {
   GiNaC::exset sizes = {0};
   return std::ranges::any_of(system_.symbols(), [&](const AuditSymbol& symbol) {
-    return !symbol.angle && !sizes.insert(GiNaC::abs(values.at(symbol.symbol))).second;
+    if (symbol.angle) {
+      return false;
+    }
+    const GiNaC::ex& value = values.at(symbol.symbol);
+    return value.is_zero() || (different_lengths && !sizes.insert(GiNaC::abs(value)).second);
   });
 }
 
@@ -339,7 +343,11 @@ std::optional<ClosurePoints::Point> ClosurePoints::assembled_from(const GiNaC::e
   follow_system();
   Point point{values, {}};
   try {
-    if (!algebra_.roots_are_rational(point.values) || !assemble(point.values)) {
+    const auto is_rational = [](const auto& value) {
+      return value.second.info(GiNaC::info_flags::rational);
+    };
+    if (!algebra_.roots_are_rational(point.values) || !assemble(point.values) ||
+        !std::ranges::all_of(point.values, is_rational)) {
       return std::nullopt;
     }
     invert_jacobian(point);
@@ -364,17 +372,17 @@ ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
   PointList& list = lists_[assembled];
   while (list.drawn.size() <= index) {
     if (list.next_seed > most_draws) {
-      if (!list.rational_roots) {
+      if (!list.different_lengths) {
         if (!assembled || list.next_solved > most_solved) {
           return nullptr;
         }
         std::ranges::move(solved_points(list.next_solved++), std::back_inserter(list.drawn));
         continue;
       }
-      list.rational_roots = false;
+      list.different_lengths = false;
       list.next_seed = 1;
     }
-    if (std::optional<Point> point = draw(list.next_seed++, assembled, list.rational_roots)) {
+    if (std::optional<Point> point = draw(list.next_seed++, assembled, list.different_lengths)) {
       list.drawn.push_back(std::move(*point));
     }
   }

@@ -34,9 +34,10 @@ class ClosurePoints {
   [[nodiscard]] ClosureSystem& system() { return system_; }
 
   /// The points that comparisons use, one after the other, drawn by fixed seeds; the closures hold
-  /// there if `assembled`. Returns nullptr when there are no more. Points where all roots are
-  /// rational come first. Where no rational points are assembled, as for fixed or equal lengths,
-  /// the closures are solved for the unknowns, on all branches, to `solution_digits` digits.
+  /// there if `assembled`. Returns nullptr when there are no more. Where no rational points are
+  /// assembled, as for fixed or equal lengths, the closures are solved for the unknowns, on all
+  /// branches, to `solution_digits` digits; also where closures have roots, since points at which
+  /// roots are rational are special: their triangles have right angles or equal sides.
   [[nodiscard]] Point* point(std::size_t index, bool assembled);
   /// The point with these values of all symbols, except for some lengths, which are changed so that
   /// the closures hold; nothing where they cannot hold.
@@ -89,22 +90,22 @@ class ClosurePoints {
   struct PointList {
     std::deque<Point> drawn;
     unsigned next_seed = 1;
-    bool rational_roots = true;  ///< required of the next points that are drawn
-    unsigned next_solved = 1;    ///< the seed of the next values for which closures are solved
+    bool different_lengths = true;  ///< required of the next points that are drawn
+    unsigned next_solved = 1;       ///< the seed of the next values for which closures are solved
   };
 
   void follow_system();
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
-  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
+  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool different_lengths);
   [[nodiscard]] GiNaC::exmap random_values(unsigned seed) const;
   /// The configurations for random values of the parameters.
   [[nodiscard]] std::vector<Point> solved_points(unsigned seed);
   [[nodiscard]] AssemblyByNewton newton();
   [[nodiscard]] std::deque<Point> rational_points_on_all_branches(const Rooted& rooted,
                                                                   bool assembled);
-  /// Whether a length is zero, or as large as another, which none is that is drawn: where all are
+  /// Whether a length is zero, or as large as another if they are to be different: where all are
   /// zero, everything closes, and some statements hold only for equal lengths.
-  [[nodiscard]] bool is_special(const GiNaC::exmap& values) const;
+  [[nodiscard]] bool is_special(const GiNaC::exmap& values, bool different_lengths) const;
   /// Whether a length may be negative: it is unknown, or a coordinate.
   [[nodiscard]] bool takes_either_sign(const AuditSymbol& symbol);
   void solve_for(const GiNaC::ex& whole, Point& point);
@@ -123,7 +124,7 @@ class ClosurePoints {
 
   ClosureSystem& system_;
   bool closures_are_algebraic_ = true;                                     ///< in this revision
-  bool closures_are_rational_ = true;                                      ///< in this revision
+  bool closures_are_rational_ = true;                                      ///< without roots
   std::optional<AssemblyByLengths> assembly_;                              ///< of this revision
   std::optional<AssemblyByNewton> newton_;                                 ///< of this revision
   std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision

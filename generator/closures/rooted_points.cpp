@@ -173,7 +173,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::rational_points_on_all_branches(
           if (!closures_are_rational_ || !assemble(point.values)) {
             return {};
           }
-          if (is_special(point.values)) {
+          if (is_special(point.values, insists)) {
             continue;
           }
           if (follows) {

@@ -398,6 +398,21 @@ TEST(Roots, ABranchThatNoSignTellsIsCounted) {
   EXPECT_EQ(report.statements.at(2).findings.at(0).comparison.branch, "");
 }
 
+/// A triangle of rational sides and a rational height has often a right angle, where the derivative
+/// of its angle by a side vanishes; such triangles alone must not be compared.
+TEST(Roots, PointsWithRationalRootsAreNotPreferred) {
+  const std::string triangle =
+      "length a b c x\nangle p\nunknown x\nmoving p\n"
+      "let alpha = acos((a^2 + b^2 - c^2)/(2*a*b))\nclosure f = x - b*cos(p - alpha)\n";
+  for (const char* statement : {"printed equation (1) : d(f, a) = -d(f, a)\n",
+                                "printed equation (1) : D(x, a) = -D(x, a)\n",
+                                "printed matrix (1) of f by a\n  b*sin(p - alpha)*d(alpha, a)\n"}) {
+    const AuditReport report = audit_text(triangle + statement, "r");
+    EXPECT_EQ(report.statements.at(0).findings.at(0).comparison.verdict, Verdict::differs_by_sign)
+        << statement;
+  }
+}
+
 TEST(Roots, NumbersWithoutRootsAreComparedWhole) {
   const auto verdict = [](const std::string& equation) {
     return audit_text(numbers.declared + ("printed equation (1) : " + equation + "\n"), "r")
