@@ -28,43 +28,25 @@ BranchCondition told_by(closures::ClosurePoints& points, const Telling& telling,
           telling.text + (sense > 0 ? " < 0" : " > 0")};
 }
 
-/// Whether two quantities have equal signs at all points, or opposite ones at all, also where the
-/// closures do not hold.
-bool have_like_signs(closures::ClosurePoints& points, const Telling& one, const Telling& other) {
-  constexpr std::size_t compared = 40;
-  int sense = 0;
-  for (std::size_t index = 0; index < compared; ++index) {
-    closures::ClosurePoints::Point* const point = points.point(index, false);
-    if (point == nullptr) {
-      return false;
-    }
-    const int here = points.sign(one, *point) * points.sign(other, *point);
-    sense = sense == 0 ? here : sense;
-    if (here != 0 && here != sense) {
-      return false;
-    }
-  }
-  return sense != 0;
-}
-
 }  // namespace
 
 BranchCondition branch_condition(closures::ClosurePoints& points, const GiNaC::ex& statement,
                                  const std::vector<Trial>& trials) {
-  const std::vector<Telling> list = points.telling(statement);
-  // Two ways of assembly are separated by the determinant of the Jacobian, which a quantity has the
-  // sign of: that of another may do so only by chance, for these lengths.
-  const Telling determinant = points.determinant();
-  const BranchCondition by_determinant = told_by(points, determinant, trials);
-  for (const Telling& telling : list) {
-    if (by_determinant.empty() || have_like_signs(points, telling, determinant)) {
-      BranchCondition condition = told_by(points, telling, trials);
-      if (!condition.empty()) {
-        return condition;
-      }
+  BranchCondition first;
+  for (const Telling& telling : points.telling(statement)) {
+    const BranchCondition condition = told_by(points, telling, trials);
+    if (condition.empty()) {
+      continue;
     }
+    // Where two ways of assembly meet, the Jacobian is singular. The sign of a quantity that does
+    // not vanish there may tell them apart by chance alone, for these lengths.
+    if (points.is_singular_with(telling)) {
+      return condition;
+    }
+    first = first.empty() ? condition : first;
   }
-  return by_determinant;
+  const BranchCondition by_determinant = told_by(points, points.determinant(), trials);
+  return by_determinant.empty() ? first : by_determinant;
 }
 
 std::string branch_text(const std::vector<Trial>& trials, const BranchCondition& condition) {

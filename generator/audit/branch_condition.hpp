@@ -22,8 +22,8 @@ struct BranchCondition {
 
 /// The first of a list of simple conditions that holds at all points where the statement does, and
 /// at no other: the sign of a cosine, sine, length or derivative, of the cosine or sine of a sum or
-/// difference of two angles, ... Where the sign of the Jacobian's determinant tells, it is a
-/// quantity that always has this sign, or the opposite, or the determinant itself.
+/// difference of two angles, ... Preferred are quantities with which the Jacobian becomes singular,
+/// and then its determinant.
 [[nodiscard]] BranchCondition branch_condition(closures::ClosurePoints& points,
                                                const GiNaC::ex& statement,
                                                const std::vector<Trial>& trials);

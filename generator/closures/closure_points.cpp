@@ -40,6 +40,11 @@ class FewDigits {
   equations::SeededNumbers numbers_;
 };
 
+/// Whether a solved length is so small that all may close because of it.
+bool vanishes_nearly(const GiNaC::ex& length) {
+  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(length)) < GiNaC::numeric(1, 1000);
+}
+
 /// A length that none has yet: what holds only for equal lengths must not hold by chance.
 GiNaC::numeric another(GiNaC::numeric length, std::vector<GiNaC::numeric>& lengths) {
   while (std::ranges::find(lengths, length) != lengths.end()) {
@@ -181,10 +186,10 @@ GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions
   return column;
 }
 
-void ClosurePoints::invert_jacobian(Point& point) {
+std::optional<GiNaC::matrix> ClosurePoints::jacobian(const Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   if (solved.empty() || solved.size() != system_.closures().size()) {
-    return;
+    return std::nullopt;
   }
   const auto size = static_cast<unsigned>(solved.size());
   GiNaC::matrix jacobian(size, size);
@@ -198,7 +203,13 @@ void ClosurePoints::invert_jacobian(Point& point) {
       jacobian(row, column) = values(row, 0);
     }
   }
-  point.inverse_jacobian = inverse_of(jacobian);
+  return jacobian;
+}
+
+void ClosurePoints::invert_jacobian(Point& point) {
+  if (const std::optional<GiNaC::matrix> values = jacobian(point)) {
+    point.inverse_jacobian = inverse_of(*values);
+  }
 }
 
 const std::vector<GiNaC::ex>& ClosurePoints::open_parts(const ClosureDerivative& derivative) {
@@ -300,6 +311,12 @@ std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
     Point point{values, {}, true};
     for (const auto& [symbol, value] : solution) {
       point.values[symbol] = value;
+    }
+    const bool is_degenerate = std::ranges::any_of(system_.symbols(), [&](const AuditSymbol& one) {
+      return !one.angle && !one.unknown && vanishes_nearly(point.values.at(one.symbol));
+    });
+    if (is_degenerate) {
+      continue;
     }
     try {
       invert_jacobian(point);

@@ -71,6 +71,9 @@ class ClosurePoints {
   /// differences and sums of lengths.
   [[nodiscard]] std::vector<Telling> telling(const GiNaC::ex& expression) const;
   [[nodiscard]] Telling determinant() const;
+  /// Whether the Jacobian is singular wherever such a quantity vanishes, so that its sign tells
+  /// ways of assembly apart.
+  [[nodiscard]] bool is_singular_with(const Telling& telling);
   /// The sign of such a quantity at a point; 0 also where it has none.
   [[nodiscard]] int sign(const Telling& telling, Point& point);
 
@@ -112,7 +115,12 @@ class ClosurePoints {
   /// The symbols in expressions, in the closures if they hold, and in what determines derivatives.
   [[nodiscard]] GiNaC::exset needed_symbols(const std::vector<GiNaC::ex>& shown, bool assembled);
   [[nodiscard]] bool assemble(GiNaC::exmap& values);
+  /// Nothing unless there are as many closures as unknowns.
+  [[nodiscard]] std::optional<GiNaC::matrix> jacobian(const Point& point);
   void invert_jacobian(Point& point);
+  /// Changes an angle or length so that the quantity vanishes; false where it is none of an angle,
+  /// of two angles or a length.
+  [[nodiscard]] bool make_zero(const GiNaC::ex& quantity, GiNaC::exmap& values) const;
   void solve(const ClosureDerivative& derivative, Point& point);
   /// r in the equations J x + r = 0 of a derivative x.
   [[nodiscard]] const std::vector<GiNaC::ex>& open_parts(const ClosureDerivative& derivative);

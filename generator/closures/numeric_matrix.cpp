@@ -29,8 +29,10 @@ Rows rows_of(const GiNaC::matrix& matrix) {
 }
 
 /// Eliminates the first columns, as many as there are rows, which leaves the unit matrix there.
-/// Returns the sign of their determinant, at once if it is 0.
+/// Returns the sign of their determinant, at once if it is 0. Pivots that are far smaller than any
+/// number of a mechanism are rounding errors.
 int eliminate(Rows& rows) {
+  const GiNaC::numeric least = GiNaC::numeric(10).power(-60);
   int sign = 1;
   for (std::size_t column = 0; column < rows.size(); ++column) {
     std::size_t pivot = column;
@@ -40,7 +42,7 @@ int eliminate(Rows& rows) {
       }
     }
     const GiNaC::numeric divisor = rows[pivot][column];
-    if (divisor.is_zero()) {
+    if (GiNaC::abs(divisor) <= least) {
       return 0;
     }
     sign *= (pivot == column ? 1 : -1) * (divisor.is_negative() ? -1 : 1);

@@ -95,6 +95,71 @@ std::vector<ClosurePoints::Telling> ClosurePoints::telling(const GiNaC::ex& expr
   return list;
 }
 
+bool ClosurePoints::make_zero(const GiNaC::ex& telling, GiNaC::exmap& values) const {
+  const bool has_sign = GiNaC::is_a<GiNaC::mul>(telling) && telling.nops() == 2 &&
+                        GiNaC::is_a<GiNaC::numeric>(telling.op(1));
+  const GiNaC::ex quantity = has_sign ? telling.op(0) : telling;
+  if (GiNaC::is_a<GiNaC::symbol>(quantity)) {
+    const auto length = values.find(quantity);
+    if (length != values.end()) {
+      length->second = 0;
+    }
+    return length != values.end();
+  }
+  if (!GiNaC::is_a<GiNaC::function>(quantity)) {
+    return false;
+  }
+  const bool is_cosine = GiNaC::ex_to<GiNaC::function>(quantity).get_name() == "cos";
+  const GiNaC::ex angle = quantity.op(0);
+  std::vector<std::pair<const AuditSymbol*, GiNaC::ex>> terms;
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    const GiNaC::ex factor = angle.coeff(symbol.symbol);
+    if (symbol.angle && !factor.is_zero()) {
+      terms.emplace_back(&symbol, factor);
+    }
+  }
+  const auto is_single = [](const auto& term) {
+    return term.second.is_equal(1) || term.second.is_equal(-1);
+  };
+  if (terms.empty() || !std::ranges::all_of(terms, is_single)) {
+    return false;
+  }
+  // The first angle is turned so that the whole is zero, or a quarter turn.
+  equations::Vector2 rest{1, 0};
+  for (const auto& [symbol, factor] : std::vector(terms.begin() + 1, terms.end())) {
+    const equations::Vector2& of = algebra_.direction(symbol->symbol);
+    const equations::Vector2 turn{values.at(of.x), -factor * values.at(of.y)};
+    rest = {rest.x * turn.x - rest.y * turn.y, rest.x * turn.y + rest.y * turn.x};
+  }
+  if (is_cosine) {
+    rest = {-rest.y, rest.x};
+  }
+  const equations::Vector2& first = algebra_.direction(terms.front().first->symbol);
+  values[first.x] = rest.x;
+  values[first.y] = terms.front().second * rest.y;
+  return true;
+}
+
+bool ClosurePoints::is_singular_with(const Telling& telling) {
+  constexpr unsigned tried = 3;
+  follow_system();
+  for (unsigned seed = 1; seed <= tried; ++seed) {
+    Point point{random_values(seed), {}};
+    try {
+      if (!telling.quantity || !make_zero(*telling.quantity, point.values)) {
+        return false;
+      }
+      const std::optional<GiNaC::matrix> values = jacobian(point);
+      if (!values || determinant_sign(*values) != 0) {
+        return false;
+      }
+    } catch (const std::runtime_error&) {  // no real root there
+      return false;
+    }
+  }
+  return true;
+}
+
 ClosurePoints::Telling ClosurePoints::determinant() const {
   std::string closures;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
@@ -114,11 +179,8 @@ int ClosurePoints::sign(const Telling& telling, Point& point) {
     if (telling.quantity) {
       value = this->value(*telling.quantity, point);
     } else {
-      Point inverted{point.values, point.inverse_jacobian, point.is_computed};
-      if (inverted.inverse_jacobian.is_zero_matrix()) {
-        invert_jacobian(inverted);
-      }
-      return determinant_sign(inverted.inverse_jacobian);  // that of the Jacobian's
+      const std::optional<GiNaC::matrix> values = jacobian(point);
+      return values ? determinant_sign(*values) : 0;
     }
   } catch (const std::runtime_error&) {
     return 0;
