@@ -379,6 +379,8 @@ TEST(Roots, RatesAreComparedWhereLengthsAreFixed) {
   EXPECT_EQ(verdict(four_bar, "rate(u) = rate(p)*sin(p - u)/(2*sin(u - q))").verdict,
             Verdict::differs);
   EXPECT_EQ(verdict(tilted, "rate(q) = -a*cos(p)*rate(p)/(b*cos(q + g))").verdict, Verdict::agrees);
+  EXPECT_EQ(verdict(tilted, "d(f1, q) = -b*sin(q + g)").verdict, Verdict::agrees);
+  EXPECT_EQ(verdict(tilted, "d(f1, q) = -b*cos(q + g)").verdict, Verdict::differs);
 }
 
 /// A parallelogram and the crossed one: nothing has one sign in the one and another in the other.

@@ -212,6 +212,22 @@ TEST(Latex, DerivativesOfRatesAndByRates) {
       (Labels{"equation line 1!"}));
 }
 
+TEST(Latex, MatricesAsSymPyPrintsThem) {
+  const std::string map = R"(length a1 a2 a3 a4
+angle theta2 theta3 theta4
+unknown theta3 theta4
+moving theta2
+loop f1 f2 = polar(a2, theta2) + polar(a3, theta3) - polar(a4, theta4) - point(a1, 0)
+J = matrix of f1..2 by theta3..4
+)";
+  const std::string paper =
+      R"(\begin{equation}\label{j} J = \left[\begin{matrix}- a_{3} \sin{\left(\theta_{3} \right)} & a_{4} \sin{\left(\theta_{4} \right)}\\a_{3} \cos{\left(\theta_{3} \right)} & - a_{4} \sin{\left(\theta_{4} \right)}\end{matrix}\right]\end{equation}
+\begin{equation} \dot{\theta}_3 = - \frac{a_{2} \sin{\left(\theta_{2} - \theta_{4} \right)}}{a_{3} \sin{\left(\theta_{3} - \theta_{4} \right)}} \dot{\theta}_2 \end{equation}
+)";
+  EXPECT_EQ(labels(report_of(paper, map)),
+            (Labels{"matrix (1)", "matrix (1)", "matrix (1)", "matrix (1)!", "equation (2)"}));
+}
+
 TEST(Latex, DefinitionsEndWithTheirGroups) {
   const std::string paper = R"(\newcommand{\x}{r}
 \setcounter{equation}{6}
