@@ -40,7 +40,8 @@ std::vector<Asked> AskedPoints::drawn() {
       break;
     }
     // Unknown lengths have either sign: they are negated at every other point.
-    std::optional<Point> point = index % 2 == 0 ? *drawn : turned(*drawn);
+    // Computed points have them as they are solved for.
+    std::optional<Point> point = index % 2 == 0 || drawn->is_computed ? *drawn : turned(*drawn);
     if (!point || !is_allowed(*point)) {
       continue;
     }
@@ -55,16 +56,27 @@ std::vector<Asked> AskedPoints::drawn() {
       add_point(point, asked);
     }
   }
-  if (asked.size() >= fewest_points) {
-    return asked;
-  }
-  if (!assembled_ || follows_closures()) {
+  if (asked.size() < fewest_points) {
     throw closures::FormulaError(run_.program.file.filename().string() +
-                                     ": no points were found at which the program can be run",
+                                     ": no points were found at which " +
+                                     (assembled_ ? "the closures hold and " : "") +
+                                     (obstacle_.empty() ? "the program can be run"
+                                                        : "the entries have values: " + obstacle_),
                                  run_.result.place);
   }
-  assembled_ = false;  // the entries have values where the closures do not hold, too
-  return drawn();
+  return asked;
+}
+
+std::string AskedPoints::sort_of(const std::vector<Asked>& points) const {
+  const auto computed =
+      std::ranges::count_if(points, [](const Asked& asked) { return asked.point.is_computed; });
+  const std::string assembled = assembled_ ? " assembled" : "";
+  const std::string rational =
+      std::to_string(std::ssize(points) - computed) + assembled + " rational points";
+  const std::string solved = std::to_string(computed) + assembled + " " + closures::computed_sort;
+  return computed == 0                    ? rational
+         : computed == std::ssize(points) ? solved
+                                          : rational + " and " + solved;
 }
 
 std::optional<AskedPoints::Point> AskedPoints::turned(const Point& point) {
@@ -96,16 +108,12 @@ std::vector<Asked> AskedPoints::simple() {
       }
       if (symbol.moving) {
         values[symbol.rate] = random.rate();
-        values[symbol.second_rate] = random.rate();
+        values[symbol.second_rate] = symbol.steady ? GiNaC::numeric(0) : random.rate();
       }
     }
-    try {
-      std::optional<Point> point = assembled_ ? points_.assembled_from(values) : Point{values, {}};
-      if (point && parameters_positive(*point) && is_allowed(*point)) {
-        add_point(*point, list);
-      }
-    } catch (const std::runtime_error&) {  // a value is missing there
-      continue;
+    std::optional<Point> point = assembled_ ? points_.assembled_from(values) : Point{values, {}};
+    if (point && parameters_positive(*point) && is_allowed(*point)) {
+      add_point(*point, list);
     }
   }
   return list;
@@ -144,8 +152,13 @@ bool AskedPoints::mentions(const std::string& name) const {
 bool AskedPoints::is_allowed(Point& point) {
   closures::ClosureSystem& system = points_.system();
   return std::all_of(run_.where.begin(), run_.where.end(), [&](const auto& condition) {
-    const GiNaC::ex value = points_.value(closures::read_formula(condition, system), point);
-    return value.evalf().info(GiNaC::info_flags::positive);
+    const GiNaC::ex formula = closures::read_formula(condition, system);
+    try {
+      return points_.value(formula, point).evalf().info(GiNaC::info_flags::positive);
+    } catch (const closures::NotAlgebraic& error) {  // it has no value there
+      obstacle_ = error.what();
+      return false;
+    }
   });
 }
 
@@ -157,14 +170,19 @@ bool AskedPoints::parameters_positive(const Point& point) const {
   });
 }
 
-bool AskedPoints::follows_closures() const {
-  return std::any_of(
-      expected_.derived.begin(), expected_.derived.end(),
-      [&](const GiNaC::ex& each) { return points_.system().follows_closures(each); });
+bool AskedPoints::add_point(const Point& point, std::vector<Asked>& list) {
+  Asked asked{point, {}, {}};
+  try {
+    complete(asked);
+  } catch (const closures::NotAlgebraic& error) {
+    obstacle_ = error.what();
+    return false;
+  }
+  list.push_back(std::move(asked));
+  return true;
 }
 
-void AskedPoints::add_point(const Point& point, std::vector<Asked>& list) {
-  Asked asked{point, {}, {}};
+void AskedPoints::complete(Asked& asked) {
   for (const GiNaC::ex& derived : expected_.derived) {
     static_cast<void>(value_at(derived, asked.point));  // solves for the derivatives in it
   }
@@ -176,7 +194,6 @@ void AskedPoints::add_point(const Point& point, std::vector<Asked>& list) {
     }
   }
   asked.values = symbol_values(points_, asked.point);
-  list.push_back(std::move(asked));
 }
 
 }  // namespace assur::generator::audit

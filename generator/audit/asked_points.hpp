@@ -31,15 +31,16 @@ class AskedPoints {
       : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
 
   /// Returns the points of comparisons. Points at which a given length is negative come last, since
-  /// a program may refuse such lengths; unknown lengths have either sign. Throws FormulaError if
-  /// there are too few points, and NotAlgebraic.
+  /// a program may refuse such lengths; unknown lengths have either sign. Points at which an entry
+  /// has no value are left out. Throws FormulaError if there are too few points.
   [[nodiscard]] std::vector<Asked> drawn();
   /// Returns points of small numbers, for counterexamples that can be checked with a pencil. There
   /// may be none.
   [[nodiscard]] std::vector<Asked> simple();
-  /// Whether the closures hold at the points. If no assembled points are found, entries that have a
-  /// value at any point are computed at points where the closures do not hold.
+  /// Whether the closures hold at the points.
   [[nodiscard]] bool assembled() const { return assembled_; }
+  /// Returns the number and sort of points, for people: `40 assembled rational points`.
+  [[nodiscard]] std::string sort_of(const std::vector<Asked>& points) const;
 
   /// Returns the exact value, rounded to a double. Throws NotAlgebraic.
   [[nodiscard]] double value_at(const GiNaC::ex& expression, closures::ClosurePoints::Point& point);
@@ -54,13 +55,16 @@ class AskedPoints {
   /// The point with the unknown lengths negated, if the closures can hold there.
   [[nodiscard]] std::optional<Point> turned(const Point& point);
   [[nodiscard]] bool parameters_positive(const Point& point) const;
-  [[nodiscard]] bool follows_closures() const;
-  void add_point(const Point& point, std::vector<Asked>& list);
+  /// Returns false, and adds nothing, where an entry has no value.
+  bool add_point(const Point& point, std::vector<Asked>& list);
+  /// Computes what the program is given, and the derivatives in entries. Throws NotAlgebraic.
+  void complete(Asked& asked);
 
   closures::ClosurePoints& points_;
   const ExpectedMatrix& expected_;
   const RunStatement& run_;
   bool assembled_;
+  std::string obstacle_;  ///< why an entry or condition has no value somewhere
 };
 
 }  // namespace assur::generator::audit

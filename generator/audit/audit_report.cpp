@@ -22,6 +22,25 @@ std::string counted(std::size_t agree, std::size_t all) {
                       : std::to_string(agree) + " of " + std::to_string(all) + " agree";
 }
 
+/// How many findings agree; where all others hold on the same branch, on which.
+std::string counted(const AuditedStatement& statement) {
+  const std::size_t agree = agreeing(statement);
+  std::string branch;
+  for (const Finding& finding : statement.findings) {
+    const std::string& one = finding.comparison.branch;
+    if (finding.agrees()) {
+      continue;
+    }
+    if (one.empty() || (!branch.empty() && branch != one)) {
+      return counted(agree, statement.findings.size());
+    }
+    branch = one;
+  }
+  return branch.empty() ? counted(agree, statement.findings.size())
+         : agree == 0   ? branch
+                        : counted(agree, statement.findings.size()) + ", the rest " + branch;
+}
+
 /// One letter for each entry of a matrix, so that a glance finds the wrong ones.
 char mark(const Finding& finding) {
   switch (finding.comparison.verdict) {
@@ -97,7 +116,10 @@ std::vector<std::pair<std::string, std::string>> details(const Finding& finding)
 std::string statement_text(const AuditReport& report, const AuditedStatement& statement) {
   const std::size_t agree = agreeing(statement);
   const std::string& file = statement.file.empty() ? report.file : statement.file;
-  std::string text = statement.label + ": " + counted(agree, statement.findings.size()) +
+  const bool computed = std::ranges::any_of(
+      statement.findings, [](const Finding& one) { return one.comparison.is_computed; });
+  std::string text = statement.label + ": " + counted(statement) +
+                     (computed ? ", at " + closures::computed_sort : "") +
                      (statement.remark.empty() ? "" : ", " + statement.remark) + "\n";
   if (agree == statement.findings.size()) {
     return text;
@@ -262,6 +284,9 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
         }
         if (!comparison.difference.empty() || !comparison.point.empty()) {
           entry["point"] = comparison.point;
+        }
+        if (!comparison.branch.empty()) {
+          entry["branch"] = comparison.branch;
         }
         if (!finding.note.empty()) {
           entry["note"] = finding.note;

@@ -1,8 +1,11 @@
 #include "audit/comparison.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
+#include "audit/branch_condition.hpp"
+#include "audit/rounding_bound.hpp"
 #include "closures/formula_text.hpp"
 #include "equations/more_digits.hpp"
 
@@ -10,7 +13,6 @@ namespace assur::generator::audit {
 
 namespace {
 
-constexpr int wanted_points = 3;
 /// The other signs of roots are not tried for more roots than this: too many would have to be.
 constexpr std::size_t most_roots = 6;
 /// The number of decimal digits that must agree where roots of numbers are irrational.
@@ -29,7 +31,7 @@ bool is_nothing(const GiNaC::ex& value) {
 }
 
 std::string amount(const GiNaC::ex& value) {
-  if (GiNaC::is_a<GiNaC::numeric>(value) &&
+  if (value.info(GiNaC::info_flags::rational) &&
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
     return closures::formula_text(value);
   }
@@ -61,59 +63,116 @@ Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
   return {difference, printed + derived};
 }
 
+/// Whether an expression with this value vanishes at the point; nothing where rounding leaves that
+/// open. The value at a computed point is judged by the running bound of its rounding error.
+std::optional<bool> vanishes_at(closures::ClosurePoints& points, const GiNaC::ex& expression,
+                                const GiNaC::ex& value, closures::ClosurePoints::Point& point) {
+  if (!point.is_computed) {
+    return is_nothing(value);
+  }
+  constexpr double rounding = 1e-40;
+  constexpr double certain = 1e-30;
+  const double bound =
+      rounded_value(points.system().expanded(expression), symbol_values(points, point)).error;
+  if (!GiNaC::is_a<GiNaC::numeric>(value) || !std::isfinite(bound)) {
+    return std::nullopt;
+  }
+  const double size = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)).to_double();
+  if (size <= bound * rounding || size > bound * certain) {
+    return size <= bound * rounding;
+  }
+  return std::nullopt;
+}
+
 /// Whether the sides are opposite; false where their sum has no algebraic form.
 bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
                   closures::ClosurePoints::Point& point) {
   try {
-    return is_nothing(points.value(sides.sum, point));
+    return vanishes_at(points, sides.sum, points.value(sides.sum, point), point).value_or(false);
   } catch (const closures::NotAlgebraic&) {
     return false;
   }
 }
 
-/// Whether a statement holds at one point, and whether that depends on the signs of its roots.
-struct Branch {
-  closures::ClosurePoints::Point* point;
-  GiNaC::ex value;
-  bool holds;
-  bool would_hold;  ///< with other signs of the roots
-};
-
-class BranchComparison {
+/// Compares at one point after the other.
+class PointwiseComparison {
  public:
-  BranchComparison(closures::ClosurePoints& points, const Sides& sides,
-                   const std::vector<GiNaC::ex>& shown, bool assembled)
+  PointwiseComparison(closures::ClosurePoints& points, const Sides& sides,
+                      const std::vector<GiNaC::ex>& shown, bool assembled)
       : points_(points), sides_(sides), shown_(shown), assembled_(assembled) {}
+
+  /// An expression without roots of its own.
+  Comparison run() {
+    for (std::size_t index = 0; trials_.size() < wanted(); ++index) {
+      closures::ClosurePoints::Point* const point = points_.point(index, assembled_);
+      if (point == nullptr) {
+        break;
+      }
+      try {
+        add(*point, points_.value(sides_.difference, *point));
+      } catch (const closures::NotAlgebraic& error) {
+        obstacle_ = error.what();
+      }
+    }
+    if (trials_.size() < fewest) {
+      return {Verdict::undecided,
+              obstacle_.empty() ? "no point was found where the closures hold" : obstacle_, "", ""};
+    }
+    // Rational points are of one family, on which what holds at random points holds everywhere.
+    Comparison comparison = verdict(is_computed(), "");
+    comparison.is_computed = is_computed();
+    return comparison;
+  }
 
   Comparison run(const closures::ClosurePoints::Rooted& rooted) {
     drawn_ = points_.points_on_all_branches(rooted, assembled_);
-    if (drawn_.size() < static_cast<std::size_t>(wanted_points)) {
+    bool explained = true;
+    for (closures::ClosurePoints::Point& point : drawn_) {
+      add(point, points_.value(rooted, point));
+      const bool is_added = !trials_.empty() && trials_.back().point == &point;
+      explained = explained && (!is_added || trials_.back().holds || would_hold(rooted, point));
+    }
+    if (trials_.size() < fewest) {
       return {Verdict::undecided, "no rational points were found where its roots are real", "", ""};
     }
-    for (closures::ClosurePoints::Point& point : drawn_) {
-      const GiNaC::ex value = points_.value(rooted, point);
-      const bool holds = is_nothing(value);
-      branches_.push_back({&point, value, holds, !holds && would_hold(rooted, point)});
-    }
-    const auto holds = [](const Branch& branch) { return branch.holds; };
-    if (std::all_of(branches_.begin(), branches_.end(), holds)) {
-      const bool proved = !points_.system().follows_closures(sides_.difference) &&
-                          points_.vanishes(sides_.difference);
-      return {Verdict::agrees, proved ? "identically" : where(), "", ""};
-    }
-    const bool explained = std::all_of(branches_.begin(), branches_.end(), [](const Branch& each) {
-      return each.holds || each.would_hold;
-    });
-    if (explained && std::any_of(branches_.begin(), branches_.end(), holds)) {
-      return on_one_branch();
-    }
-    return different(explained, rooted.algebra.root_count() - rooted.first_own);
+    const std::size_t roots = rooted.algebra.root_count() - rooted.first_own;
+    explained_by_roots_ = explained;
+    Comparison comparison =
+        verdict(true, (explained ? "; it holds with the other sign of a root" : "") +
+                          (roots > most_roots ? "; the other signs of its " +
+                                                    std::to_string(roots) + " roots were not tried"
+                                              : std::string()));
+    comparison.is_computed = is_computed();
+    return comparison;
   }
 
  private:
+  static constexpr std::size_t fewest = 3;
+
+  [[nodiscard]] bool is_computed() const {
+    return std::ranges::any_of(trials_,
+                               [](const Trial& trial) { return trial.point->is_computed; });
+  }
+  [[nodiscard]] std::size_t wanted() const {
+    return is_computed() ? closures::computed_points : fewest;
+  }
+
+  void add(closures::ClosurePoints::Point& point, const GiNaC::ex& value) {
+    if (const auto holds = vanishes_at(points_, sides_.difference, value, point)) {
+      trials_.push_back({&point, *holds});
+      values_.push_back(value);
+    } else {
+      obstacle_ = "rounding hides whether it holds";
+    }
+  }
+
   [[nodiscard]] std::string where() const {
-    return "at " + std::to_string(branches_.size()) + " random rational points" +
-           (assembled_ ? " where the closures hold" : "") + ", in all quadrants of its angles";
+    const std::string count = "at " + std::to_string(trials_.size()) + " ";
+    if (is_computed()) {
+      return count + closures::computed_sort + " where the closures hold";
+    }
+    return count + "random rational points" + (assembled_ ? " where the closures hold" : "") +
+           (drawn_.empty() ? "" : ", in all quadrants of its angles");
   }
 
   bool would_hold(const closures::ClosurePoints::Rooted& rooted,
@@ -124,7 +183,8 @@ class BranchComparison {
     }
     for (unsigned signs = 1; signs < 1U << own; ++signs) {
       try {
-        if (is_nothing(points_.value(rooted, point, signs << rooted.first_own))) {
+        const GiNaC::ex value = points_.value(rooted, point, signs << rooted.first_own);
+        if (vanishes_at(points_, sides_.difference, value, point).value_or(false)) {
           return true;
         }
       } catch (const closures::NotAlgebraic&) {
@@ -134,64 +194,62 @@ class BranchComparison {
     return false;
   }
 
-  Comparison different(bool other_signs, std::size_t roots) {
-    const auto failing = std::find_if(branches_.begin(), branches_.end(),
-                                      [](const Branch& branch) { return !branch.holds; });
-    const bool negated = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
-      return are_opposite(points_, sides_, *branch.point);
-    });
-    return {negated ? Verdict::differs_by_sign : Verdict::differs,
-            where() + (other_signs ? "; it holds with the other sign of a root" : "") +
-                (roots > most_roots
-                     ? "; the other signs of its " + std::to_string(roots) + " roots were not tried"
-                     : ""),
-            points_.point_text(*failing->point, shown_), amount(failing->value)};
-  }
-
-  Comparison on_one_branch() {
-    const auto right = std::find_if(branches_.begin(), branches_.end(),
-                                    [](const Branch& branch) { return branch.holds; });
-    const auto wrong = std::find_if(branches_.begin(), branches_.end(),
-                                    [](const Branch& branch) { return !branch.holds; });
-    const auto [yes, no] = conditions();
-    const std::string here = points_.point_text(*right->point, shown_);
-    const std::string there = points_.point_text(*wrong->point, shown_);
-    return {Verdict::on_one_branch,
-            "holds where " + yes + (yes.empty() ? "" : ", as at ") + here + "; not where " + no +
-                (no.empty() ? "" : ", as at ") + there,
-            there, amount(wrong->value)};
-  }
-
-  /// The sign of one quantity where the statement holds, and where it does not; empty if the sign
-  /// of no quantity tells.
-  std::pair<std::string, std::string> conditions() {
-    for (const GiNaC::ex& quantity : points_.telling(sides_.difference)) {
-      int sense = 0;
-      const bool tells = std::all_of(branches_.begin(), branches_.end(), [&](const Branch& branch) {
-        const GiNaC::ex value = points_.value(quantity, *branch.point);
-        const int sign = value.info(GiNaC::info_flags::positive)   ? 1
-                         : value.info(GiNaC::info_flags::negative) ? -1
-                                                                   : 0;
-        const int here = branch.holds ? sign : -sign;
-        sense = sense == 0 ? here : sense;
-        return here == sense || (here == 0 && branch.holds);
-      });
-      if (tells && sense != 0) {
-        const bool negative = closures::formula_text(quantity).starts_with('-');
-        const std::string text = closures::formula_text(negative ? -quantity : quantity);
-        const bool above = (sense > 0) != negative;
-        return {text + (above ? " > 0" : " < 0"), text + (above ? " < 0" : " > 0")};
-      }
+  Comparison verdict(bool has_branches, const std::string& remark) {
+    const auto holding =
+        std::ranges::count_if(trials_, [](const Trial& trial) { return trial.holds; });
+    if (holding == std::ssize(trials_)) {
+      const bool proved = !points_.system().follows_closures(sides_.difference) &&
+                          points_.vanishes(sides_.difference);
+      return {Verdict::agrees, proved ? "identically" : where(), "", ""};
     }
-    return {};
+    if (holding > 0 && has_branches) {
+      const BranchCondition condition = branch_condition(points_, sides_.difference, trials_);
+      if (!condition.empty() || explained_by_roots_) {
+        return on_one_branch(condition);
+      }
+      Comparison comparison = different("; " + branch_text(trials_, condition) + remark);
+      comparison.branch = branch_text(trials_, condition);
+      return comparison;
+    }
+    return different(remark);
+  }
+
+  Comparison different(const std::string& remark) {
+    const bool negated = std::ranges::all_of(
+        trials_, [&](const Trial& trial) { return are_opposite(points_, sides_, *trial.point); });
+    const std::size_t failing = first(false);
+    return {negated ? Verdict::differs_by_sign : Verdict::differs, where() + remark,
+            text_of(failing), amount(values_[failing])};
+  }
+
+  Comparison on_one_branch(const BranchCondition& condition) {
+    const std::string branch = branch_text(trials_, condition);
+    const std::size_t failing = first(false);
+    const std::string fails = condition.empty() ? "" : " where " + condition.where_it_fails;
+    return {Verdict::on_one_branch,
+            branch + ", as at " + text_of(first(true)) + "; not" + fails + ", as at " +
+                text_of(failing),
+            text_of(failing), amount(values_[failing]), branch};
+  }
+
+  [[nodiscard]] std::size_t first(bool holds) const {
+    const auto found =
+        std::ranges::find_if(trials_, [&](const Trial& trial) { return trial.holds == holds; });
+    return static_cast<std::size_t>(found - trials_.begin());
+  }
+  [[nodiscard]] std::string text_of(std::size_t trial) {
+    return points_.point_text(*trials_[trial].point, shown_, assembled_);
   }
 
   closures::ClosurePoints& points_;
   const Sides& sides_;
   const std::vector<GiNaC::ex>& shown_;
   bool assembled_;
+  bool explained_by_roots_ = false;
+  std::string obstacle_;
   std::deque<closures::ClosurePoints::Point> drawn_;
-  std::vector<Branch> branches_;
+  std::vector<Trial> trials_;
+  std::vector<GiNaC::ex> values_;  ///< of the difference, at the points of the trials
 };
 
 std::optional<closures::ClosurePoints::Rooted> rooted(closures::ClosurePoints& points,
@@ -231,49 +289,15 @@ Comparison compare(closures::ClosurePoints& points, const GiNaC::ex& printed,
   const GiNaC::ex& difference = sides.difference;
   const bool follows = points.system().follows_closures(difference);
   const bool assembled = on_closures || follows;
+  const std::vector<GiNaC::ex> shown = {printed, derived};
+  PointwiseComparison comparison(points, sides, shown, assembled);
   if (const auto with_roots = rooted(points, difference)) {
-    return BranchComparison(points, sides, {printed, derived}, assembled).run(*with_roots);
+    return comparison.run(*with_roots);
   }
   if (const std::optional<std::string> obstacle = points.obstacle(difference)) {
     return {Verdict::undecided, *obstacle, "", ""};
   }
-  int compared = 0;
-  bool agrees = true;
-  bool negated = true;
-  Comparison first{Verdict::differs, "", "", ""};
-  for (std::size_t index = 0; compared < wanted_points; ++index) {
-    closures::ClosurePoints::Point* const point = points.point(index, assembled);
-    if (point == nullptr) {
-      break;
-    }
-    try {
-      const GiNaC::ex there = points.value(difference, *point);
-      const bool zero = is_nothing(there);
-      if (!zero && agrees) {
-        first.point = points.point_text(*point, {printed, derived});
-        first.difference = amount(there);
-      }
-      agrees = agrees && zero;
-      negated = negated && are_opposite(points, sides, *point);
-      ++compared;
-    } catch (const closures::NotAlgebraic& error) {
-      first.evidence = error.what();
-    }
-  }
-  if (compared < wanted_points) {
-    const std::string why =
-        first.evidence.empty() ? "no assembled rational point was found" : first.evidence;
-    return {Verdict::undecided, why, "", ""};
-  }
-  const std::string exactly = "at " + std::to_string(compared) + " random rational points" +
-                              (assembled ? " where the closures hold" : "");
-  if (agrees) {
-    const bool proved = !follows && points.vanishes(difference);
-    return {Verdict::agrees, proved ? "identically" : exactly, "", ""};
-  }
-  first.evidence = exactly;
-  first.verdict = negated ? Verdict::differs_by_sign : Verdict::differs;
-  return first;
+  return comparison.run();
 }
 
 }  // namespace assur::generator::audit

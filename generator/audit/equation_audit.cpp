@@ -1,5 +1,8 @@
 #include "audit/equation_audit.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
@@ -60,12 +63,43 @@ DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix&
   const std::string& column = matrix.columns[place % matrix.columns.size()];
   const closures::AuditSymbol& by = *system.symbol_named(column);
   const GiNaC::ex* closure = system.closure_named(row);
+  const std::optional<GiNaC::ex> named = system.meaning_of(row);
   const std::string item = "(" + std::to_string(place / matrix.columns.size() + 1) + "," +
                            std::to_string(place % matrix.columns.size() + 1) + ") " +
                            (closure == nullptr ? "D " : "d ") + row + "/" +
                            (closure == nullptr ? "D " : "d ") + column;
-  return {item, closure == nullptr ? system.total(*system.meaning_of(row), by)
-                                   : system.partial(*closure, by)};
+  if (closure != nullptr) {
+    return {item, system.partial(*closure, by)};
+  }
+  return {item, system.total(named ? *named : closures::read_formula({row, {}}, system), by)};
+}
+
+std::vector<std::string> rows_in(
+    const closures::PlacedText& list, closures::ClosureSystem& system,
+    const std::function<std::vector<std::string>(const closures::PlacedText&)>& named) {
+  std::vector<std::string> rows;
+  for (const closures::PlacedText& row : closures::split(list, ' ')) {
+    if (row.text.find('(') != std::string::npos) {
+      static_cast<void>(closures::read_formula(row, system));
+      rows.push_back(row.text);
+    } else if (!row.empty()) {
+      std::ranges::move(named(row), std::back_inserter(rows));
+    }
+  }
+  return rows;
+}
+
+void expect_parameters(const PrintedMatrix& matrix, const closures::ClosureSystem& system,
+                       closures::Place place) {
+  for (const std::string& row : matrix.rows) {
+    for (const std::string& column : matrix.columns) {
+      if (system.closure_named(row) == nullptr && system.symbol_named(column)->unknown) {
+        throw closures::FormulaError("'" + row + "' follows the closures, and '" + column +
+                                         "' is an unknown; a matrix has derivatives by parameters",
+                                     place);
+      }
+    }
+  }
 }
 
 bool is_turned(const Finding& closure) { return closure.agrees() && closure.note == turned_round; }

@@ -23,7 +23,7 @@ struct PrintedEntry {
 
 /// A printed matrix: rows are closures, or quantities that depend on them; columns are symbols.
 struct PrintedMatrix {
-  std::vector<std::string> rows;
+  std::vector<std::string> rows;  ///< names, or formulas such as `rate(x)`
   std::vector<std::string> columns;
   std::vector<PrintedEntry> entries;  ///< row by row
 };
@@ -33,8 +33,18 @@ struct DerivedEntry {
   std::string item;
   GiNaC::ex value;
 };
+/// Throws FormulaError where a row is a formula that cannot be read.
 [[nodiscard]] DerivedEntry derived_entry(closures::ClosureSystem& system,
                                          const PrintedMatrix& matrix, std::size_t place);
+
+/// The rows in a list: names of anything in the system, or formulas, which have brackets. Throws
+/// FormulaError for a formula that cannot be read; `named` checks what has no brackets.
+[[nodiscard]] std::vector<std::string> rows_in(
+    const closures::PlacedText& list, closures::ClosureSystem& system,
+    const std::function<std::vector<std::string>(const closures::PlacedText&)>& named);
+/// Throws FormulaError where a row follows the closures and a column is an unknown.
+void expect_parameters(const PrintedMatrix& matrix, const closures::ClosureSystem& system,
+                       closures::Place place);
 
 /// What a source prints, as reports show it, and its place.
 struct Printed {

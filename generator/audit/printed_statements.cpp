@@ -100,20 +100,19 @@ PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
   if (!closures::take_keyword(rows, "of") || columns.empty()) {
     reader_.fail(rest.place, "expected 'of ROWS by COLUMNS'");
   }
-  PrintedMatrix matrix{reader_.known_names(rows, false), reader_.known_names(columns, true), {}};
+  if (rows.empty()) {
+    reader_.fail(rows.place, "the names are missing");
+  }
+  PrintedMatrix matrix{
+      rows_in(rows, reader_.system(),
+              [&](const closures::PlacedText& name) { return reader_.known_names(name, false); }),
+      reader_.known_names(columns, true),
+      {}};
   if (matrix.rows.size() * matrix.columns.size() > most_entries) {
     reader_.fail(rest.place, "the matrix has more than " + std::to_string(most_entries) +
                                  " entries; divide it");
   }
-  for (const std::string& row : matrix.rows) {
-    for (const std::string& column : matrix.columns) {
-      if (reader_.system().closure_named(row) == nullptr &&
-          reader_.system().symbol_named(column)->unknown) {
-        reader_.fail(columns.place, "'" + row + "' follows the closures, and '" + column +
-                                        "' is an unknown; a matrix has derivatives by parameters");
-      }
-    }
-  }
+  expect_parameters(matrix, reader_.system(), columns.place);
   return matrix;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "closures/numeric_matrix.hpp"
+
 namespace assur::generator::audit {
 
 namespace {
@@ -99,7 +101,7 @@ double condition(const closures::ClosurePoints::Point& point) {
   if (inverse.is_zero_matrix()) {
     return 1;  // nothing is solved there
   }
-  const GiNaC::matrix jacobian = inverse.inverse();
+  const GiNaC::matrix jacobian = closures::inverse_of(inverse);
   double largest = 1;
   for (unsigned row = 0; row < inverse.rows(); ++row) {
     double all = 0;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <sstream>
 
+#include "audit/branch_condition.hpp"
 #include "audit/slip_guess.hpp"
 #include "closures/read_formula.hpp"
 
@@ -64,9 +65,7 @@ class ProgramAudit {
  private:
   /// At how many points and under which conditions the program was run, and that this is no proof.
   [[nodiscard]] std::string remark() const {
-    std::string text = "computed at " + std::to_string(drawn_.asked.size()) +
-                       (drawing_.assembled() ? " assembled" : "") + " rational points" +
-                       (drawing_.assembled() == expected_.on_closures ? "" : ", not assembled");
+    std::string text = "computed at " + drawing_.sort_of(drawn_.asked);
     for (const closures::PlacedText& condition : run_.where) {
       text += (&condition == (run_.where).data() ? " where " : " and ") + condition.text + " > 0";
     }
@@ -124,7 +123,7 @@ class ProgramAudit {
         }
       }
     }
-    return points_.point_text(point, told);
+    return points_.point_text(point, told, drawing_.assembled());
   }
 
   /// Without whole turns, if the entry is an angle.
@@ -187,6 +186,7 @@ class ProgramAudit {
     std::size_t failing = 0;
     std::size_t differing = 0;
     bool negated = true;
+    std::vector<Trial> trials;
     for (std::size_t at = 0; at < drawn_.given.size(); ++at) {
       const ExpectedValue& expected = drawn_.expected[at][entry];
       if (!expected.obstacle.empty()) {
@@ -200,6 +200,7 @@ class ProgramAudit {
         continue;
       }
       ++told;
+      trials.push_back({&drawn_.asked[at].point, !wrong});
       negated = negated &&
                 alike(entry, drawn_.given[at].entries[entry], -expected.value, *expected.tolerance);
     }
@@ -207,6 +208,13 @@ class ProgramAudit {
     comparison.verdict = differing > 0 ? negated ? Verdict::differs_by_sign : Verdict::differs
                          : failing > 0 ? Verdict::fails
                                        : Verdict::agrees;
+    if (differing > 0 && differing < told) {
+      const BranchCondition branch =
+          branch_condition(points_, reference_.expressions()[entry], trials);
+      comparison.branch = branch_text(trials, branch);
+      comparison.evidence = comparison.branch + ": evidence, not proof";
+      comparison.verdict = branch.empty() ? Verdict::differs : Verdict::on_one_branch;
+    }
     show_all(entry, drawn_, finding);
     if (failing > 0) {
       finding.note = failing_text(failing, differing, told);

@@ -20,6 +20,20 @@ equations::Vector2 multiplied_out(const equations::Vector2& first,
           (first.x * second.y + first.y * second.x).expand()};
 }
 
+/// The direction of a multiple of pi whose cosine and sine are known as roots of numbers: that of a
+/// multiple of pi/12. Throws NotAlgebraic for others.
+equations::Vector2 direction_of_number(const GiNaC::ex& angle) {
+  const equations::Vector2 direction{GiNaC::cos(angle), GiNaC::sin(angle)};
+  for (const GiNaC::ex& part : {direction.x, direction.y}) {
+    if (std::any_of(part.preorder_begin(), part.preorder_end(),
+                    [](const GiNaC::ex& each) { return GiNaC::is_a<GiNaC::function>(each); })) {
+      throw NotAlgebraic("the angle " + formula_text(angle) +
+                         " has no cosine in roots; declare an angle for it");
+    }
+  }
+  return direction;
+}
+
 }  // namespace
 
 bool makes_roots(const GiNaC::ex& expression) {
@@ -56,6 +70,14 @@ const equations::Vector2* CircleAlgebra::find_direction(const GiNaC::ex& angle) 
   }
   const auto known = directions_.find(GiNaC::ex_to<GiNaC::symbol>(angle).get_name());
   return known == directions_.end() ? nullptr : &known->second;
+}
+
+std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> CircleAlgebra::roots() const {
+  std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> list;
+  for (const Root& root : roots_) {
+    list.emplace_back(root.symbol, root.radicand);
+  }
+  return list;
 }
 
 bool CircleAlgebra::under_a_root(const GiNaC::symbol& symbol) const {
@@ -150,15 +172,15 @@ equations::Vector2 CircleAlgebra::direction_of(const GiNaC::ex& angle) {
         base *= part;
       }
     }
-    const bool quarter_turns = base.is_equal(GiNaC::Pi);
-    factor *= quarter_turns ? 2 : 1;
+    if (base.is_equal(GiNaC::Pi)) {
+      direction = multiplied_out(direction, direction_of_number(term));
+      return;
+    }
     if (!factor.is_integer() || abs(factor) > max_multiple) {
       throw NotAlgebraic("the angle " + formula_text(term) +
                          " is not a whole multiple of a declared angle");
     }
-    const equations::Vector2 step =
-        quarter_turns ? equations::Vector2{0, 1} : direction_of_term(base);
-    direction = turned_by_multiple(direction, step, factor.to_int());
+    direction = turned_by_multiple(direction, direction_of_term(base), factor.to_int());
   };
   if (GiNaC::is_a<GiNaC::add>(expanded)) {
     for (const GiNaC::ex& term : operands(expanded)) {

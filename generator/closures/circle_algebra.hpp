@@ -55,6 +55,8 @@ class CircleAlgebra {
   /// An algebra with the same angles and roots, to which one expression may add its own roots.
   [[nodiscard]] CircleAlgebra extended() const;
   [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
+  /// The symbols of the roots, and what stands under each: algebraic, in roots that come earlier.
+  [[nodiscard]] std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> roots() const;
   /// Whether a symbol occurs under a root.
   [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
 

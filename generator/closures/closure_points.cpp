@@ -1,8 +1,12 @@
 #include "closures/closure_points.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "closures/formula_text.hpp"
+#include "closures/numeric_matrix.hpp"
+#include "equations/more_digits.hpp"
 #include "equations/seeded_numbers.hpp"
 #include "equations/symbols.hpp"
 
@@ -16,7 +20,10 @@ class FewDigits {
   explicit FewDigits(unsigned seed) : numbers_(seed) {}
 
   GiNaC::numeric length() { return {integer(5, 30), 10}; }
-  GiNaC::numeric rate() { return {integer(-20, 20), 10}; }
+  GiNaC::numeric rate() {
+    const int tenths = integer(-20, 20);
+    return {tenths == 0 ? 21 : tenths, 10};  // what holds only at rest must not hold by chance
+  }
   /// A rational point of the unit circle off the axes.
   std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
     const int n = integer(2, 7);
@@ -33,6 +40,31 @@ class FewDigits {
   equations::SeededNumbers numbers_;
 };
 
+/// Whether a solved length is so small that all may close because of it.
+bool vanishes_nearly(const GiNaC::ex& length) {
+  return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(length)) < GiNaC::numeric(1, 1000);
+}
+
+/// A length that none has yet: what holds only for equal lengths must not hold by chance.
+GiNaC::numeric another(GiNaC::numeric length, std::vector<GiNaC::numeric>& lengths) {
+  while (std::ranges::find(lengths, length) != lengths.end()) {
+    length += GiNaC::numeric(1, 10);
+  }
+  lengths.push_back(length);
+  return length;
+}
+
+/// A value for people: exact, or twelve digits of a decimal or of a long number.
+std::string value_text(const GiNaC::ex& value) {
+  if (value.info(GiNaC::info_flags::rational) || !GiNaC::is_a<GiNaC::numeric>(value)) {
+    return formula_text(value);
+  }
+  std::ostringstream text;
+  text.precision(12);
+  text << GiNaC::ex_to<GiNaC::numeric>(value).to_double();
+  return text.str();
+}
+
 }  // namespace
 
 void ClosurePoints::follow_system() {
@@ -47,11 +79,15 @@ void ClosurePoints::follow_system() {
   }
   lists_.clear();
   assembly_.reset();
+  newton_.reset();
   open_parts_.clear();
   closures_are_algebraic_ = true;
+  closures_are_rational_ = true;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     try {  // numbers the roots of closures before those of expressions
-      static_cast<void>(algebraic(closure.expression));
+      const GiNaC::ex form = algebraic(closure.expression);
+      closures_are_rational_ =
+          closures_are_rational_ && !makes_roots(form) && algebra_.root_count() == 0;
     } catch (const NotAlgebraic&) {
       closures_are_algebraic_ = false;  // reported where it is needed
     }
@@ -70,9 +106,9 @@ void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
     }
     if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
       solve(*derivative, point);
-    } else if (system_.moved_by(symbol) != nullptr) {
+    } else if (const AuditSymbol* const moved = system_.moved_by(symbol)) {
       // A rate of third order or higher: any number will do, a different one at each point.
-      point.values[symbol] = FewDigits(++rates_drawn_).rate();
+      point.values[symbol] = moved->steady ? GiNaC::numeric(0) : FewDigits(++rates_drawn_).rate();
     }
   }
 }
@@ -81,12 +117,22 @@ GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
   const GiNaC::ex whole = system_.expanded(expression);
   solve_for(whole, point);
   if (!makes_roots(whole)) {
-    return algebra_.at(algebra_.algebraic(whole), point.values);
+    return value_of_form(algebra_, algebra_.algebraic(whole), point);
   }
   // Roots of one expression must not make another undecided.
   CircleAlgebra own = algebra_.extended();
   const GiNaC::ex form = own.algebraic(whole);
-  return own.at(form, point.values);
+  return value_of_form(own, form, point);
+}
+
+GiNaC::ex ClosurePoints::value_of_form(const CircleAlgebra& algebra, const GiNaC::ex& form,
+                                       const Point& point, unsigned reversed) {
+  const GiNaC::ex value = algebra.at(form, point.values, reversed);
+  if (!point.is_computed || GiNaC::is_a<GiNaC::numeric>(value)) {
+    return value;
+  }
+  const equations::MoreDigits digits(solution_digits);  // of roots of numbers
+  return value.evalf();
 }
 
 std::optional<std::string> ClosurePoints::obstacle(const GiNaC::ex& expression) {
@@ -132,18 +178,18 @@ bool ClosurePoints::assemble(GiNaC::exmap& values) {
 }
 
 GiNaC::matrix ClosurePoints::values_of(const std::vector<GiNaC::ex>& expressions,
-                                       const GiNaC::exmap& values) {
+                                       const Point& point) {
   GiNaC::matrix column(static_cast<unsigned>(expressions.size()), 1);
   for (unsigned row = 0; row < expressions.size(); ++row) {
-    column(row, 0) = algebra_.at(algebraic(expressions[row]), values);
+    column(row, 0) = value_of_form(algebra_, algebraic(expressions[row]), point);
   }
   return column;
 }
 
-void ClosurePoints::invert_jacobian(Point& point) {
+std::optional<GiNaC::matrix> ClosurePoints::jacobian(const Point& point) {
   const std::vector<const AuditSymbol*> solved = system_.unknowns();
   if (solved.empty() || solved.size() != system_.closures().size()) {
-    return;
+    return std::nullopt;
   }
   const auto size = static_cast<unsigned>(solved.size());
   GiNaC::matrix jacobian(size, size);
@@ -152,12 +198,18 @@ void ClosurePoints::invert_jacobian(Point& point) {
     for (const ClosureSystem::Closure& closure : system_.closures()) {
       slopes.push_back(system_.slope(closure.expression, solved[column]->symbol));
     }
-    const GiNaC::matrix values = values_of(slopes, point.values);
+    const GiNaC::matrix values = values_of(slopes, point);
     for (unsigned row = 0; row < size; ++row) {
       jacobian(row, column) = values(row, 0);
     }
   }
-  point.inverse_jacobian = jacobian.inverse();
+  return jacobian;
+}
+
+void ClosurePoints::invert_jacobian(Point& point) {
+  if (const std::optional<GiNaC::matrix> values = jacobian(point)) {
+    point.inverse_jacobian = inverse_of(*values);
+  }
 }
 
 const std::vector<GiNaC::ex>& ClosurePoints::open_parts(const ClosureDerivative& derivative) {
@@ -183,8 +235,7 @@ void ClosurePoints::solve(const ClosureDerivative& derivative, Point& point) {
   if (point.inverse_jacobian.rows() != open.size()) {
     throw NotAlgebraic("total derivatives need as many closures as unknowns");
   }
-  const GiNaC::matrix solution =
-      point.inverse_jacobian.mul(values_of(open, point.values)).mul_scalar(-1);
+  const GiNaC::matrix solution = point.inverse_jacobian.mul(values_of(open, point)).mul_scalar(-1);
   unsigned row = 0;
   for (const GiNaC::symbol& symbol : system_.symbols_of(derivative)) {
     point.values[symbol] = solution(row++, 0).expand();
@@ -193,6 +244,7 @@ void ClosurePoints::solve(const ClosureDerivative& derivative, Point& point) {
 
 GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
   FewDigits random(seed);
+  std::vector<GiNaC::numeric> lengths;
   GiNaC::exmap values;
   for (const AuditSymbol& symbol : system_.symbols()) {
     if (symbol.angle) {
@@ -200,40 +252,119 @@ GiNaC::exmap ClosurePoints::random_values(unsigned seed) const {
       values[algebra_.direction(symbol.symbol).x] = cosine;
       values[algebra_.direction(symbol.symbol).y] = sine;
     } else {
-      values[symbol.symbol] = random.length();
+      values[symbol.symbol] = another(random.length(), lengths);
     }
     if (symbol.moving) {
       values[symbol.rate] = random.rate();
       values[symbol.second_rate] = random.rate();
+      if (symbol.steady) {
+        values[symbol.second_rate] = 0;
+      }
     }
   }
   return values;
 }
 
 std::optional<ClosurePoints::Point> ClosurePoints::draw(unsigned seed, bool assembled,
-                                                        bool rational_roots) {
+                                                        bool different_lengths) {
   Point point{random_values(seed), {}};
+  if (!assembled) {
+    return point;
+  }
   try {
-    if (rational_roots && !algebra_.roots_are_rational(point.values)) {
+    if (!closures_are_rational_ || !assemble(point.values) ||
+        is_special(point.values, different_lengths)) {
       return std::nullopt;
     }
-    if (assembled) {
-      if (!assemble(point.values)) {
-        return std::nullopt;
-      }
-      invert_jacobian(point);
-    }
-  } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, there
+    invert_jacobian(point);
+  } catch (const std::runtime_error&) {  // a singular Jacobian
     return std::nullopt;
   }
   return point;
+}
+
+bool ClosurePoints::is_special(const GiNaC::exmap& values, bool different_lengths) const {
+  GiNaC::exset sizes = {0};
+  return std::ranges::any_of(system_.symbols(), [&](const AuditSymbol& symbol) {
+    if (symbol.angle) {
+      return false;
+    }
+    const GiNaC::ex& value = values.at(symbol.symbol);
+    return value.is_zero() || (different_lengths && !sizes.insert(GiNaC::abs(value)).second);
+  });
+}
+
+std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
+  if (!newton_) {
+    newton_.emplace(newton());
+  }
+  GiNaC::exmap values = random_values(seed);
+  if (seed % 2 == 0) {  // lengths of the size of the numbers in the closures
+    for (const AuditSymbol& symbol : system_.symbols()) {
+      if (!symbol.angle) {
+        values[symbol.symbol] *= newton_->size();
+      }
+    }
+  }
+  std::vector<Point> points;
+  for (const GiNaC::exmap& solution : newton_->solutions(values, seed)) {
+    Point point{values, {}, true};
+    for (const auto& [symbol, value] : solution) {
+      point.values[symbol] = value;
+    }
+    const bool is_degenerate = std::ranges::any_of(system_.symbols(), [&](const AuditSymbol& one) {
+      return !one.angle && !one.unknown && vanishes_nearly(point.values.at(one.symbol));
+    });
+    if (is_degenerate) {
+      continue;
+    }
+    try {
+      invert_jacobian(point);
+      points.push_back(std::move(point));
+    } catch (const std::runtime_error&) {  // it is singular
+      continue;
+    }
+  }
+  return points;
+}
+
+AssemblyByNewton ClosurePoints::newton() {
+  std::vector<GiNaC::ex> equations;
+  for (const ClosureSystem::Closure& closure : system_.closures()) {
+    equations.push_back(algebraic(closure.expression));
+  }
+  // Where the unknowns are not as many as the closures, any symbol may be solved for.
+  const bool square = system_.unknowns().size() == equations.size();
+  std::vector<AssemblyByNewton::Variable> variables;
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    if (square && !symbol.unknown) {
+      continue;
+    }
+    if (!symbol.angle) {
+      variables.push_back({symbol.symbol});
+      continue;
+    }
+    const equations::Vector2& direction = algebra_.direction(symbol.symbol);
+    equations.push_back(direction.x * direction.x + direction.y * direction.y - 1);
+    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.x)});
+    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.y)});
+  }
+  for (const auto& [root, radicand] : algebra_.roots()) {
+    equations.push_back(root * root - radicand);
+    variables.push_back({root, true});
+  }
+  return {equations, std::move(variables)};
 }
 
 std::optional<ClosurePoints::Point> ClosurePoints::assembled_from(const GiNaC::exmap& values) {
   follow_system();
   Point point{values, {}};
   try {
-    if (!algebra_.roots_are_rational(point.values) || !assemble(point.values)) {
+    const auto is_rational = [](const auto& value) {
+      return value.second.info(GiNaC::info_flags::rational);
+    };
+    if (!algebra_.roots_are_rational(point.values) || !assemble(point.values) ||
+        !std::ranges::all_of(point.values, is_rational)) {
       return std::nullopt;
     }
     invert_jacobian(point);
@@ -250,6 +381,7 @@ equations::Vector2 ClosurePoints::direction(const GiNaC::symbol& angle) {
 
 ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
   constexpr unsigned most_draws = 400;
+  constexpr unsigned most_solved = 100;
   follow_system();
   if (assembled && !closures_are_algebraic_) {
     return nullptr;
@@ -257,37 +389,77 @@ ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
   PointList& list = lists_[assembled];
   while (list.drawn.size() <= index) {
     if (list.next_seed > most_draws) {
-      if (!list.rational_roots) {
-        return nullptr;
+      if (!list.different_lengths) {
+        if (!assembled || list.next_solved > most_solved) {
+          return nullptr;
+        }
+        std::ranges::move(solved_points(list.next_solved++), std::back_inserter(list.drawn));
+        continue;
       }
-      list.rational_roots = false;
+      list.different_lengths = false;
       list.next_seed = 1;
     }
-    if (std::optional<Point> point = draw(list.next_seed++, assembled, list.rational_roots)) {
+    if (std::optional<Point> point = draw(list.next_seed++, assembled, list.different_lengths)) {
       list.drawn.push_back(std::move(*point));
     }
   }
   return &list.drawn[index];
 }
 
-std::string ClosurePoints::point_text(const Point& point,
-                                      const std::vector<GiNaC::ex>& shown) const {
-  GiNaC::exset occurring;
-  for (const GiNaC::ex& expression : shown) {
-    occurring.merge(equations::symbols_of(system_.expanded(expression)));
+GiNaC::exset ClosurePoints::needed_symbols(const std::vector<GiNaC::ex>& shown, bool assembled) {
+  std::vector<GiNaC::ex> open = shown;
+  if (assembled) {
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      open.push_back(closure.expression);
+    }
   }
+  GiNaC::exset needed;
+  while (!open.empty()) {
+    const GiNaC::ex next = system_.expanded(open.back());
+    open.pop_back();
+    for (const GiNaC::ex& symbol : equations::symbols_of(next)) {
+      if (!needed.insert(symbol).second) {
+        continue;
+      }
+      if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
+        std::ranges::move(system_.equations_of(*derivative), std::back_inserter(open));
+      }
+    }
+  }
+  return needed;
+}
+
+std::string ClosurePoints::point_text(const Point& point, const std::vector<GiNaC::ex>& shown,
+                                      bool assembled) {
+  const GiNaC::exset needed = needed_symbols(shown, assembled);
   std::string text;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    text += (text.empty() ? "" : ", ") + name + " = " + value;
+  };
   for (const AuditSymbol& symbol : system_.symbols()) {
-    if (!occurring.contains(symbol.symbol)) {
+    if (!needed.contains(symbol.symbol)) {
       continue;
     }
-    text += text.empty() ? "" : ", ";
     if (symbol.angle) {
       const equations::Vector2& direction = algebra_.direction(symbol.symbol);
-      text += "(cos, sin)(" + symbol.name + ") = (" + formula_text(point.values.at(direction.x)) +
-              ", " + formula_text(point.values.at(direction.y)) + ")";
+      add("(cos, sin)(" + symbol.name + ")", "(" + value_text(point.values.at(direction.x)) + ", " +
+                                                 value_text(point.values.at(direction.y)) + ")");
     } else {
-      text += symbol.name + " = " + formula_text(point.values.at(symbol.symbol));
+      add(symbol.name, value_text(point.values.at(symbol.symbol)));
+    }
+  }
+  for (const bool given : {true, false}) {  // rates of parameters, then derivatives of unknowns
+    std::map<std::string, std::string> values;
+    for (const GiNaC::ex& symbol : needed) {
+      const bool is_rate = system_.moved_by(symbol) != nullptr;
+      const bool is_derivative = system_.derivative_of(symbol) != nullptr;
+      const auto value = point.values.find(symbol);
+      if (value != point.values.end() && (given ? is_rate : is_derivative)) {
+        values[GiNaC::ex_to<GiNaC::symbol>(symbol).get_name()] = value_text(value->second);
+      }
+    }
+    for (const auto& [name, value] : values) {
+      add(name, value);
     }
   }
   return text;

@@ -1,4 +1,4 @@
-// Turns a closure system into exact rational points, assembled or not, and values at them.
+// Turns a closure system into points, rational where possible, assembled or not, and values there.
 #pragma once
 
 #include <deque>
@@ -8,18 +8,25 @@
 #include <vector>
 
 #include "closures/assembly_by_lengths.hpp"
+#include "closures/assembly_by_newton.hpp"
 #include "closures/closure_system.hpp"
 
 namespace assur::generator::closures {
 
+/// How many computed points serve one comparison: enough for all branches to be among them.
+inline constexpr std::size_t computed_points = 40;
+/// What reports call such points.
+inline const std::string computed_sort = "points of " + std::to_string(solution_digits) + " digits";
+
 /// The points of a system. They are drawn anew when the system changes.
 class ClosurePoints {
  public:
-  /// A rational configuration: values of lengths, of cosines and sines, of rates and, as far as
-  /// asked for, of derivatives.
+  /// A configuration: values of lengths, of cosines and sines, of rates and, as far as asked for,
+  /// of derivatives.
   struct Point {
     GiNaC::exmap values;
     GiNaC::matrix inverse_jacobian;  ///< empty unless the closures hold there
+    bool is_computed = false;        ///< decimals of many digits, not rational numbers
   };
 
   explicit ClosurePoints(ClosureSystem& system) : system_(system) {}
@@ -27,8 +34,10 @@ class ClosurePoints {
   [[nodiscard]] ClosureSystem& system() { return system_; }
 
   /// The points that comparisons use, one after the other, drawn by fixed seeds; the closures hold
-  /// there if `assembled`. Returns nullptr when there are no more. Points where all roots are
-  /// rational come first.
+  /// there if `assembled`. Returns nullptr when there are no more. Where no rational points are
+  /// assembled, as for fixed or equal lengths, the closures are solved for the unknowns, on all
+  /// branches, to `solution_digits` digits; also where closures have roots, since points at which
+  /// roots are rational are special: their triangles have right angles or equal sides.
   [[nodiscard]] Point* point(std::size_t index, bool assembled);
   /// The point with these values of all symbols, except for some lengths, which are changed so that
   /// the closures hold; nothing where they cannot hold.
@@ -47,18 +56,32 @@ class ClosurePoints {
   /// Nothing for an expression without roots of its own. Throws NotAlgebraic.
   [[nodiscard]] std::optional<Rooted> rooted(const GiNaC::ex& expression);
   /// Points for such an expression, which go through all quadrants of its angles. Lengths are
-  /// positive, but unknown ones and coordinates take either sign.
+  /// positive, but unknown ones and coordinates take either sign. Where there are no rational
+  /// points, computed ones.
   [[nodiscard]] std::deque<Point> points_on_all_branches(const Rooted& rooted, bool assembled);
   /// The value of the form, with some of its roots negative; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const Rooted& rooted, Point& point, unsigned reversed = 0);
-  /// The quantities whose signs may tell branches apart, those of the expression first: cosines and
-  /// sines of angles, of their sums and differences, and their products; lengths, their differences
-  /// and sums.
-  [[nodiscard]] std::vector<GiNaC::ex> telling(const GiNaC::ex& expression) const;
+  /// A quantity whose sign may tell branches apart.
+  struct Telling {
+    std::string text;
+    std::optional<GiNaC::ex> quantity;  ///< nothing: the determinant of the Jacobian
+  };
+  /// Such quantities, those of the expression first: cosines and sines of angles, lengths,
+  /// derivatives; cosines and sines of sums and differences of angles, and their products;
+  /// differences and sums of lengths.
+  [[nodiscard]] std::vector<Telling> telling(const GiNaC::ex& expression) const;
+  [[nodiscard]] Telling determinant() const;
+  /// Whether the Jacobian is singular wherever such a quantity vanishes, so that its sign tells
+  /// ways of assembly apart.
+  [[nodiscard]] bool is_singular_with(const Telling& telling);
+  /// The sign of such a quantity at a point; 0 also where it has none.
+  [[nodiscard]] int sign(const Telling& telling, Point& point);
 
-  /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5)`: the symbols that occur in the expressions.
-  [[nodiscard]] std::string point_text(const Point& point,
-                                       const std::vector<GiNaC::ex>& shown) const;
+  /// `a3 = 7/10, (cos, sin)(phi1) = (3/5, 4/5), rate(phi1) = 2, rate(x) = 1/2`: the symbols that
+  /// occur in the expressions, and all on which their derivatives depend; those of the closures,
+  /// too, if the expressions are compared where the closures hold.
+  [[nodiscard]] std::string point_text(const Point& point, const std::vector<GiNaC::ex>& shown,
+                                       bool assembled);
   /// The value of the expression's algebraic form; throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex value(const GiNaC::ex& expression, Point& point);
   /// Why the expression has no algebraic form; nothing if it has one.
@@ -70,27 +93,48 @@ class ClosurePoints {
   struct PointList {
     std::deque<Point> drawn;
     unsigned next_seed = 1;
-    bool rational_roots = true;  ///< required of the next points that are drawn
+    bool different_lengths = true;  ///< required of the next points that are drawn
+    unsigned next_solved = 1;       ///< the seed of the next values for which closures are solved
   };
 
   void follow_system();
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
-  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool rational_roots);
+  [[nodiscard]] std::optional<Point> draw(unsigned seed, bool assembled, bool different_lengths);
   [[nodiscard]] GiNaC::exmap random_values(unsigned seed) const;
+  /// The configurations for random values of the parameters.
+  [[nodiscard]] std::vector<Point> solved_points(unsigned seed);
+  [[nodiscard]] AssemblyByNewton newton();
+  [[nodiscard]] std::deque<Point> rational_points_on_all_branches(const Rooted& rooted,
+                                                                  bool assembled);
+  /// Whether a length is zero, or as large as another if they are to be different: where all are
+  /// zero, everything closes, and some statements hold only for equal lengths.
+  [[nodiscard]] bool is_special(const GiNaC::exmap& values, bool different_lengths) const;
   /// Whether a length may be negative: it is unknown, or a coordinate.
   [[nodiscard]] bool takes_either_sign(const AuditSymbol& symbol);
   void solve_for(const GiNaC::ex& whole, Point& point);
+  /// The symbols in expressions, in the closures if they hold, and in what determines derivatives.
+  [[nodiscard]] GiNaC::exset needed_symbols(const std::vector<GiNaC::ex>& shown, bool assembled);
   [[nodiscard]] bool assemble(GiNaC::exmap& values);
+  /// Nothing unless there are as many closures as unknowns.
+  [[nodiscard]] std::optional<GiNaC::matrix> jacobian(const Point& point);
   void invert_jacobian(Point& point);
+  /// Changes an angle or length so that the quantity vanishes; false where it is none of an angle,
+  /// of two angles or a length.
+  [[nodiscard]] bool make_zero(const GiNaC::ex& quantity, GiNaC::exmap& values) const;
   void solve(const ClosureDerivative& derivative, Point& point);
   /// r in the equations J x + r = 0 of a derivative x.
   [[nodiscard]] const std::vector<GiNaC::ex>& open_parts(const ClosureDerivative& derivative);
   [[nodiscard]] GiNaC::matrix values_of(const std::vector<GiNaC::ex>& expressions,
-                                        const GiNaC::exmap& values);
+                                        const Point& point);
+  /// The value of an algebraic form: a decimal at a computed point.
+  [[nodiscard]] static GiNaC::ex value_of_form(const CircleAlgebra& algebra, const GiNaC::ex& form,
+                                               const Point& point, unsigned reversed = 0);
 
   ClosureSystem& system_;
   bool closures_are_algebraic_ = true;                                     ///< in this revision
+  bool closures_are_rational_ = true;                                      ///< without roots
   std::optional<AssemblyByLengths> assembly_;                              ///< of this revision
+  std::optional<AssemblyByNewton> newton_;                                 ///< of this revision
   std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision
   CircleAlgebra algebra_;
   unsigned rates_drawn_ = 0;         ///< rates of third order or higher that have a number

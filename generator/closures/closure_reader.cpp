@@ -16,11 +16,11 @@ struct ClosureReader::Keyword {
 
 const std::vector<ClosureReader::Keyword>& ClosureReader::readers() {
   static const std::vector<Keyword> list = {
-      {"source", &ClosureReader::read_source},    {"model", &ClosureReader::read_model},
-      {"angle", &ClosureReader::read_angles},     {"length", &ClosureReader::read_lengths},
-      {"unknown", &ClosureReader::read_unknowns}, {"moving", &ClosureReader::read_moving},
-      {"let", &ClosureReader::read_abbreviation}, {"loop", &ClosureReader::read_loop},
-      {"closure", &ClosureReader::read_closure}};
+      {"source", &ClosureReader::read_source},     {"model", &ClosureReader::read_model},
+      {"angle", &ClosureReader::read_angles},      {"length", &ClosureReader::read_lengths},
+      {"unknown", &ClosureReader::read_unknowns},  {"moving", &ClosureReader::read_moving},
+      {"constant", &ClosureReader::read_constant}, {"let", &ClosureReader::read_abbreviation},
+      {"loop", &ClosureReader::read_loop},         {"closure", &ClosureReader::read_closure}};
   return list;
 }
 
@@ -73,8 +73,9 @@ void ClosureReader::expect_new(const PlacedText& name) const {
 
 void ClosureReader::expect_new_in_formulas(const PlacedText& name) const {
   const auto functions = formula_functions();
-  if (std::any_of(functions.begin(), functions.end(),
-                  [&](const auto& function) { return function.name == name.text; })) {
+  if (std::any_of(functions.begin(), functions.end(), [&](const auto& function) {
+        return function.name == name.text && !function.may_be_name;
+      })) {
     fail(name.place, "'" + name.text + "' cannot be a name: formulas have a function of that name");
   }
   expect_new(name);
@@ -131,6 +132,28 @@ void ClosureReader::read_unknowns(const PlacedText& rest) {
 void ClosureReader::read_moving(const PlacedText& rest) {
   for (const std::string& name : known_names(rest, true)) {
     system_.symbol_named(name)->moving = true;
+  }
+}
+
+/// `constant rate(th)`
+void ClosureReader::read_constant(const PlacedText& rest) {
+  if (rest.empty()) {
+    fail(rest.place, "expected 'constant rate(NAME) ...'");
+  }
+  for (const PlacedText& word : words(rest)) {
+    const std::string& text = word.text;
+    if (!text.starts_with("rate(") || !text.ends_with(")")) {
+      fail(word.place, "expected 'constant rate(NAME) ...', found '" + text + "'");
+    }
+    const PlacedText name = trimmed({text.substr(5, text.size() - 6), word.at(6)});
+    AuditSymbol& symbol = *system_.symbol_named(known_names(name, true)[0]);
+    if (!symbol.moving) {
+      fail(name.place,
+           symbol.unknown
+               ? "'" + symbol.name + "' is an unknown, whose rate the closures determine"
+               : "'" + symbol.name + "' does not move; declare 'moving " + symbol.name + "' first");
+    }
+    symbol.steady = true;
   }
 }
 

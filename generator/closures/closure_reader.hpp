@@ -8,8 +8,8 @@
 
 namespace assur::generator::closures {
 
-/// Reads source, model, angle, length, unknown, moving, let, loop and closure, one statement after
-/// the other: each may use what earlier ones declare. Throws AuditSyntaxError.
+/// Reads source, model, angle, length, unknown, moving, constant, let, loop and closure, one
+/// statement after the other: each may use what earlier ones declare. Throws AuditSyntaxError.
 class ClosureReader {
  public:
   explicit ClosureReader(std::string file) : file_(std::move(file)) {}
@@ -44,6 +44,7 @@ class ClosureReader {
   void read_symbols(const PlacedText& rest, bool angles);
   void read_unknowns(const PlacedText& rest);
   void read_moving(const PlacedText& rest);
+  void read_constant(const PlacedText& rest);
   void read_abbreviation(const PlacedText& rest);
   void read_loop(const PlacedText& rest);
   void read_closure(const PlacedText& rest);

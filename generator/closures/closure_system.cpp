@@ -231,6 +231,37 @@ GiNaC::ex ClosureSystem::total(const GiNaC::ex& expression, const AuditSymbol& p
                    expression, [&](const auto&, const auto& wanted) { return further(wanted); });
 }
 
+std::optional<GiNaC::ex> ClosureSystem::by_rate(const GiNaC::ex& expression,
+                                                const AuditSymbol& parameter, int order) {
+  GiNaC::ex sum = slope(expression, rate_symbol(parameter, order));
+  for (const GiNaC::ex& name : equations::symbols_of(expanded(expression))) {
+    const Component* const found = component_of(name);
+    if (found == nullptr || slope(expression, found->symbol).is_zero()) {
+      continue;
+    }
+    const ClosureDerivative of = *found->derivative;
+    if (of.of != nullptr) {
+      return std::nullopt;
+    }
+    if (of.times < order) {
+      continue;  // it has no rates of that order
+    }
+    // The k-th derivative by t has n of k dots removed: C(k, n) d^(k-n)/dt^(k-n) of dq/da.
+    const AuditSymbol& unknown = *found->unknown;
+    const GiNaC::ex part = slope(expression, found->symbol);
+    GiNaC::ex followed = unknown.symbol;
+    for (const AuditSymbol* by : of.by) {
+      followed = total(followed, *by);
+    }
+    followed = total(followed, parameter);
+    for (int time = order; time < of.times; ++time) {
+      followed = rate(followed);
+    }
+    sum += part * GiNaC::binomial(GiNaC::numeric(of.times), GiNaC::numeric(order)) * followed;
+  }
+  return sum;
+}
+
 GiNaC::symbol ClosureSystem::rate_symbol(const AuditSymbol& symbol, int order) {
   if (order <= 2) {
     return order == 1 ? symbol.rate : symbol.second_rate;
@@ -270,7 +301,8 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) {
       }
     } else if (symbol.moving) {
       sum += slope(expression, symbol.symbol) * symbol.rate;
-      for (int order = 1; order <= 2 || higher_rates_.contains({&symbol, order}); ++order) {
+      for (int order = 1;
+           !symbol.steady && (order <= 2 || higher_rates_.contains({&symbol, order})); ++order) {
         if (const GiNaC::ex part = slope(expression, rate_symbol(symbol, order)); !part.is_zero()) {
           sum += part * rate_symbol(symbol, order + 1);
         }

@@ -28,6 +28,7 @@ struct AuditSymbol {
   std::string meaning;   ///< what the file says of it, for people
   bool unknown = false;  ///< determined by the closures
   bool moving = false;   ///< a parameter with rates of its own
+  bool steady = false;   ///< its rate is constant
   GiNaC::symbol symbol;
   GiNaC::symbol rate;
   GiNaC::symbol second_rate;
@@ -87,6 +88,11 @@ class ClosureSystem {
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const AuditSymbol& by);
   /// de/da where the unknowns follow the closures, with the rates of parameters held.
   [[nodiscard]] GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& parameter);
+  /// de/da' by the rate of a parameter, or by its second rate, where the rates of the unknowns
+  /// follow the closures: dq'/da' is dq/da, dq''/da' is 2 d/dt(dq/da). Nothing where e has partial
+  /// derivatives of derivatives.
+  [[nodiscard]] std::optional<GiNaC::ex> by_rate(const GiNaC::ex& expression,
+                                                 const AuditSymbol& parameter, int order);
   /// de/dt by the rates of unknowns and moving parameters.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& expression);
   /// de/dx with all symbols in the expression held, also those of derivatives.

@@ -13,8 +13,15 @@ namespace assur::generator::closures {
 
 namespace {
 
+// Lengths are often named d or D.
 constexpr std::array<text::ExpressionFunction, 7> functions = {
-    {{"d", 2}, {"D", 2}, {"rate", 1}, {"rate2", 1}, {"pow", 2}, {"point", 2}, {"polar", 2}}};
+    {{"d", 2, text::Operation::other, true},
+     {"D", 2, text::Operation::other, true},
+     {"rate", 1},
+     {"rate2", 1},
+     {"pow", 2},
+     {"point", 2},
+     {"polar", 2}}};
 
 /// The decimal number that a text spells, exactly.
 GiNaC::numeric exact_number(const std::string& text) {
@@ -138,13 +145,13 @@ class Reader {
       return called == "rate" ? rate : system_.rate(rate);
     }
     if (called == "d") return system_.partial(first, symbol(node.arguments[1]));
-    if (called == "D") return total(first, symbol(node.arguments[1]), node);
+    if (called == "D") return total(first, node);
     if (called == "derivative") return derivative(node, first);
     if (called == "total") {
       if (holds_closure(node.arguments[0])) {
         fail("a closure stays zero along the solutions; write a partial derivative", node);
       }
-      return total(first, symbol(node.arguments[1]), node);
+      return total(first, node);
     }
     const GiNaC::ex second = scalar(node.arguments[1]);
     if (node.operation == Operation::divide) return quotient(first, second, node);
@@ -254,15 +261,39 @@ class Reader {
   }
 
   GiNaC::ex derivative(const text::Expression& node, const GiNaC::ex& of) {
-    const AuditSymbol& by = symbol(node.arguments[1]);
-    return holds_closure(node.arguments[0]) ? system_.slope(of, by.symbol) : total(of, by, node);
+    if (holds_closure(node.arguments[0])) {
+      return system_.slope(of, symbol(node.arguments[1]).symbol);
+    }
+    return total(of, node);
   }
 
-  GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& by, const text::Expression& at) {
-    if (by.unknown) {
-      fail("D differentiates by a parameter, and '" + by.name + "' is an unknown", at);
+  /// The derivative by the parameter, or by the rate of one, that is the node's second argument.
+  GiNaC::ex total(const GiNaC::ex& expression, const text::Expression& node) {
+    const text::Expression* by = &node.arguments[1];
+    int order = 0;
+    for (; by->kind == text::Expression::Kind::call && by->name.starts_with("rate");
+         by = &by->arguments[0]) {
+      order += by->name == "rate" ? 1 : 2;
     }
-    return system_.total(expression, by);
+    const AuditSymbol& parameter = symbol(*by);
+    if (parameter.unknown) {
+      const std::string what = node.name == "D" ? "D differentiates"
+                               : node.name == "total"
+                                   ? "a total derivative is taken"
+                                   : "what follows the closures is differentiated";
+      fail(what + " by a parameter, and '" + parameter.name + "' is an unknown", node);
+    }
+    if (order == 0) {
+      return system_.total(expression, parameter);
+    }
+    if (!parameter.moving) {
+      fail("'" + parameter.name + "' has no rate; declare 'moving " + parameter.name + "'", *by);
+    }
+    const std::optional<GiNaC::ex> derivative = system_.by_rate(expression, parameter, order);
+    if (!derivative) {
+      fail("a partial derivative of a derivative is not differentiated by a rate", node);
+    }
+    return *derivative;
   }
 
   [[nodiscard]] GiNaC::ex power(const GiNaC::ex& base, const GiNaC::ex& exponent,

@@ -21,6 +21,10 @@ FormulaReader::FormulaReader(Tokens tokens, const Reading& reading, Progress& pr
       progress_(progress),
       place_(place),
       depth_(depth) {
+  for (std::size_t at = 0; at + 1 < tokens_.size(); ++at) {
+    tokens_[at + 1].spaced =
+        tokens_[at + 1].spaced || (is_layout(tokens_[at]) && tokens_[at].spaced);
+  }
   std::erase_if(tokens_, [](const Token& token) { return is_layout(token); });
   if (!tokens_.empty()) {
     place_ = tokens_[0].place;

@@ -92,6 +92,8 @@ class FormulaReader {
   Factor called(const Function& function);
   std::pair<std::vector<Expression>, bool> function_arguments(const Function& function,
                                                               std::size_t at);
+  /// Removes braces that stand around brackets and are not printed: `\sin{\left(\theta \right)}`.
+  void unwrap_brackets();
   /// `\theta_1`, `2\theta_1`, `\frac{...}{...}`.
   Expression bare_argument();
   Expression bare_symbol();
@@ -105,6 +107,11 @@ class FormulaReader {
     int times;
   };
   By read_by(const Tokens& tokens, std::size_t at);
+  /// The place behind a sign of differentiation; the place itself where there is none.
+  using BehindSign = std::function<std::size_t(const Tokens&, std::size_t)>;
+  /// The derivatives of a tree by all that stands below the bar.
+  Expression by_all(const std::string& name, Expression tree, int order, const Tokens& by,
+                    const BehindSign& behind_sign, std::size_t at);
   [[nodiscard]] int order_of(const std::string& digits, std::size_t at) const;
   /// What stands behind \frac{d}{d t}: a bracket, or all that is left of the product.
   Expression operand();

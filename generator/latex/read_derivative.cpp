@@ -32,17 +32,27 @@ Expression FormulaReader::derivative(const Tokens& of, const Tokens& by, std::si
     order = order_of(letters_of(take_argument(of, behind)), at);
   }
   Expression tree = behind == of.size() ? operand() : read(slice(of, behind, of.size()), at);
+  return by_all(
+      "derivative", std::move(tree), order, by,
+      [](const Tokens& tokens, std::size_t place) {
+        return tokens[place].is("\\partial") ? place + 1 : place;
+      },
+      at);
+}
+
+Expression FormulaReader::by_all(const std::string& name, Expression tree, int order,
+                                 const Tokens& by, const BehindSign& behind_sign, std::size_t at) {
   for (std::size_t from = 0; from <= by.size();) {
     std::size_t to = from;
-    while (to < by.size() && !by[to].is("\\partial")) {
+    while (to < by.size() && behind_sign(by, to) == to) {
       ++to;
     }
     const By one = read_by(slice(by, from, to), at);
     for (int time = 0; time < one.times; ++time) {
-      tree = binary("derivative", Operation::other, std::move(tree), one.symbol, at);
+      tree = binary(name, Operation::other, std::move(tree), one.symbol, at);
     }
     order -= one.times;
-    from = to + 1;
+    from = to == by.size() ? to + 1 : behind_sign(by, to);
   }
   if (order != 0) {
     fail("the orders of this derivative above and below the bar differ", at);
@@ -83,14 +93,16 @@ Expression FormulaReader::total_derivative(const Tokens& above, const Tokens& be
   if (time == "t" + power || time == "t^{" + std::to_string(order) + "}") {
     return rates(std::move(tree), order, at);
   }
-  const By one = read_by(by, at);
-  if (one.times != order) {
+  if (!time.empty() && time[0] == 't' && !reading_.notations.at(by, 0)) {
     fail("the orders of this derivative above and below the bar differ", at);
   }
-  for (int times = 0; times < order; ++times) {
-    tree = binary("total", Operation::other, std::move(tree), one.symbol, at);
-  }
-  return tree;
+  return by_all(
+      "total", std::move(tree), order, by,
+      [](const Tokens& tokens, std::size_t place) {
+        const std::optional<Atom> atom = read_atom(tokens, place);
+        return atom && atom->name == "d" ? atom->end : place;
+      },
+      at);
 }
 
 Expression FormulaReader::operand() {

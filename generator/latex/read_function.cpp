@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <utility>
 
 #include "latex/formula_reader.hpp"
 #include "latex/rows.hpp"
@@ -15,7 +16,7 @@ struct Function {
 };
 namespace {
 
-constexpr std::array<Function, 11> functions = {{{"\\sin", "sin", Operation::sin},
+constexpr std::array<Function, 12> functions = {{{"\\sin", "sin", Operation::sin},
                                                  {"\\cos", "cos", Operation::cos},
                                                  {"\\tan", "tan", Operation::tan},
                                                  {"\\cot", "cot", Operation::tan},
@@ -23,6 +24,7 @@ constexpr std::array<Function, 11> functions = {{{"\\sin", "sin", Operation::sin
                                                  {"\\arccos", "acos", Operation::acos},
                                                  {"\\arctan", "atan", Operation::atan},
                                                  {"atan2", "atan2", Operation::atan2},
+                                                 {"atan_{2}", "atan2", Operation::atan2},
                                                  {"asin", "asin", Operation::asin},
                                                  {"acos", "acos", Operation::acos},
                                                  {"atan", "atan", Operation::atan}}};
@@ -86,6 +88,7 @@ std::pair<std::vector<Expression>, bool> FormulaReader::function_arguments(const
     fail("the function has no argument", at);
   }
   std::vector<Expression> list;
+  unwrap_brackets();
   if (opens(tokens_[at_])) {
     const std::size_t open = at_;
     const Tokens inside = take_brackets();
@@ -113,6 +116,23 @@ std::pair<std::vector<Expression>, bool> FormulaReader::function_arguments(const
   }
   list.push_back(bare_argument());
   return {std::move(list), true};
+}
+
+void FormulaReader::unwrap_brackets() {
+  if (!tokens_[at_].is("{")) {
+    return;
+  }
+  const std::size_t end = end_of_argument(tokens_, at_) - 1;
+  std::size_t inside = at_ + 1;
+  if (inside < end && opens(tokens_[inside])) {
+    const std::size_t before = std::exchange(at_, inside);
+    static_cast<void>(take_brackets());
+    inside = std::exchange(at_, before);
+    if (inside == end) {
+      tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(end));
+      tokens_.erase(tokens_.begin() + static_cast<std::ptrdiff_t>(at_));
+    }
+  }
 }
 
 Expression FormulaReader::bare_argument() {

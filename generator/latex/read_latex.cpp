@@ -210,7 +210,8 @@ void FormulaReader::expect_clear_product(const Factor& left, const Token& next, 
   const bool derivative =
       is_fraction(next) && at_ + 2 < tokens_.size() && tokens_[at_ + 2].is("\\partial");
   const bool ends_argument = derivative || find_function(at_) != nullptr;
-  if (left.kind == FactorKind::bare_function && !spaced && !ends_argument) {
+  const bool brackets_apart = opens(next) && (next.spaced || reading_.brackets_multiply);
+  if (left.kind == FactorKind::bare_function && !spaced && !ends_argument && !brackets_apart) {
     fail("does the function's argument go on here? write brackets, or \\, after the argument", at_);
   }
   if (left.kind == FactorKind::symbol && opens(next) && !spaced && !reading_.brackets_multiply) {

@@ -44,6 +44,7 @@ PrintedMatrix frame_of_titles(const PaperFormulas& formulas, const LatexMatrix& 
                          title[0].place);
     }
   }
+  expect_parameters(frame, formulas.map().system(), matrix.place);
   return frame;
 }
 

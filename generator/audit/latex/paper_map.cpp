@@ -299,7 +299,7 @@ void PaperMap::read_notation(const PlacedText& line) {
     return;
   }
   if (const std::optional<PlacedText> matrix = behind(meaning, "matrix")) {
-    Matrix added{generator::latex::symbols_of(tokens), {}, {}, statement_};
+    Matrix added{generator::latex::symbols_of(tokens), {}, {}, statement_, {}};
     if (matrix->text != "by its titles") {
       const std::size_t by = matrix->text.find(" by ");
       if (!matrix->text.starts_with("of ") || by == std::string::npos) {
@@ -332,7 +332,7 @@ void PaperMap::read_notation(const PlacedText& line) {
   formulas_.push_back({statement_, meaning});
 }
 
-void PaperMap::expect_known_names() const {
+void PaperMap::expect_known_names() {
   const auto fail_in = [&](const closures::Statement& statement,
                            const closures::FormulaError& error) {
     throw closures::AuditSyntaxError(file_, closures::place_in(statement, error.place),
@@ -349,12 +349,15 @@ void PaperMap::expect_known_names() const {
       fail_in(formula.statement, error);
     }
   }
-  for (const Matrix& matrix : matrices_) {
+  for (Matrix& matrix : matrices_) {
     try {
-      static_cast<void>(names(matrix.rows, false));
+      matrix.row_names = rows_in(matrix.rows, reader_.system(),
+                                 [this](const PlacedText& word) { return names(word, false); });
+      PrintedMatrix frame{matrix.row_names, {}, {}};
       for (const PlacedText& word : closures::words(matrix.columns)) {
         if (word.text != "?") {
-          static_cast<void>(names(word, true));
+          frame.columns = names(word, true);
+          expect_parameters(frame, system(), word.place);
         }
       }
     } catch (const closures::FormulaError& error) {
@@ -440,7 +443,9 @@ std::optional<PrintedMatrix> PaperMap::matrix_frame(const Tokens& notation) cons
         }
         columns.push_back(quantity_named((*captured)[0], notation));
       }
-      return PrintedMatrix{names(matrix.rows, false), columns, {}};
+      PrintedMatrix frame{matrix.row_names, columns, {}};
+      expect_parameters(frame, system(), notation[0].place);
+      return frame;
     }
   }
   return std::nullopt;

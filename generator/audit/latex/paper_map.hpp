@@ -29,6 +29,7 @@ class PaperMap {
     closures::PlacedText rows;  ///< empty: as its titles say
     closures::PlacedText columns;
     closures::Statement statement;
+    std::vector<std::string> row_names{};  ///< or formulas, once all names are known
   };
 
   [[nodiscard]] closures::ClosureReader& reader() { return reader_; }
@@ -75,7 +76,7 @@ class PaperMap {
   /// Throws where a notation is given a second meaning, since one of the two would be ignored.
   void expect_new(const closures::PlacedText& notation, const Tokens& tokens) const;
   /// Throws for names that the map declares neither above the notation nor below it.
-  void expect_known_names() const;
+  void expect_known_names();
   void expect_known_names(const text::Expression& tree, const closures::PlacedText& formula) const;
   /// The quantity that a symbol among the tokens stands for.
   [[nodiscard]] std::string quantity_named(const std::string& symbol, const Tokens& tokens) const;

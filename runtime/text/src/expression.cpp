@@ -208,7 +208,7 @@ class Parser {
     }
     const ExpressionFunction* const function = function_named(name);
     if (!take('(')) {
-      if (function != nullptr) {
+      if (function != nullptr && !function->may_be_name) {
         fail("expected '(' after the function " + name);
       }
       return {Expression::Kind::name, 0, name, {}, Operation::other, start + 1};

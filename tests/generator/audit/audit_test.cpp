@@ -113,6 +113,65 @@ TEST(Audit, TotalDerivativesFollowTheClosures) {
   EXPECT_EQ(verdict("r*sin(phi) = -l*sin(theta)"), Verdict::agrees);
 }
 
+/// Everything that is needed to compute both sides by hand stands beside a difference.
+TEST(Audit, ADifferenceIsShownWithRatesAndUnknowns) {
+  const auto names = [](const std::string& equation) {
+    const Finding finding =
+        only_finding(slider_crank + "printed equation (1) : " + equation + "\n");
+    EXPECT_EQ(finding.comparison.verdict, Verdict::differs) << equation;
+    std::string list;
+    const std::string& point = finding.comparison.point;
+    for (std::size_t at = point.find(" = "); at != std::string::npos;
+         at = point.find(" = ", at + 1)) {
+      const std::size_t from = point.rfind(' ', at - 1);
+      const std::size_t begin = from == std::string::npos ? 0 : from + 1;
+      list += point.substr(begin, at - begin) + " ";
+    }
+    return list;
+  };
+  const std::string all = "sin)(phi) sin)(theta) r l s ";
+  EXPECT_EQ(names("s = r*cos(phi)"), all);
+  EXPECT_EQ(names("rate(s) = r*rate(phi)"), all + "rate(phi) rate(s) rate(theta) ");
+  EXPECT_EQ(names("rate2(s) = r"),
+            all + "rate(phi) rate2(phi) rate(s) rate(theta) rate2(s) rate2(theta) ");
+  EXPECT_EQ(names("D(s, r) = 1"), all + "r) r) ");  // D(s, r), D(theta, r)
+}
+
+/// At constant speed the second rate and all higher ones vanish.
+TEST(Audit, ARateMayBeConstant) {
+  const auto verdict = [](const std::string& declared, const std::string& equation) {
+    return only_finding(slider_crank + declared + "printed equation (1) : " + equation + "\n")
+        .comparison.verdict;
+  };
+  for (const char* equation :
+       {"rate2(phi) = 0", "rate(rate2(phi)) = 0",
+        "l*cos(theta)*rate2(theta) = l*sin(theta)*rate(theta)^2 + r*sin(phi)*rate(phi)^2",
+        "rate(rate2(s)) = rate(rate2(r*cos(phi) + l*cos(theta)))"}) {
+    EXPECT_EQ(verdict("constant rate(phi)\n", equation), Verdict::agrees) << equation;
+  }
+  EXPECT_EQ(verdict("", "rate2(phi) = 0"), Verdict::differs);
+  EXPECT_EQ(verdict("constant rate(phi)\n", "rate2(s) = 0"), Verdict::differs);
+}
+
+/// dq'/da' is dq/da, and dq''/da' is 2 d/dt(dq/da).
+TEST(Audit, DerivativesByRatesAndRowsThatAreFormulas) {
+  const AuditReport report =
+      audit_text(slider_crank +
+                     "printed equation (1) : D(rate(s), rate(phi)) = D(s, phi)\n"
+                     "printed equation (2) : D(rate2(s), rate(phi)) = 2*rate(D(s, phi))\n"
+                     "printed equation (3) : D(rate2(s), rate2(phi)) = D(s, phi)\n"
+                     "printed equation (4) : D(rate(s)^2, rate(phi)) = 2*rate(s)*D(s, phi)\n"
+                     "printed equation (5) : D(D(rate(s), r), rate(phi)) = D(D(s, phi), r)\n"
+                     "printed matrix (6) of rate(s) rate(theta) by r phi\n"
+                     "  D(rate(s), r), rate(D(s, phi))\n  rate(D(theta, r)), D(rate(theta), phi)\n",
+                 "f.audit");
+  EXPECT_TRUE(report.agrees()) << audit_report_text({report});
+  EXPECT_EQ(only_finding(slider_crank + "printed equation (1) : D(rate2(s), rate(phi)) = "
+                                        "rate(D(s, phi))\n")
+                .comparison.verdict,
+            Verdict::differs);
+}
+
 TEST(Audit, SensitivityMatricesAreTotalDerivatives) {
   const std::vector<Finding> all =
       findings_of(slider_crank +

@@ -293,7 +293,7 @@ INSTANTIATE_TEST_SUITE_P(
          Program{"NoResult", "a.cpp", "", FRAME "  points 5", 2, "say what is called"},
          Program{"NoLanguage", "a.txt", "", CALL, 2, "its language cannot be told"},
          Program{"Nowhere", "a.cpp", CPP("return {};"), CALL "\n  where -l^2", 2,
-                 "no points were found at which the program can be run"},
+                 "no points were found at which the closures hold and the program can be run"},
          Program{"WrongCondition", "a.cpp", CPP("return {};"), CALL "\n  where lenth", 2,
                  "mine.audit:8:9: no symbol named 'lenth'"}},
         4)),

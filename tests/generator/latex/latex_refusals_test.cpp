@@ -17,8 +17,8 @@ unknown c
 closure f1 = a - c
 J = matrix of f1 by a b
 K = matrix by its titles
-S = matrix of c by a
-P = matrix of b by c
+S = matrix of b by a
+P = matrix of b by b
 Q = matrix of b by a
 w = as printed
 m_? = a
@@ -130,8 +130,14 @@ const std::vector<Refusal> refusals = {
     {"\\frac{\\partial^{12} a}{\\partial b^{12}} = c", 1,
      "the order of a derivative is a number from 1 to 9"},
     {"\\frac{\\partial a}{\\partial c} = b", 1,
-     "D differentiates by a parameter, and 'c' is an unknown"},
+     "what follows the closures is differentiated by a parameter, and 'c' is an unknown"},
     {"\\frac{d^2 a}{d b} = c", 1, "the orders of this derivative above and below the bar differ"},
+    {"\\frac{d^2 a}{d t^3} = c", 1, "the orders of this derivative above and below the bar differ"},
+    {"\\frac{d^2 a}{d b\\,d a\\,d b} = c", 1,
+     "the orders of this derivative above and below the bar differ"},
+    {"\\partial c/\\partial c = b", 1,
+     "what follows the closures is differentiated by a parameter, and 'c' is an unknown"},
+    {"\\frac{\\partial\\dot c}{\\partial\\dot b} = a", 31, "'b' has no rate; declare 'moving b'"},
     {"\\frac{d}{d t} a\\,b = c", 16, "write brackets around what is differentiated"},
     {"\\dot{a b} = c", 1, "dots stand above a single symbol"},
     {"\\dot{\\ddddot{a}} = c", 1, "more than four dots are not read"},
@@ -406,8 +412,19 @@ INSTANTIATE_TEST_SUITE_P(
                  "p.map:2:9: expected 'display \\COMMAND{EQUATION}{NUMBER}'"},
         Unusable{"\\[ a = a \\]", "length a\nbrackets call\n",
                  "p.map:2:1: expected 'brackets multiply' or 'blanks are zero'"},
-        Unusable{"\\[ a = a \\]", "length d\n",
-                 "p.map:1:8: 'd' cannot be a name: formulas have a function of that name"}),
+        Unusable{"\\[ a = a \\]", "length rate\n",
+                 "p.map:1:8: 'rate' cannot be a name: formulas have a function of that name"},
+        Unusable{"\\[ a = a \\]",
+                 "length a b c\nunknown b c\nclosure f = a - c\nclosure g = b - c\n"
+                 "J = matrix of b by a c\n",
+                 "p.map:5:22: 'b' follows the closures, and 'c' is an unknown; a matrix has "
+                 "derivatives by parameters"},
+        Unusable{"\\[ a = a \\]", "length a\nJ = matrix of rate(b) by a\n",
+                 "p.map:2:20: no symbol named 'b' (choose from a)"},
+        Unusable{"\\[ a = a \\]", "length a\nconstant rate(a)\n",
+                 "p.map:2:15: 'a' does not move; declare 'moving a' first"},
+        Unusable{"\\[ a = a \\]", "length a\nconstant a\n",
+                 "p.map:2:10: expected 'constant rate(NAME) ...', found 'a'"}),
     [](const auto& tested) { return "n" + std::to_string(tested.index); });
 
 }  // namespace

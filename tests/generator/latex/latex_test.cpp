@@ -84,6 +84,19 @@ const std::vector<Meaning> meanings = {
     {"s_{12}", "sin(theta_1 + theta_2)"},
     {"s_{12}^2", "sin(theta_1 + theta_2)^2"},
     {"\\cos{\\theta}", "cos(theta)"},
+    // As SymPy prints.
+    {"\\cos{\\left(\\theta \\right)}", "cos(theta)"},
+    {"\\sin^{2}{\\left(\\theta_{1} + \\theta_{2} \\right)} a_{1}", "a1*sin(theta_1 + theta_2)^2"},
+    {"- a_{1} \\tan{\\left(2 \\theta \\right)} \\cos{\\left(\\phi \\right)}",
+     "-a1*tan(2*theta)*cos(phi)"},
+    {"\\cos{\\left(\\operatorname{atan_{2}}{\\left(a,b \\right)} \\right)}", "b/sqrt(a^2 + b^2)"},
+    {"\\sqrt{a^{2} + b^{2}} \\cos{\\left(\\operatorname{atan}{\\left(\\frac{a}{b} \\right)} "
+     "\\right)}",
+     "b"},
+    {"\\cos\\theta_1 (a + b)", "cos(theta_1)*(a + b)"},
+    {"\\cos\\theta_1 \\left(a + b\\right) c", "cos(theta_1)*(a + b)*c"},
+    {"\\sin(\\theta + \\pi/6)", "sin(theta)*sqrt(3)/2 + cos(theta)/2"},
+    {"\\cos(\\theta - 45^\\circ)", "(cos(theta) + sin(theta))/sqrt(2)"},
     {"\\cos\\frac{\\pi}{2}", "0"},
     {"\\sin(\\theta + 90^\\circ)", "cos(theta)"},
     {"\\sin(\\theta + \\pi/2)", "cos(theta)"},
@@ -171,6 +184,48 @@ J = \left[\begin{array}{cc} -l\sin\rod & -1 \\ l\cos\rod & 0 \end{array}\right]
                     "equation line 13!", "equation line 14", "equation (A.1)", "equation (3a)",
                     "equation (3a)!", "matrix (4)", "matrix (4)", "matrix (4)", "matrix (4)",
                     "matrix (4)!", "matrix (4)", "matrix (4)", "matrix (4)"}));
+}
+
+/// By a rate, by several parameters, of rates in matrices, at constant speed, as functions of time.
+TEST(Latex, DerivativesOfRatesAndByRates) {
+  const std::string paper = R"(
+\[ \frac{\partial\dot s}{\partial\dot\varphi} = -r\sin\varphi + r\cos\varphi\tan\theta \]
+\[ \frac{\partial\ddot s}{\partial\ddot\varphi} = \frac{\partial s}{\partial\varphi} \]
+\[ \frac{\partial\ddot s}{\partial\dot\varphi} = 2\frac{d}{dt}\left(\frac{ds}{d\varphi}\right) \]
+\[ \frac{\partial\ddot s}{\partial\dot\varphi} = \frac{d}{dt}\left(\frac{ds}{d\varphi}\right) \]
+\[ \frac{d^2 s}{d\varphi\,dr} = \frac{d}{dr}\left(\frac{ds}{d\varphi}\right) \]
+\[ \frac{d^2 s}{d\varphi dr} = 0 \]
+\[ \ddot s = \frac{d^2 s}{d\varphi^2}\dot\varphi^2 \]
+\[ V = \begin{pmatrix} \frac{\partial\dot s}{\partial r} & 0 \end{pmatrix} \]
+\[ s = r\cos{\left(\varphi{\left(t \right)} \right)} + l\cos{\left(\theta \right)} \]
+)";
+  const std::string map = crank_map +
+                          "constant rate(phi)\nV = matrix of rate(s) by r l\n"
+                          "\\varphi{\\left(t \\right)} = phi\n";
+  EXPECT_EQ(labels(report_of(paper, map)),
+            (Labels{"equation line 2", "equation line 3", "equation line 4", "equation line 5!",
+                    "equation line 6", "equation line 7!", "equation line 8", "matrix line 9",
+                    "matrix line 9!", "equation line 10"}));
+  // Without the constant speed, the acceleration has another term.
+  EXPECT_EQ(
+      labels(report_of("\\[ \\ddot s = \\frac{d^2 s}{d\\varphi^2}\\dot\\varphi^2 \\]", crank_map)),
+      (Labels{"equation line 1!"}));
+}
+
+TEST(Latex, MatricesAsSymPyPrintsThem) {
+  const std::string map = R"(length a1 a2 a3 a4
+angle theta2 theta3 theta4
+unknown theta3 theta4
+moving theta2
+loop f1 f2 = polar(a2, theta2) + polar(a3, theta3) - polar(a4, theta4) - point(a1, 0)
+J = matrix of f1..2 by theta3..4
+)";
+  const std::string paper =
+      R"(\begin{equation}\label{j} J = \left[\begin{matrix}- a_{3} \sin{\left(\theta_{3} \right)} & a_{4} \sin{\left(\theta_{4} \right)}\\a_{3} \cos{\left(\theta_{3} \right)} & - a_{4} \sin{\left(\theta_{4} \right)}\end{matrix}\right]\end{equation}
+\begin{equation} \dot{\theta}_3 = - \frac{a_{2} \sin{\left(\theta_{2} - \theta_{4} \right)}}{a_{3} \sin{\left(\theta_{3} - \theta_{4} \right)}} \dot{\theta}_2 \end{equation}
+)";
+  EXPECT_EQ(labels(report_of(paper, map)),
+            (Labels{"matrix (1)", "matrix (1)", "matrix (1)", "matrix (1)!", "equation (2)"}));
 }
 
 TEST(Latex, DefinitionsEndWithTheirGroups) {

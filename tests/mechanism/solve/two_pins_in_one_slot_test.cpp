@@ -172,7 +172,7 @@ TEST_P(TwoPinsInOneSlot, AreFoundInTheTimeOfDyads) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, TwoPinsInOneSlot, testing::Values("pins", "slot", "sleeve"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& of) { return of.param; });
 
 /// Sweeps have the branches of both ways, also through the change point of equal crank and rod.
 TEST(TwoPinsInOneSlotSweep, HasTheBranchesOfBothWays) {

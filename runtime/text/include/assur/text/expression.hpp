@@ -54,6 +54,7 @@ struct ExpressionFunction {
   std::string_view name;
   std::size_t arguments;
   Operation operation = Operation::other;
+  bool may_be_name = false;  ///< a name, too, where no bracket follows
 };
 
 /// Parses an expression; throws ExpressionError. Powers bind tighter than signs and to the right.
