@@ -407,23 +407,28 @@ ClosurePoints::Point* ClosurePoints::point(std::size_t index, bool assembled) {
 }
 
 GiNaC::exset ClosurePoints::needed_symbols(const std::vector<GiNaC::ex>& shown, bool assembled) {
-  std::vector<GiNaC::ex> open = shown;
-  if (assembled) {
-    for (const ClosureSystem::Closure& closure : system_.closures()) {
-      open.push_back(closure.expression);
-    }
-  }
   GiNaC::exset needed;
-  while (!open.empty()) {
-    const GiNaC::ex next = system_.expanded(open.back());
-    open.pop_back();
-    for (const GiNaC::ex& symbol : equations::symbols_of(next)) {
-      if (!needed.insert(symbol).second) {
-        continue;
+  const auto add = [&](std::vector<GiNaC::ex> open) {
+    while (!open.empty()) {
+      const GiNaC::ex next = system_.expanded(open.back());
+      open.pop_back();
+      for (const GiNaC::ex& symbol : equations::symbols_of(next)) {
+        if (!needed.insert(symbol).second) {
+          continue;
+        }
+        if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
+          std::ranges::move(system_.equations_of(*derivative), std::back_inserter(open));
+        }
       }
-      if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
-        std::ranges::move(system_.equations_of(*derivative), std::back_inserter(open));
-      }
+    }
+  };
+  add(shown);
+  const auto is_needed_unknown = [&](const AuditSymbol& symbol) {
+    return symbol.unknown && needed.contains(symbol.symbol);
+  };
+  if (assembled && std::ranges::any_of(system_.symbols(), is_needed_unknown)) {
+    for (const ClosureSystem::Closure& closure : system_.closures()) {
+      add({closure.expression});
     }
   }
   return needed;

@@ -86,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                FOUR_BAR "printed run a p.py of rate(t3), rate(t4)\n  result wrong(th, rate_th)\n",
                four_bar, 1, "rate(t4): differs"},
         Solved{"CounterexampleHasRates",
-               FOUR_BAR "printed run a p.py of rate(t4)\n  result [2*rate_th + th]\n", four_bar, 1,
-               ", rate(th) = "}),
+               FOUR_BAR "printed run a p.py of rate(t4)\n  result [2*rates(th, rate_th)[1]]\n",
+               four_bar, 1, ", rate(th) = "}),
     [](const auto& tested) { return tested.param.name; });
 
 }  // namespace

@@ -191,7 +191,7 @@ INSTANTIATE_TEST_SUITE_P(
              CALL "\n  entry result[2*i + j]", 1, "3 of 4 agree"},
          Program{"OfOneSideAlone", "a.cpp",
                  "#include <cmath>\ndouble f(double s) { return -std::fabs(s); }",
-                 "-s\n  result f(s)", 1, "differs"},
+                 "-s\n  result f(s)", 1, "-s: holds on one branch"},
          Program{"OverOneHalfTurn", "a.cpp",
                  CPP("return {{-l*sin(theta), -1}, {l*sqrt(1 - sin(theta)*sin(theta)), 0}};"), CALL,
                  1, "3 of 4 agree"},
@@ -219,7 +219,7 @@ INSTANTIATE_TEST_SUITE_P(
                      "{{-l*sin(theta), -1}, {l*c, 0}};"),
                  CALL, 1, "the same call gives another value later"},
          Program{"Pencil", "a.cpp", CPP("return {{l*sin(theta), -1}, {l*cos(theta), 0}};"), CALL, 1,
-                 "at          l = 2, (cos, sin)(theta) = (4/5, 3/5)"}},
+                 "l = 1, s = 3/5, (cos, sin)(phi) = (0, -1), (cos, sin)(theta) = (3/5, 4/5)"}},
         4)),
     [](const testing::TestParamInfo<Program>& at) { return std::string(at.param.name); });
 
