@@ -125,7 +125,7 @@ bool AskedPoints::has_rates(const closures::AuditSymbol& symbol) const {
 }
 
 bool AskedPoints::mentions(const std::string& name) const {
-  std::string text = run_.program.result;
+  std::string text = run_.program.result + " " + run_.position.text;
   for (const std::string& line : run_.program.before) {
     text += " " + line;
   }

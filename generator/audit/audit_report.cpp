@@ -35,6 +35,8 @@ char mark(const Finding& finding) {
       return '/';
     case Verdict::unreadable:
       return '!';
+    case Verdict::fails:
+      return '#';
     case Verdict::undecided:
       break;
   }
@@ -107,14 +109,16 @@ std::string statement_text(const AuditReport& report, const AuditedStatement& st
       text += (place + 1) % statement.columns == 0 ? "\n" : "";
     }
   }
-  // Cases of one equation that fail in the same way are reported in full only once.
+  // Cases of one equation, and entries of a program, that fail in the same way are reported in full
+  // only once.
   const Finding* told = nullptr;
   for (const Finding& finding : statement.findings) {
     if (finding.agrees()) {
       continue;
     }
+    const bool fails = finding.comparison.verdict == Verdict::fails;
     const bool alike = told != nullptr && finding.printed == told->printed &&
-                       finding.derived == told->derived && finding.note == told->note &&
+                       (fails || finding.derived == told->derived) && finding.note == told->note &&
                        finding.comparison.verdict == told->comparison.verdict;
     text += "  " + finding.item + (finding.item.empty() ? "" : ": ") +
             verdict_text(finding.comparison.verdict) +
@@ -255,6 +259,8 @@ std::string audit_report_json(const std::vector<AuditReport>& reports) {
             {"evidence", comparison.evidence}};
         if (!comparison.difference.empty()) {
           entry["difference"] = comparison.difference;
+        }
+        if (!comparison.difference.empty() || !comparison.point.empty()) {
           entry["point"] = comparison.point;
         }
         if (!finding.note.empty()) {

@@ -7,6 +7,7 @@
 #include "audit/equation_audit.hpp"
 #include "audit/finding.hpp"
 #include "audit/numeric_example.hpp"
+#include "audit/own_position.hpp"
 #include "audit/run_audit.hpp"
 #include "closures/closure_reader.hpp"
 #include "structure/group.hpp"
@@ -55,6 +56,7 @@ class Auditor {
   void read_printed_run(const closures::Statement& statement, const closures::PlacedText& label,
                         closures::PlacedText rest);
   [[nodiscard]] ExpectedMatrix expected_matrix(const closures::PlacedText& frame);
+  [[nodiscard]] OwnDerivatives own_derivatives(const closures::PlacedText& frame) const;
   void read_printed_equation(const closures::PlacedText& label, closures::PlacedText rest);
   void read_printed_kinds(const closures::Statement& statement, const closures::PlacedText& label,
                           closures::PlacedText rest);

@@ -217,6 +217,8 @@ const char* verdict_text(Verdict verdict) {
       return "holds on one branch";
     case Verdict::unreadable:
       return "does not parse";
+    case Verdict::fails:
+      return "fails";
     case Verdict::undecided:
       break;
   }

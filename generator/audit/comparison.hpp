@@ -11,6 +11,7 @@ enum class Verdict : unsigned char {
   differs,
   on_one_branch,  ///< right for some signs of roots and wrong for others
   unreadable,
+  fails,  ///< a program has no value at some point
   undecided
 };
 

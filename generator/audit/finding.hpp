@@ -21,7 +21,8 @@ struct Finding {
 
   [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
   [[nodiscard]] bool is_wrong() const {
-    return comparison.verdict == Verdict::differs || comparison.verdict == Verdict::differs_by_sign;
+    return comparison.verdict == Verdict::differs ||
+           comparison.verdict == Verdict::differs_by_sign || comparison.verdict == Verdict::fails;
   }
 };
 

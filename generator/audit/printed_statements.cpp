@@ -213,6 +213,16 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
   return expected;
 }
 
+/// `of NAMES by PARAMETERS`, or `of rate(NAME), ...`, where the names are those of a position.
+OwnDerivatives Auditor::own_derivatives(const closures::PlacedText& frame) const {
+  auto [rows, columns] = cut_at_word(frame, "by");
+  if (!closures::take_keyword(rows, "of") || rows.empty()) {
+    reader_.fail(frame.place,
+                 "expected 'of NAMES by PARAMETERS' or 'of rate(NAME), ...' before 'against'");
+  }
+  return read_own_derivatives(columns, rows, reader_.system());
+}
+
 void Auditor::read_printed_run(const closures::Statement& statement,
                                const closures::PlacedText& label, closures::PlacedText rest) {
   const closures::PlacedText file = take_code_file(rest);
@@ -226,9 +236,27 @@ void Auditor::read_printed_run(const closures::Statement& statement,
                  "a quantity is named 'result', as is what the program gives; rename it");
   }
   run.program.flags.insert(run.program.flags.end(), run_.flags.begin(), run_.flags.end());
-  const ExpectedMatrix expected = expected_matrix(rest);
-  RunAnswer answered = audit_run(points_, expected, run, run_.limits);
-  answer("run " + label.text + " (" + file.text + ")", label.place, expected.size.columns,
+  const auto [frame, against] = cut_at_word(rest, "against");
+  if (against.empty() != run.position.empty() ||
+      (!against.empty() && against.text != "own position")) {
+    reader_.fail(against.place,
+                 "a comparison with own positions has 'against own position' here and a row "
+                 "'position EXPRESSION'");
+  }
+  RunAnswer answered;
+  std::size_t columns = 0;
+  if (against.empty()) {
+    const ExpectedMatrix expected = expected_matrix(frame);
+    DerivedReference reference(points_, expected, run.rounding);
+    answered = audit_run(points_, expected, reference, run, run_.limits);
+    columns = expected.size.columns;
+  } else {
+    const OwnDerivatives own = own_derivatives(frame);
+    OwnPosition reference(reader_.system(), own, run, run_.limits);
+    answered = audit_run(points_, own.expected, reference, run, run_.limits);
+    columns = own.expected.size.columns;
+  }
+  answer("run " + label.text + " (" + file.text + ")", label.place, columns,
          std::move(answered.findings));
   statements_.back().remark = answered.remark;
 }

@@ -1,8 +1,8 @@
-// Turns what a user's program computes at points into findings against a closure system.
+// Turns what a user's program computes at points into findings against a reference.
 #pragma once
 
-#include "audit/asked_points.hpp"
 #include "audit/finding.hpp"
+#include "audit/run_reference.hpp"
 
 namespace assur::generator::audit {
 
@@ -11,10 +11,11 @@ struct RunAnswer {
   std::string remark;  ///< at how many points the program was run, and that this is no proof
 };
 
-/// Runs the program at assembled points, and once more at simple ones if an entry is wrong, for a
-/// counterexample of few digits. Throws FormulaError at `run.result` if the program cannot be
-/// audited.
+/// Runs the program at points, assembled if closures are declared, and once more at simple ones if
+/// an entry is wrong, for a counterexample of few digits. A program that fails at a point is wrong
+/// there. Throws FormulaError at `run.result` if the program cannot be run at all.
 [[nodiscard]] RunAnswer audit_run(closures::ClosurePoints& points, const ExpectedMatrix& expected,
-                                  const RunStatement& run, const running::RunLimits& limits);
+                                  RunReference& reference, const RunStatement& run,
+                                  const running::RunLimits& limits);
 
 }  // namespace assur::generator::audit

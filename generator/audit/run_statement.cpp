@@ -34,23 +34,25 @@ const std::map<std::string, Language>& languages() {
   static const std::map<std::string, Language> list = {{"c++", Language::cpp},
                                                        {"c", Language::c},
                                                        {"python", Language::python},
-                                                       {"octave", Language::octave}};
+                                                       {"octave", Language::octave},
+                                                       {"javascript", Language::javascript}};
   return list;
 }
 
 Language language_named(const PlacedText& name) {
   const auto found = languages().find(name.text);
   if (found == languages().end()) {
-    throw FormulaError("expected c++, c, python or octave", name.place);
+    throw FormulaError("expected c++, c, python, octave or javascript", name.place);
   }
   return found->second;
 }
 
 Language language_of(const std::filesystem::path& file, const PlacedText& at) {
   static const std::map<std::string, Language> endings = {
-      {".cpp", Language::cpp},   {".cc", Language::cpp},  {".cxx", Language::cpp},
-      {".hpp", Language::cpp},   {".h", Language::cpp},   {".c", Language::c},
-      {".py", Language::python}, {".m", Language::octave}};
+      {".cpp", Language::cpp},        {".cc", Language::cpp},        {".cxx", Language::cpp},
+      {".hpp", Language::cpp},        {".h", Language::cpp},         {".c", Language::c},
+      {".py", Language::python},      {".m", Language::octave},      {".js", Language::javascript},
+      {".mjs", Language::javascript}, {".cjs", Language::javascript}};
   const auto found = endings.find(file.extension().string());
   if (found == endings.end()) {
     throw FormulaError("its language cannot be told; say it: 'language c++'", at.place);
@@ -68,6 +70,7 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
   const std::map<std::string, std::function<void(const PlacedText&)>> readers = {
       {"before", [&](const PlacedText& text) { program.before.push_back(text.text); }},
       {"result", [&](const PlacedText& text) { run.result = text; }},
+      {"position", [&](const PlacedText& text) { run.position = text; }},
       {"entry", [&](const PlacedText& text) { program.entry = text.text; }},
       {"flags",
        [&](const PlacedText& text) {

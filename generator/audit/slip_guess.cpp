@@ -4,6 +4,9 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <numbers>
+#include <sstream>
 
 #include "closures/formula_text.hpp"
 #include "equations/symbols.hpp"
@@ -12,13 +15,6 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// Far below the effect of a slip, and far above that of rounding.
-constexpr double agreement = 1e-9;
-
-bool alike(double computed, const RoundedValue& guess) {
-  return std::abs(computed - guess.value) <= agreement * (guess.error + std::abs(computed) * 1e-3);
-}
-
 class Guesser {
  public:
   Guesser(const ComputedMatrix& matrix, std::size_t entry, const closures::ClosureSystem& system)
@@ -26,9 +22,14 @@ class Guesser {
 
   std::string run() const {
     using Group = std::string (Guesser::*)() const;
-    constexpr std::array<Group, 7> groups = {
-        &Guesser::multiples, &Guesser::places,  &Guesser::terms, &Guesser::angles,
-        &Guesser::degrees,   &Guesser::symbols, &Guesser::stale};
+    constexpr std::array<Group, 10> groups = {&Guesser::multiples, &Guesser::places,
+                                              &Guesser::terms,     &Guesser::angles,
+                                              &Guesser::degrees,   &Guesser::symbols,
+                                              &Guesser::factors,   &Guesser::constant_factor,
+                                              &Guesser::stale,     &Guesser::single_precision};
+    if (holds(derived_)) {
+      return single_precision();  // too small a difference to tell slips apart
+    }
     for (const Group group : groups) {
       if (std::string text = (this->*group)(); !text.empty()) {
         return text;
@@ -38,11 +39,24 @@ class Guesser {
   }
 
  private:
+  /// Whether two numbers are the same, as far as the guess is known; `period` is what does not
+  /// count, if not zero.
+  [[nodiscard]] bool alike(double computed, const RoundedValue& guess, double period) const {
+    const double off = computed - guess.value;
+    return std::abs(period > 0 ? std::remainder(off, period) : off) <=
+           matrix_.slack * (guess.error + std::abs(computed) * 1e-3);
+  }
+
+  [[nodiscard]] double turn(std::size_t entry) const {
+    return matrix_.angles[entry] ? 2 * std::numbers::pi : 0;
+  }
+
   /// Whether an entry is this expression at all points.
-  [[nodiscard]] bool holds(std::size_t entry, const GiNaC::ex& guess) const {
+  [[nodiscard]] bool holds(std::size_t entry, const GiNaC::ex& guess, double period) const {
     try {
       for (std::size_t at = 0; at < matrix_.points.size(); ++at) {
-        if (!alike(matrix_.computed[at][entry], rounded_value(guess, matrix_.points[at]))) {
+        const RoundedValue value = rounded_value(guess, matrix_.points[at]);
+        if (!std::isfinite(value.value) || !alike(matrix_.computed[at][entry], value, period)) {
           return false;
         }
       }
@@ -50,6 +64,9 @@ class Guesser {
       return false;  // it has no value somewhere
     }
     return true;
+  }
+  [[nodiscard]] bool holds(std::size_t entry, const GiNaC::ex& guess) const {
+    return holds(entry, guess, turn(entry));
   }
   [[nodiscard]] bool holds(const GiNaC::ex& guess) const { return holds(entry_, guess); }
 
@@ -73,6 +90,110 @@ class Guesser {
       }
     }
     return "";
+  }
+
+  /// What a product may have too many or too few of.
+  [[nodiscard]] std::vector<GiNaC::ex> factor_list() const {
+    std::vector<GiNaC::ex> list;
+    for (const closures::AuditSymbol& symbol : system_.symbols()) {
+      if (!symbol.angle) {
+        list.emplace_back(symbol.symbol);
+      }
+      if (symbol.moving) {
+        list.emplace_back(symbol.rate);
+        list.emplace_back(symbol.second_rate);
+      }
+    }
+    for (const closures::AuditSymbol& symbol : system_.symbols()) {
+      if (symbol.angle) {
+        list.push_back(GiNaC::cos(symbol.symbol));
+        list.push_back(GiNaC::sin(symbol.symbol));
+      }
+    }
+    return list;
+  }
+
+  [[nodiscard]] std::string factors() const {
+    for (const GiNaC::ex& factor : factor_list()) {
+      for (const auto& [all, what] : std::initializer_list<std::pair<GiNaC::ex, std::string>>{
+               {1 / factor, "the factor " + closures::formula_text(factor) + " is missing"},
+               {factor, "the factor " + closures::formula_text(factor) + " is too many"},
+               {1 / (factor * factor),
+                "the factor " + closures::formula_text(factor * factor) + " is missing"}}) {
+        if (holds(derived_ * all)) return what;
+        if (holds(-derived_ * all)) return what + ", and the sign is wrong";
+      }
+    }
+    return "";
+  }
+
+  /// A number that is the same at all points, taken where the entry is largest.
+  [[nodiscard]] std::string constant_factor() const {
+    double largest = 0;
+    double factor = 0;
+    for (std::size_t at = 0; at < matrix_.points.size(); ++at) {
+      const double value = value_at(at).value;
+      if (std::abs(value) > largest) {
+        largest = std::abs(value);
+        factor = matrix_.computed[at][entry_] / value;
+      }
+    }
+    constexpr int most_digits = 20;
+    for (int below = 1; below <= most_digits; ++below) {
+      const double above = std::round(factor * below);
+      if (above != 0 && std::abs(above) <= most_digits) {
+        const GiNaC::numeric simple(static_cast<int>(above), below);
+        if (holds(simple * derived_)) {
+          return "it is " + closures::formula_text(simple) + " times what it should be";
+        }
+      }
+    }
+    if (largest == 0 || matrix_.angles[entry_] || !holds(GiNaC::numeric(factor) * derived_)) {
+      return "";
+    }
+    std::ostringstream text;
+    text.precision(8);
+    text << factor;
+    return "it is " + text.str() + " times what it should be, at all points";
+  }
+
+  /// The derived value; infinitely uncertain where there is none.
+  [[nodiscard]] RoundedValue value_at(std::size_t at) const {
+    try {
+      return rounded_value(derived_, matrix_.points[at]);
+    } catch (const std::exception&) {
+      return {0, std::numeric_limits<double>::infinity()};
+    }
+  }
+
+  /// Errors of the size that single precision has, and larger ones than double precision has.
+  [[nodiscard]] std::string single_precision() const {
+    constexpr double unit = 0x1p-24;
+    constexpr double in_double = 1e-10;
+    constexpr double in_single = 1e-5;
+    constexpr double other_orders = 16;
+    double largest = 0;
+    double off = 0;
+    for (std::size_t at = 0; at < matrix_.points.size(); ++at) {
+      const RoundedValue value = value_at(at);
+      const double difference = matrix_.computed[at][entry_] - value.value;
+      const double here =
+          std::abs(matrix_.angles[entry_] ? std::remainder(difference, turn(entry_)) : difference);
+      if (!(here <= value.error * unit * other_orders)) {
+        return "";
+      }
+      largest = std::max(largest, std::abs(value.value));
+      off = std::max(off, here);
+    }
+    if (off <= in_double * largest || off > in_single * largest) {
+      return "";
+    }
+    std::ostringstream text;
+    text.precision(1);
+    text << off;
+    return "it agrees to " + text.str() +
+           " at all points: is it computed in single precision "
+           "(float)?";
   }
 
   /// Whether each affected entry is what should stand at another place, which `other` gives.
@@ -169,6 +290,16 @@ class Guesser {
 
   [[nodiscard]] std::string degrees() const {
     GiNaC::exmap all;
+    if (matrix_.angles[entry_]) {
+      if (holds(entry_, derived_ * 180 / GiNaC::Pi, 360)) {
+        return "the angle is in degrees and should be in radians";
+      }
+      for (const int quarters : {1, 2, 3}) {
+        if (holds(derived_ + quarters * GiNaC::Pi / 2)) {
+          return "the angle is " + std::to_string(90 * quarters) + " degrees too large";
+        }
+      }
+    }
     for (const auto& [factor, what] : std::initializer_list<std::pair<GiNaC::ex, const char*>>{
              {GiNaC::Pi / 180, " is taken to be in degrees where it is in radians"},
              {180 / GiNaC::Pi, " is taken to be in radians where it is converted to degrees"}}) {
@@ -213,8 +344,9 @@ class Guesser {
 
   [[nodiscard]] std::string stale() const {
     for (std::size_t at = 1; at < matrix_.points.size(); ++at) {
-      if (!alike(matrix_.computed[at][entry_], rounded_value(derived_, matrix_.points[at - 1])) &&
-          !alike(matrix_.computed[at][entry_], rounded_value(derived_, matrix_.points[0]))) {
+      const double computed = matrix_.computed[at][entry_];
+      if (!alike(computed, value_at(at - 1), turn(entry_)) &&
+          !alike(computed, value_at(0), turn(entry_))) {
         return "";
       }
     }

@@ -12,12 +12,14 @@ struct ComputedMatrix {
   std::vector<GiNaC::ex> derived;  ///< row by row, without abbreviations
   std::vector<SymbolValues> points;
   std::vector<std::vector<double>> computed;  ///< of each point, row by row
+  std::vector<bool> angles;                   ///< the entries of which whole turns do not count
+  double slack;  ///< a guess may be off by this part of its error bound, which is in units of 2^-53
 };
 
-/// The first of a list of common slips that gives what is computed at all points: a sign, a factor,
-/// an exchanged row, column or entry, a term left out or of the wrong sign, sine for cosine,
-/// degrees for radians, one quantity for another or left out, the values of the point before. Empty
-/// if none does.
+/// The first of a list of common slips that gives what is computed at all points: a sign, a factor
+/// (a number, or a length, rate, sine or cosine too many or too few), an exchanged row, column or
+/// entry, a term left out or of the wrong sign, sine for cosine, degrees for radians, one quantity
+/// for another or left out, the values of the point before, single precision. Empty if none does.
 [[nodiscard]] std::string guessed_slip(const ComputedMatrix& matrix, std::size_t entry,
                                        const closures::ClosureSystem& system);
 

@@ -7,9 +7,9 @@ cmake_minimum_required(VERSION 3.25)
 file(REMOVE_RECURSE ${WORK})
 
 # The switch of each package, and how its line begins.
-set(programs bash dpkg clang octave pdflatex gnuplot valgrind Doxygen arm_compiler arm_nm wasm_compiler
+set(programs bash dpkg clang octave node pdflatex gnuplot valgrind Doxygen arm_compiler arm_nm wasm_compiler
   wasm_linker xz PHCpack)
-set(files bash dpkg-deb clang++ octave-cli pdflatex gnuplot valgrind doxygen arm-none-eabi-g++
+set(files bash dpkg-deb clang++ octave-cli node pdflatex gnuplot valgrind doxygen arm-none-eabi-g++
   arm-none-eabi-nm clang++-22 wasm-ld-22 xz phc)
 # The bench asks for these where Boost and Google Benchmark work.
 set(peers Ceres ADOLC SUNDIALS GSL cminpack slvs)

@@ -49,18 +49,25 @@ std::string lines(const std::vector<std::string>& statements, const std::string&
   return text;
 }
 
-std::string cpp_driver(const UserProgram& program, const std::vector<std::string>& names) {
+std::string cpp_driver(const UserProgram& program, const MatrixSize& size,
+                       const std::vector<std::string>& names) {
   const bool cpp = program.language == Language::cpp;
   std::string quantities = "  (void)assur_quantities;\n";
   for (std::size_t at = 0; at < names.size(); ++at) {
     quantities += "  double " + names[at] + " = assur_quantities[" + std::to_string(at) +
                   "];\n  (void)" + names[at] + ";\n";
   }
+  const std::size_t count = size.rows * size.columns;
+  const bool flat = size.rows == 1 || size.columns == 1;
   std::string entry = program.entry;
   std::string check;
   if (entry.empty()) {
-    entry = cpp ? "assur_audit::entry(result, i, j, assur_audit::Rank<3>())" : "result[i][j]";
-    check = cpp ? "  assur_audit::check(result, assur_audit::Rank<3>());\n" : "";
+    entry = cpp    ? "assur_audit::entry(result, i, j, assur_audit::Rank<3>())"
+            : flat ? entry_is_unclear + std::string("(result, i, j)")
+                   : "result[i][j]";
+    check = cpp                 ? "  assur_audit::check(result, assur_audit::Rank<3>());\n"
+            : flat && count > 1 ? "  _Static_assert(!assur_is_number(result), \"{{unclear}}\");\n"
+                                : "";
   }
   return filled(template_named(cpp ? "driver.cpp" : "driver.c"),
                 {{"file", quoted(program.file.string())},
@@ -71,16 +78,22 @@ std::string cpp_driver(const UserProgram& program, const std::vector<std::string
                  {"entry", entry}});
 }
 
-std::string python_driver(const UserProgram& program, const std::vector<std::string>& names) {
+std::string quoted_list(const std::vector<std::string>& names) {
   std::string list;
   for (const std::string& name : names) {
     list += quoted(name) + ", ";
   }
-  return filled(template_named("driver.py"), {{"file", quoted(program.file.string())},
-                                              {"names", list},
-                                              {"before", quoted(lines(program.before, "", ""))},
-                                              {"result", quoted(program.result)},
-                                              {"entry", quoted(program.entry)}});
+  return list;
+}
+
+std::string script_driver(const UserProgram& program, const std::string& form,
+                          const std::vector<std::string>& names) {
+  const std::string end = program.language == Language::javascript ? ";" : "";
+  return filled(template_named(form), {{"file", quoted(program.file.string())},
+                                       {"names", quoted_list(names)},
+                                       {"before", quoted(lines(program.before, "", end))},
+                                       {"result", quoted(program.result)},
+                                       {"entry", quoted(program.entry)}});
 }
 
 std::string octave_driver(const UserProgram& program, const std::vector<std::string>& names) {
@@ -94,6 +107,8 @@ std::string octave_driver(const UserProgram& program, const std::vector<std::str
       "\" by \"));\n  end\n";
   return filled(template_named("driver.m"),
                 {{"file", quoted(program.file.string())},
+                 {"names", quoted_list(names)},
+                 {"row_text", quoted(lines(program.before, "", " ") + program.result)},
                  {"quantities", quantities},
                  {"before", lines(program.before, "  ", ";")},
                  {"result", program.result},
@@ -103,27 +118,35 @@ std::string octave_driver(const UserProgram& program, const std::vector<std::str
 
 }  // namespace
 
-Driver driver_of(const UserProgram& program, const MatrixSize& size,
-                 const std::vector<std::string>& names) {
+Driver driver_of(const UserProgram& program, const MatrixSize& size, const PointTable& table) {
+  const std::vector<std::string>& names = table.names;
   Driver driver;
   switch (program.language) {
     case Language::cpp:
-      driver = {"driver.cpp", cpp_driver(program, names)};
+      driver = {"assur_driver.cpp", cpp_driver(program, size, names)};
       break;
     case Language::c:
-      driver = {"driver.c", cpp_driver(program, names)};
+      driver = {"assur_driver.c", cpp_driver(program, size, names)};
       break;
     case Language::python:
-      driver = {"driver.py", python_driver(program, names)};
+      driver = {"assur_driver.py", script_driver(program, "driver.py", names)};
       break;
     case Language::octave:
-      driver = {"driver.m", octave_driver(program, names)};
+      driver = {"assur_driver.m", octave_driver(program, names)};
+      break;
+    case Language::javascript:
+      driver = {"assur_driver.cjs", script_driver(program, "driver.cjs", names)};
       break;
   }
-  driver.text = filled(driver.text, {{"rows", std::to_string(size.rows)},
-                                     {"columns", std::to_string(size.columns)},
-                                     {"count", std::to_string(names.size())},
-                                     {"unclear", entry_is_unclear}});
+  const bool python = program.language == Language::python;
+  const bool complex = !table.imaginary.empty();
+  driver.text =
+      filled(driver.text,
+             {{"rows", std::to_string(size.rows)},
+              {"columns", std::to_string(size.columns)},
+              {"count", std::to_string(names.size())},
+              {"complex", complex ? (python ? "True" : "true") : (python ? "False" : "false")},
+              {"unclear", entry_is_unclear}});
   return driver;
 }
 

@@ -5,8 +5,11 @@
 
 namespace assur::generator::audit::running {
 
-/// A driver reads `points`, one point per line, and appends the entries for each point as a line to
-/// `values`. It writes what is wrong with a result to `complaint` and ends with status 3.
+/// A driver reads `points`, one point per line, and appends a line for each to `values`: `d` or,
+/// for single precision, `s`, and the entries; or `!` and the error that ended the program there.
+/// It ends with status 3 where it can give no values at all, and writes why to `complaint`: `!` and
+/// an error, `?` and what else is wrong with the program, or what the result is in place of a
+/// matrix.
 struct Driver {
   std::string file_name;
   std::string text;
@@ -16,6 +19,6 @@ struct Driver {
 inline constexpr const char* entry_is_unclear = "assur_cannot_tell_how_an_entry_is_read";
 
 [[nodiscard]] Driver driver_of(const UserProgram& program, const MatrixSize& size,
-                               const std::vector<std::string>& names);
+                               const PointTable& table);
 
 }  // namespace assur::generator::audit::running

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <assur/text/input_file.hpp>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
 #include <sstream>
 
+#include "audit/running/declared_precision.hpp"
 #include "audit/running/drivers.hpp"
 #include "audit/running/limited_process.hpp"
 #include "audit/running/work_directory.hpp"
@@ -24,6 +29,8 @@ std::vector<std::string> usual_tools(Language language) {
       return {"cc", "gcc", "clang"};
     case Language::python:
       return {"python3", "python"};
+    case Language::javascript:
+      return {"node", "nodejs"};
     case Language::octave:
       break;
   }
@@ -116,13 +123,12 @@ ProcessEnd run(const UserProgram& program, const MatrixSize& size, const WorkDir
                        {limits.seconds, limits.megabytes << 20U});
   }
   std::vector<std::string> arguments = program.flags;
-  if (program.language == Language::python) {
-    arguments.emplace_back("-B");
-  } else {
-    for (const char* quiet : {"--norc", "--silent", "--no-window-system", "--no-history"}) {
-      arguments.emplace_back(quiet);
-    }
-  }
+  const std::map<Language, std::vector<std::string>> quiet = {
+      {Language::python, {"-B"}},
+      {Language::octave, {"--norc", "--silent", "--no-window-system", "--no-history"}},
+      {Language::javascript, {"--no-warnings", "--experimental-vm-modules"}}};
+  const std::vector<std::string>& more = quiet.at(program.language);
+  arguments.insert(arguments.end(), more.begin(), more.end());
   arguments.push_back((work.path() / driver.file_name).string());
   return run_tool(program, arguments, work.path(), work.path(),
                   {limits.seconds, limits.most_megabytes << 20U});
@@ -135,82 +141,145 @@ std::string signal_text(int signal) {
          (name == nullptr ? "" : std::string(" (SIG") + name + ")");
 }
 
-/// Throws unless the program ended without an error. `done` points have their values.
-void expect_quiet(const ProcessEnd& end, const std::string& complaint, const MatrixSize& size,
-                  std::size_t done, std::size_t all, const RunLimits& limits) {
-  if (!complaint.empty() && complaint[0] == '!') {
-    throw ProgramError("it ended with " + complaint.substr(1), done);
-  }
+/// Throws what a driver says where it can give no values at all; a result of another size at a
+/// later point is a fault of that point, which is returned. `done` points have their values.
+std::string fault_of(const std::string& complaint, const MatrixSize& size, std::size_t done) {
   if (complaint == entry_is_unclear) {
     fail_on_entry(size);
   }
-  if (!complaint.empty()) {
-    throw ProgramError("the result is " + complaint + ", not " + std::to_string(size.rows) +
-                           " by " + std::to_string(size.columns),
-                       done);
+  const std::string rest = complaint.substr(1);
+  if (complaint[0] == '!' || complaint[0] == '?') {
+    throw ProgramError(complaint[0] == '!' ? "it ended with " + rest : rest);
   }
-  const std::size_t point = done < all ? done : ProgramError::none;
-  if (end.kind == ProcessEnd::Kind::too_long) {
-    throw ProgramError("it did not end within " + seconds_text(limits.seconds), point);
+  std::string text = "the result is " + complaint + ", not " + std::to_string(size.rows) + " by " +
+                     std::to_string(size.columns);
+  if (done == 0) {
+    throw ProgramError(text + ", at point 1");
   }
-  if (end.kind == ProcessEnd::Kind::killed) {
-    throw ProgramError(signal_text(end.code), point);
+  return text;
+}
+
+/// Why the program went no further.
+std::string end_text(const ProcessEnd& end, const RunLimits& limits) {
+  switch (end.kind) {
+    case ProcessEnd::Kind::too_long:
+      return "it did not end within " + seconds_text(limits.seconds);
+    case ProcessEnd::Kind::killed:
+      return signal_text(end.code);
+    case ProcessEnd::Kind::ended:
+    case ProcessEnd::Kind::not_found:
+      break;
   }
-  if (end.code != 0 || done < all) {
-    throw ProgramError("it ended with status " + std::to_string(end.code) + " after " +
-                           std::to_string(done) + " of " + std::to_string(all) + " points",
-                       point);
+  return "it ended with status " + std::to_string(end.code);
+}
+
+PointValues failed(const std::string& why, std::size_t count) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  return {std::vector<double>(count, none), std::vector<double>(count, none),
+          std::vector<std::string>(count, why)};
+}
+
+/// The entry that a word spells, and why it has no value, if so.
+std::pair<double, std::string> read_entry(const std::string& word) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::string complex = "complex:";
+  if (word.starts_with(complex)) {
+    return {none, "it is a complex number, " + word.substr(complex.size())};
   }
+  char* last = nullptr;
+  const double value = std::strtod(word.c_str(), &last);
+  if (last == word.c_str() || last != word.c_str() + word.size()) {
+    return {none, "it is '" + word.substr(0, 40) + "', which is not a number"};
+  }
+  return {value, std::isnan(value)   ? "it is not a number (NaN)"
+                 : std::isinf(value) ? "it is infinite"
+                                     : ""};
+}
+
+/// What the driver wrote for a point: nothing where the line is not complete.
+std::optional<PointValues> read_point(const std::string& line, std::size_t count, bool complex) {
+  if (line.starts_with('!')) {
+    return failed("it ended with " + line.substr(1), count);
+  }
+  std::istringstream words(line.substr(std::min<std::size_t>(line.size(), 1)));
+  PointValues values;
+  for (std::string word; words >> word;) {
+    auto [value, fault] = read_entry(word);
+    values.entries.push_back(value);
+    values.faults.push_back(std::move(fault));
+    if (complex && words >> word) {
+      values.imaginary.push_back(read_entry(word).first);
+    }
+  }
+  return values.entries.size() == count ? std::optional(values) : std::nullopt;
+}
+
+std::string point_lines(const PointTable& table) {
+  std::string text;
+  std::array<char, 40> number{};
+  const auto add = [&](double value) {
+    std::snprintf(number.data(), number.size(), "%.17g ", value);
+    text += number.data();
+  };
+  for (std::size_t point = 0; point < table.points.size(); ++point) {
+    for (std::size_t at = 0; at < table.points[point].size(); ++at) {
+      add(table.points[point][at]);
+      if (!table.imaginary.empty()) {
+        add(table.imaginary[point][at]);
+      }
+    }
+    text += ";\n";
+  }
+  return text;
+}
+
+bool declares_single_parameters(const UserProgram& program) {
+  if (program.language != Language::cpp && program.language != Language::c) {
+    return false;
+  }
+  std::string rows = program.result;
+  for (const std::string& statement : program.before) {
+    rows += " " + statement;
+  }
+  return has_single_parameters(text::read_input_file(program.file.string()), rows);
 }
 
 }  // namespace
 
-std::vector<std::vector<double>> program_values(const UserProgram& program, const MatrixSize& size,
-                                                const PointTable& table, const RunLimits& limits) {
+bool takes_complex_numbers(Language language) {
+  return language == Language::python || language == Language::octave;
+}
+
+ProgramValues program_values(const UserProgram& program, const MatrixSize& size,
+                             const PointTable& table, const RunLimits& limits) {
   const WorkDirectory work;
-  const Driver driver = driver_of(program, size, table.names);
+  const Driver driver = driver_of(program, size, table);
   work.write(driver.file_name, driver.text);
-  std::string points;
-  std::array<char, 40> number{};
-  for (const std::vector<double>& point : table.points) {
-    for (const double value : point) {
-      std::snprintf(number.data(), number.size(), "%.17g ", value);
-      points += number.data();
-    }
-    points += ";\n";
-  }
-  work.write("points", points);
+  work.write("points", point_lines(table));
   const ProcessEnd end = run(program, size, work, driver, limits);
 
   const std::size_t count = size.rows * size.columns;
-  std::vector<std::vector<double>> values;
+  ProgramValues values;
+  values.single_precision = declares_single_parameters(program);
   std::istringstream lines(work.read("values"));
   for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::vector<double> entries;
-    for (std::string word; words >> word;) {
-      char* last = nullptr;
-      entries.push_back(std::strtod(word.c_str(), &last));
-      if (last == word.c_str() || last != word.c_str() + word.size()) {
-        throw ProgramError("it gave '" + word.substr(0, 40) + "', which is not a number",
-                           values.size());
-      }
-    }
-    if (entries.size() != count || values.size() == table.points.size()) {
+    std::optional<PointValues> point = read_point(line, count, !table.imaginary.empty());
+    if (!point || values.points.size() == table.points.size()) {
       break;
     }
-    const auto strange = std::find_if_not(entries.begin(), entries.end(),
-                                          [](double value) { return std::isfinite(value); });
-    if (strange != entries.end()) {
-      const auto at = static_cast<std::size_t>(strange - entries.begin());
-      throw ProgramError("entry (" + std::to_string(at / size.columns + 1) + "," +
-                             std::to_string(at % size.columns + 1) + ") is " +
-                             (std::isnan(*strange) ? "not a number" : "infinite"),
-                         values.size());
-    }
-    values.push_back(std::move(entries));
+    values.single_precision = values.single_precision || line.starts_with('s');
+    values.points.push_back(std::move(*point));
   }
-  expect_quiet(end, work.read("complaint"), size, values.size(), table.points.size(), limits);
+  const std::size_t done = values.points.size();
+  const std::string complaint = work.read("complaint");
+  if (complaint.empty() && !std::filesystem::exists(work.path() / "values")) {
+    throw ProgramError(end_text(end, limits));
+  }
+  if (!complaint.empty() || done < table.points.size()) {
+    const std::string why =
+        complaint.empty() ? end_text(end, limits) : fault_of(complaint, size, done);
+    values.points.push_back(failed(why, count));
+  }
   return values;
 }
 

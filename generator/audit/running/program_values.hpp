@@ -8,7 +8,7 @@
 
 namespace assur::generator::audit::running {
 
-enum class Language : unsigned char { cpp, c, python, octave };
+enum class Language : unsigned char { cpp, c, python, octave, javascript };
 
 /// A function in a file, and how to call it for a matrix. Quantities are variables of their names.
 struct UserProgram {
@@ -31,6 +31,7 @@ struct MatrixSize {
 struct PointTable {
   std::vector<std::string> names;
   std::vector<std::vector<double>> points;
+  std::vector<std::vector<double>> imaginary{};  ///< of the values; empty where all are real
 };
 
 struct RunLimits {
@@ -39,18 +40,29 @@ struct RunLimits {
   std::size_t most_megabytes = 8192;  ///< for compilers and interpreters
 };
 
-/// Why a program did not give its values, in one line; `point` is the first point without values.
+/// Why a program cannot be run at all, in one line.
 struct ProgramError : std::runtime_error {
-  explicit ProgramError(const std::string& what, std::size_t at = none)
-      : std::runtime_error(what), point(at) {}
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::size_t point;
+  using std::runtime_error::runtime_error;
 };
 
-/// The entries for each point, row by row, all finite. Throws ProgramError.
-[[nodiscard]] std::vector<std::vector<double>> program_values(const UserProgram& program,
-                                                              const MatrixSize& size,
-                                                              const PointTable& table,
-                                                              const RunLimits& limits);
+/// What a program gives at one point, row by row.
+struct PointValues {
+  std::vector<double> entries;
+  std::vector<double> imaginary;    ///< of the entries, where the quantities have imaginary parts
+  std::vector<std::string> faults;  ///< why an entry has no value; empty where it has one
+};
+
+struct ProgramValues {
+  /// As far as the program came: one that crashes, or does not end, has no values after that point.
+  std::vector<PointValues> points;
+  bool single_precision = false;  ///< of the result, or of parameters that the file declares
+};
+
+/// Whether functions of a language take complex numbers where they are written for real ones.
+[[nodiscard]] bool takes_complex_numbers(Language language);
+
+/// Runs the program at all points. Throws ProgramError.
+[[nodiscard]] ProgramValues program_values(const UserProgram& program, const MatrixSize& size,
+                                           const PointTable& table, const RunLimits& limits);
 
 }  // namespace assur::generator::audit::running

@@ -1,4 +1,4 @@
-// Turns a model's Jacobian, or a version of it, into functions in three languages and their audits.
+// Turns a model's Jacobian, or a version of it, into functions in four languages and their audits.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -11,7 +11,7 @@
 namespace assur::test {
 
 using generator::derivatives::ExpressionMatrix;
-enum class Written : unsigned char { cpp, python, matlab };
+enum class Written : unsigned char { cpp, python, matlab, javascript };
 
 /// An expression of sums, products, whole powers, sines and cosines in a language.
 inline std::string code_of(const GiNaC::ex& e, Written language) {
@@ -27,12 +27,12 @@ inline std::string code_of(const GiNaC::ex& e, Written language) {
     return text.str();
   }
   if (GiNaC::is_a<GiNaC::constant>(e)) {
-    return language == Written::cpp ? "M_PI" : "pi";
+    return language == Written::cpp ? "M_PI" : language == Written::javascript ? "PI" : "pi";
   }
   if (GiNaC::is_a<GiNaC::power>(e)) {
     return language == Written::cpp
                ? "std::pow(" + code_of(e.op(0), language) + ", " + code_of(e.op(1), language) + ")"
-               : inner(e.op(0)) + (language == Written::python ? "**" : "^") + inner(e.op(1));
+               : inner(e.op(0)) + (language == Written::matlab ? "^" : "**") + inner(e.op(1));
   }
   if (GiNaC::is_a<GiNaC::function>(e)) {
     return (language == Written::cpp ? "std::" : "") + GiNaC::ex_to<GiNaC::function>(e).get_name() +
@@ -95,6 +95,11 @@ class CodedModel {
         text = "from math import cos, pi, sin\n\n\ndef fill(" + list("") + "):\n    J = [[0] * " +
                columns + " for row in range(" + rows + ")]\n";
         break;
+      case Written::javascript:
+        text = "const { cos, PI, sin } = Math;\n\nfunction fill(" + list("") +
+               ") {\n  const J = Array.from({ length: " + rows + " }, () => Array(" + columns +
+               ").fill(0));\n";
+        break;
       case Written::matlab:
         text =
             "function J = fill_it(" + list("") + ")\n  J = zeros(" + rows + ", " + columns + ");\n";
@@ -105,14 +110,15 @@ class CodedModel {
         const std::string i = std::to_string(row + static_cast<std::size_t>(first));
         const std::string j = std::to_string(column + static_cast<std::size_t>(first));
         const std::string value = code_of(matrix[row][column], language);
-        text += language == Written::matlab ? "  J(" + i + ", " + j + ") = " + value + ";\n"
-                : language == Written::cpp  ? "  J[" + i + "][" + j + "] = " + value + ";\n"
-                                            : "    J[" + i + "][" + j + "] = " + value + "\n";
+        text += language == Written::matlab   ? "  J(" + i + ", " + j + ") = " + value + ";\n"
+                : language == Written::python ? "    J[" + i + "][" + j + "] = " + value + "\n"
+                                              : "  J[" + i + "][" + j + "] = " + value + ";\n";
       }
     }
-    return text + (language == Written::cpp      ? "}\n"
-                   : language == Written::python ? "    return J\n"
-                                                 : "end\n");
+    return text + (language == Written::cpp          ? "}\n"
+                   : language == Written::python     ? "    return J\n"
+                   : language == Written::javascript ? "  return J;\n}\n"
+                                                     : "end\n");
   }
 
   /// The audit of a file that `code` wrote: read, or run.

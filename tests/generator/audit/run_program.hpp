@@ -34,10 +34,17 @@ inline bool is_in_octave(const Program& program) {
   return std::string(program.file).ends_with(".m");
 }
 
-/// The programs whose language is installed; configuring says when Octave is not.
+inline bool is_in_javascript(const Program& program) {
+  return std::string(program.file).ends_with("js");
+}
+
+/// The programs whose language is installed; configuring says when Octave or Node is not.
 inline std::vector<Program> installed(std::vector<Program> programs) {
   if (!ASSUR_OCTAVE) {
     std::erase_if(programs, is_in_octave);
+  }
+  if (!ASSUR_NODE) {
+    std::erase_if(programs, is_in_javascript);
   }
   return programs;
 }
@@ -60,9 +67,8 @@ inline CommandResult audited(const TemporaryDirectory& directory, const Program&
   return run_assur("audit " + file.string() + " " + options);
 }
 
-/// Expects the program's status and answer.
-inline void expect_judged(const Program& program) {
-  const TemporaryDirectory directory;
+/// Expects the program's status and answer in a folder that may have more files.
+inline void expect_answer(const TemporaryDirectory& directory, const Program& program) {
   const CommandResult result = audited(directory, program, options_of(program));
   EXPECT_EQ(result.status, program.status) << result.output << result.messages;
   const std::string& said = program.status == 2 ? result.messages : result.output;
@@ -74,6 +80,8 @@ inline void expect_judged(const Program& program) {
   }
 }
 
+inline void expect_judged(const Program& program) { expect_answer(TemporaryDirectory(), program); }
+
 }  // namespace assur::test
 
 #define FRAME "f1 f2 by theta s\n"
@@ -82,5 +90,7 @@ inline void expect_judged(const Program& program) {
   "using Rows = std::vector<std::vector<double>>;\n"
 #define CALL FRAME "  result f(l, theta)"
 #define CPP(body) VECTORS "Rows f(double l, double theta) { " body " }"
+
+#define JAVASCRIPT(body) "const { sin, cos } = Math;\nfunction f(l, theta) { " body " }\n"
 
 #define PYTHON(body) "import math\nfrom math import sin, cos\ndef f(l, theta):\n    " body "\n"

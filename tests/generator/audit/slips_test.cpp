@@ -1,5 +1,6 @@
 // Law: all slips planted in code for the models' own Jacobians are found, entry by entry, and no
-// right entry is called wrong: in C++ and MATLAB that are read, in C++, Python and Octave that run.
+// right entry is called wrong: in C++ and MATLAB that are read, in C++, Python, Octave and
+// JavaScript that run.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -149,12 +150,13 @@ struct Way {
   bool run;
 };
 
-constexpr std::array<Way, 5> ways = {
+constexpr std::array<Way, 6> ways = {
     {{"CppRead", "C++, read", Written::cpp, "mine.cpp", false},
      {"MatlabRead", "MATLAB, read", Written::matlab, "fill_it.m", false},
      {"CppRun", "C++, run", Written::cpp, "mine.cpp", true},
      {"PythonRun", "Python, run", Written::python, "mine.py", true},
-     {"OctaveRun", "MATLAB, run by Octave", Written::matlab, "fill_it.m", true}}};
+     {"OctaveRun", "MATLAB, run by Octave", Written::matlab, "fill_it.m", true},
+     {"JavaScriptRun", "JavaScript, run", Written::javascript, "mine.js", true}}};
 
 struct Tally {
   std::size_t planted = 0;
@@ -254,12 +256,15 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
   EXPECT_GE(tally.planted, whole ? 8 * models.size() - 10 : 8);
 }
 
-/// The ways whose language is installed; configuring says when Octave is not.
+/// The ways whose language is installed; configuring says when Octave or Node is not.
 std::vector<Way> installed_ways() {
   std::vector<Way> installed(std::begin(ways), std::end(ways));
   if (!ASSUR_OCTAVE) {
     std::erase_if(installed,
                   [](const Way& way) { return way.run && way.language == Written::matlab; });
+  }
+  if (!ASSUR_NODE) {
+    std::erase_if(installed, [](const Way& way) { return way.language == Written::javascript; });
   }
   return installed;
 }

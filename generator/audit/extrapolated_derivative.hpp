@@ -1,0 +1,28 @@
+// Values of a function on both sides of a point: its derivatives there, and bounds on their errors.
+#pragma once
+
+#include <vector>
+
+namespace assur::generator::audit {
+
+/// f(x), and f(x + h) and f(x - h) for h = `first_step`, half of it, a quarter, ...
+struct SymmetricSamples {
+  double middle = 0;
+  double first_step = 1;
+  std::vector<double> above;
+  std::vector<double> below;
+  double error = 0;  ///< a bound on the error of a value
+};
+
+struct BoundedValue {
+  double value = 0;
+  double bound = 0;  ///< on its error; infinite where it cannot be told
+};
+
+/// Central differences, extrapolated to the step zero (Romberg). The bound is ten times the change
+/// by the last steps of the extrapolation, and what the errors of the values cause. Steps at which
+/// the function has no value are left out if they are the largest.
+[[nodiscard]] BoundedValue first_derivative(const SymmetricSamples& samples);
+[[nodiscard]] BoundedValue second_derivative(const SymmetricSamples& samples);
+
+}  // namespace assur::generator::audit
