@@ -157,8 +157,9 @@ class PaperDraft {
   void add(const latex::Atom& atom, bool is_angle) {
     // `d`, `t` and `T` are signs of derivatives and of transposed matrices.
     static const std::set<std::string> signs = {"d", "t", "T"};
-    if (signs.contains(atom.name) || !text::is_identifier(atom.name) ||
-        text::is_reserved_name(atom.name)) {
+    // `f_1` is the name of a closure in most papers.
+    if (signs.contains(atom.name) || atom.name.starts_with("f_") ||
+        !text::is_identifier(atom.name) || text::is_reserved_name(atom.name)) {
       return;
     }
     if (std::find(names_.begin(), names_.end(), atom.name) == names_.end()) {

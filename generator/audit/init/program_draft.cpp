@@ -6,6 +6,7 @@
 #include <assur/text/names.hpp>
 #include <filesystem>
 #include <optional>
+#include <regex>
 
 #include "audit/init/draft_text.hpp"
 #include "audit/init/quantity_values.hpp"
@@ -19,6 +20,39 @@ namespace {
 bool is_taken_by_formulas(const std::string& name) {
   static const std::set<std::string> more = {"d", "D", "rate", "rate2", "pow", "result", "i", "j"};
   return text::is_reserved_name(name) || more.contains(name);
+}
+
+/// Whether a name is that of a derivative, by what programs usually call one.
+bool is_named_derivative(const std::string& name) {
+  constexpr std::size_t longest = 100;
+  static const std::regex usual(
+      "(^d[A-Za-z]?_|^d+[a-z]{1,3}$|jac|deriv|grad|vel|acc|rate|speed|dot|prime|_d[a-z]*$)",
+      std::regex::icase);
+  return name.size() <= longest && std::regex_search(name, usual);
+}
+
+/// How many variables are followed to see whether one is an angle.
+constexpr std::size_t most_followed = 100;
+/// More than these are more than one draft can be about.
+constexpr std::size_t most_quantities = 60;
+constexpr std::size_t most_words = 200'000;
+constexpr std::size_t most_nested = 200;
+
+/// Throws InputError for a program that takes too long to read.
+void expect_readable(Words words, const std::string& file) {
+  std::size_t depth = 0;
+  std::size_t deepest = 0;
+  for (const Word& word : words) {
+    depth += word.is("(") || word.is("[") || word.is("{") ? 1 : 0;
+    depth -= depth > 0 && (word.is(")") || word.is("]") || word.is("}")) ? 1 : 0;
+    deepest = std::max(depth, deepest);
+  }
+  if (words.size() > most_words || deepest > most_nested) {
+    throw text::InputError(file + ": this is more than --init reads (" +
+                           std::to_string(most_words) + " words, " + std::to_string(most_nested) +
+                           " brackets in one another); put what is to be audited into a file of "
+                           "its own");
+  }
 }
 
 /// One thing that a function gives.
@@ -41,7 +75,9 @@ class DraftWriter {
  public:
   DraftWriter(const std::string& code, Language language, const std::string& file,
               const std::string& named)
-      : outline_(program_outline(code, language)), language_(language), file_(file), named_(named) {
+      : language_(language), file_(file), named_(named) {
+    expect_readable(program_words(code, language), file);
+    outline_ = program_outline(code, language);
     std::erase_if(outline_.functions, [](const ProgramFunction& function) {
       return function.given.empty() || function.symbols().empty() ||
              !std::all_of(function.arguments.begin(), function.arguments.end(),
@@ -52,6 +88,11 @@ class DraftWriter {
       taken_.insert(function.name);
     }
     quote_file();
+    if (quantities().size() > most_quantities) {
+      throw text::InputError(file + ": this has more than " + std::to_string(most_quantities) +
+                             " functions that can be audited; put those of interest into a file "
+                             "of their own");
+    }
   }
 
   std::string write() {
@@ -159,20 +200,25 @@ class DraftWriter {
     const bool follows = follows_rates(function(position), given(position), function(derived),
                                        matrix, pair.moving, more);
     pair.guessed = !follows;
-    return follows || !is_told(pair) ? std::optional(pair) : std::nullopt;
+    return follows || may_be_guessed(pair) ? std::optional(pair) : std::nullopt;
   }
 
-  /// Whether computing could tell that a pair is none.
-  [[nodiscard]] bool is_told(const Pair& pair) const {
-    return is_computable(function(pair.position), given(pair.position)) &&
-           is_computable(function(pair.derived), given(pair.derived));
+  /// Whether a pair may be one although no number says so: a slip may be in all of them, or they
+  /// cannot be computed here. The names decide then.
+  [[nodiscard]] bool may_be_guessed(const Pair& pair) const {
+    if (is_named_derivative(label(pair.position))) {
+      return false;
+    }
+    return is_named_derivative(label(pair.derived)) ||
+           !is_computable(function(pair.position), given(pair.position)) ||
+           !is_computable(function(pair.derived), given(pair.derived));
   }
 
   /// The columns that cannot be computed, by their number alone. Those that can be must agree.
   [[nodiscard]] std::optional<Pair> guessed_columns(Pair pair) const {
     const std::size_t columns = given(pair.derived).columns;
     const std::vector<std::string> guess = columns_by_count(function(pair.position), columns);
-    if (columns < 2 || guess.empty()) {
+    if (guess.empty() || (columns == 1 && !is_named_derivative(label(pair.derived)))) {
       return std::nullopt;
     }
     bool any_known = false;
@@ -182,7 +228,7 @@ class DraftWriter {
       }
       any_known = any_known || !pair.by[column].empty();
     }
-    if (!any_known && is_told(pair)) {
+    if (!any_known && !may_be_guessed(pair)) {
       return std::nullopt;
     }
     pair.by = guess;
@@ -391,7 +437,9 @@ class DraftWriter {
     if (what.columns == 1) {
       const std::vector<std::string>& names = components(quantity);
       for (std::size_t row = 0; row < names.size(); ++row) {
-        const bool is_angle = row < what.entries.size() && gives_angle(quantity, what.entries[row]);
+        std::set<std::string> seen;
+        const bool is_angle =
+            row < what.entries.size() && gives_angle(function(quantity), what.entries[row], seen);
         (is_angle ? angle_list_ : length_list_).push_back(names[row]);
         unknowns_.push_back(names[row]);
       }
@@ -431,22 +479,33 @@ class DraftWriter {
     write_rows(written, before);
     runs_ += line("  result " + written.results[quantity.given]);
     if (what.columns == 1) {
-      runs_ += line("  # where it takes one branch: 'where FORMULA', which is positive there");
+      for (const std::string& symbol : function(quantity).symbols()) {
+        if (!angles_.contains(symbol)) {
+          runs_ += line("  where " + name_of(symbol));
+        }
+      }
+      runs_ += line("  # if it takes one branch: where FORMULA, which is positive there");
     }
   }
 
-  /// Whether an entry is an inverse function, or a sum of them and of angles.
-  [[nodiscard]] bool gives_angle(const Quantity& quantity, Words entry) const {
+  /// Whether an entry is an angle: an inverse function, a symbol whose sine it takes, or a sum.
+  [[nodiscard]] bool gives_angle(const ProgramFunction& function, Words entry,
+                                 std::set<std::string>& seen) const {
     static const std::set<std::string> inverse = {"atan2",  "atan",   "asin",   "acos",
                                                   "arcsin", "arccos", "arctan", "arctan2"};
-    const auto local = entry.size() == 1 ? function(quantity).locals.find(entry[0].text)
-                                         : function(quantity).locals.end();
-    const Words value = local == function(quantity).locals.end() ? entry : local->second;
-    std::size_t depth = 0;
-    for (const Word& word : value) {
-      depth += word.is("(") ? 1 : 0;
-      depth -= word.is(")") && depth > 0 ? 1 : 0;
-      if (depth == 0 && word.is_name() && inverse.contains(word.text)) {
+    for (std::size_t at = 0; at < entry.size(); ++at) {
+      if (entry[at].is("(") || entry[at].is("[")) {
+        at = behind_bracket(entry, at) - 1;
+        continue;
+      }
+      if (!entry[at].is_name()) {
+        continue;
+      }
+      const std::string& name = entry[at].text;
+      const auto local = function.locals.find(name);
+      if (inverse.contains(name) || angles_.contains(name) ||
+          (local != function.locals.end() && seen.size() < most_followed &&
+           seen.insert(name).second && gives_angle(function, local->second, seen))) {
         return true;
       }
     }

@@ -12,9 +12,11 @@ namespace assur::generator::audit::init {
 namespace {
 
 /// More entries than this are of no Jacobian that anybody audits.
-constexpr std::size_t most_entries = 400;
+constexpr std::size_t most_entries = 100;
 /// How often one variable may stand for another.
 constexpr int most_hops = 20;
+/// Types and names of functions that are longer are none that are known here.
+constexpr std::size_t longest_type = 200;
 
 bool is_whole(const Word& word) {
   return word.kind == Word::Kind::number && word.text.size() < 4 &&
@@ -61,6 +63,9 @@ std::optional<Size> size_of_type(const std::string& type) {
   static const std::regex rows("array<(?:std::)?array<\\w+, ?(\\d\\d?)>, ?(\\d\\d?)>");
   static const std::regex list("array<\\w+, ?(\\d\\d?)>");
   std::smatch found;
+  if (type.size() > longest_type) {
+    return std::nullopt;
+  }
   if (std::regex_search(type, found, fixed)) {
     const std::size_t size = std::stoul(found[2]);
     return found[1] == "Matrix"   ? Size{size, size}
@@ -120,7 +125,8 @@ void unite_arguments(std::vector<ProgramFunction>& functions, std::size_t first)
 /// A function's head and the statements of its body.
 struct Source {
   std::string name;
-  Words head;  ///< before the name: the type of what it returns
+  std::string space;  ///< the namespace around it
+  Words head;         ///< before the name: the type of what it returns
   Words parameters;
   std::vector<std::string> outputs;  ///< of MATLAB
   std::vector<Words> statements;
@@ -134,6 +140,7 @@ class FunctionReader {
                  std::vector<std::vector<Word>>& more_words)
       : source_(source), language_(language), records_(records), more_words_(more_words) {
     function_.name = source.name;
+    function_.space = source.space;
   }
 
   /// The matrices at the top level of a module of SymPy.
@@ -209,7 +216,9 @@ class FunctionReader {
       }
       argument.type = spelled(type);
       static const std::regex of_reference("(?:Eigen::)?Ref<(.*)>");
-      argument.type = std::regex_replace(argument.type, of_reference, "$1");
+      if (argument.type.size() <= longest_type) {
+        argument.type = std::regex_replace(argument.type, of_reference, "$1");
+      }
     } else {
       words = words.subspan(0, find_mark(words, ":"));
       if (words.empty() || !words[0].is_name()) {
@@ -456,7 +465,7 @@ class FunctionReader {
           (symbol.end < words.size() && is_one_of(words[symbol.end], {"*", "/", ".*", "(", "["}));
       const auto local = function_.locals.find(words[at].text);
       if (!is_factor && local != function_.locals.end() && argument(words[at].text) == nullptr) {
-        if (hops < most_hops) {
+        if (hops < most_hops && followed_.insert(words[at].text).second) {
           add_angles(local->second, hops + 1);
         }
       }
@@ -636,7 +645,7 @@ class FunctionReader {
         return given;
       }
       static const std::regex wrapper("(\\w+\\.)?(array|asarray|Matrix|matrix|ImmutableMatrix)");
-      if (std::regex_match(callee, wrapper) && !list.empty()) {
+      if (callee.size() <= longest_type && std::regex_match(callee, wrapper) && !list.empty()) {
         return value(list[0], hops + 1);
       }
     }
@@ -727,6 +736,7 @@ class FunctionReader {
   std::map<std::string, Size> sizes_;
   std::map<std::string, std::vector<std::string>> unpacked_;
   std::set<std::string> by_name_;
+  std::set<std::string> followed_;  ///< variables whose angles are found
   bool complete_ = true;
 };
 
@@ -783,7 +793,7 @@ class SourceReader {
       if (!is_function) {
         continue;
       }
-      Source source{words_[at + 1].text, {}, inside(words_, at + 2), {}, {}};
+      Source source{words_[at + 1].text, "", {}, inside(words_, at + 2), {}, {}};
       std::size_t from = behind_bracket(words_, at + 2);
       while (from < words_.size() && !words_[from].is(":") && !words_[from].ends_line()) {
         ++from;
@@ -841,6 +851,10 @@ class SourceReader {
         begin = at + 1;
       } else if (words_[at].is("{")) {
         if (!statement.empty() && is_one_of(statement[0], {"namespace", "extern"})) {
+          const std::string name = spelled(statement.subspan(1));
+          if (statement[0].is("namespace") && !name.empty()) {
+            space_ += (space_.empty() ? "" : "::") + name;
+          }
           begin = at + 1;
           continue;
         }
@@ -904,6 +918,7 @@ class SourceReader {
     if (source.name.empty()) {
       return false;
     }
+    source.space = space_;
     std::size_t from = 0;
     for (std::size_t at = 0; at < body.size(); ++at) {
       const bool opens_block =
@@ -947,6 +962,7 @@ class SourceReader {
 
   Words words_;
   Language language_;
+  std::string space_;  ///< the namespaces opened so far
   std::vector<Source> sources_;
 };
 

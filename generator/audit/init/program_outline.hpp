@@ -37,6 +37,7 @@ struct ProgramFunction {
   std::vector<Argument> arguments;
   std::vector<Given> given;             ///< several where it returns several matrices or columns
   std::map<std::string, Words> locals;  ///< variables and what they are set to
+  std::string space;                    ///< the namespace of C++ around it
   std::set<std::string> angles;         ///< symbols whose sine or cosine it takes
 
   [[nodiscard]] std::vector<std::string> symbols() const;

@@ -23,6 +23,9 @@ class CallWriter {
       write_substitution();
       return std::move(call_);
     }
+    if (!function_.space.empty()) {
+      call_.before.push_back("using namespace " + function_.space);
+    }
     std::vector<std::string> outputs;
     for (const Argument& argument : function_.arguments) {
       arguments_.push_back(argument.kind == Argument::Kind::output ? output(argument, outputs)
