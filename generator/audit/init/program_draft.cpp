@@ -23,11 +23,14 @@ bool is_taken_by_formulas(const std::string& name) {
 }
 
 /// Whether a name is that of a derivative, by what programs usually call one.
-bool is_named_derivative(const std::string& name) {
+bool is_named_derivative(const std::string& name, const std::string& of = "") {
   constexpr std::size_t longest = 100;
   static const std::regex usual(
       "(^d[A-Za-z]?_|^d+[a-z]{1,3}$|jac|deriv|grad|vel|acc|rate|speed|dot|prime|_d[a-z]*$)",
       std::regex::icase);
+  if (!of.empty() && name == "d" + of) {
+    return true;
+  }
   return name.size() <= longest && std::regex_search(name, usual);
 }
 
@@ -81,7 +84,10 @@ class DraftWriter {
     std::erase_if(outline_.functions, [](const ProgramFunction& function) {
       return function.given.empty() || function.symbols().empty() ||
              !std::all_of(function.arguments.begin(), function.arguments.end(),
-                          [](const Argument& each) { return text::is_identifier(each.name); });
+                          [](const Argument& each) {
+                            return each.name.empty() || text::is_identifier(each.name);
+                          }) ||
+             !text::is_identifier("_" + text::joined(function.symbols(), "_"));
     });
     for (const ProgramFunction& function : outline_.functions) {
       angles_.insert(function.angles.begin(), function.angles.end());
@@ -193,7 +199,8 @@ class DraftWriter {
     }
     pair.moving = moving_angles(position);
     const std::size_t count = pair.moving.size();
-    if (matrix.columns != 1 || count == 0 || (more.size() != count && more.size() != 2 * count)) {
+    if (!more_symbols(derived, position).empty() || matrix.columns != 1 || count == 0 ||
+        (more.size() != count && more.size() != 2 * count)) {
       return std::nullopt;
     }
     pair.order = more.size() == count ? 1 : 2;
@@ -209,7 +216,7 @@ class DraftWriter {
     if (is_named_derivative(label(pair.position))) {
       return false;
     }
-    return is_named_derivative(label(pair.derived)) ||
+    return is_named_derivative(label(pair.derived), label(pair.position)) ||
            !is_computable(function(pair.position), given(pair.position)) ||
            !is_computable(function(pair.derived), given(pair.derived));
   }
@@ -218,7 +225,8 @@ class DraftWriter {
   [[nodiscard]] std::optional<Pair> guessed_columns(Pair pair) const {
     const std::size_t columns = given(pair.derived).columns;
     const std::vector<std::string> guess = columns_by_count(function(pair.position), columns);
-    if (guess.empty() || (columns == 1 && !is_named_derivative(label(pair.derived)))) {
+    if (guess.empty() ||
+        (columns == 1 && !is_named_derivative(label(pair.derived), label(pair.position)))) {
       return std::nullopt;
     }
     bool any_known = false;

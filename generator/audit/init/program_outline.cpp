@@ -108,7 +108,8 @@ void unite_arguments(std::vector<ProgramFunction>& functions, std::size_t first)
       const Argument& found = largest.at(each.name);
       const bool is_one_number = each.kind == Argument::Kind::number &&
                                  (each.type == "double" || each.type == "float") && !each.is_array;
-      if (found.parts.empty() || is_one_number || each.kind == Argument::Kind::output) {
+      if (each.name.empty() || found.parts.empty() || is_one_number ||
+          each.kind == Argument::Kind::output) {
         continue;
       }
       each.kind = found.kind;
@@ -204,10 +205,12 @@ class FunctionReader {
         argument.is_array = argument.is_array || words[at].is("*");
         name = words[at].is_name() ? at : name;
       }
-      if (name == words.size()) {
-        return;  // void
+      if (name == words.size() || (words.size() == 1 && words[0].is("void"))) {
+        return;
       }
-      argument.name = words[name].text;
+      static const std::set<std::string> numbers = {"double", "float", "int"};
+      const bool has_name = !numbers.contains(words[name].text);
+      argument.name = has_name ? words[name].text : "";
       std::vector<Word> type;
       for (const Word& word : words.subspan(0, name)) {
         if (!is_one_of(word, {"const", "&", "*", "restrict", "struct"})) {
@@ -220,6 +223,15 @@ class FunctionReader {
         argument.type = std::regex_replace(argument.type, of_reference, "$1");
       }
     } else {
+      if (!words.empty() && words[0].is("{")) {  // an object of JavaScript, by its members
+        for (const Words& member : parts(inside(words, 0), ",")) {
+          argument.parts.push_back(member.empty() ? "" : member[0].text);
+        }
+        argument.kind = Argument::Kind::object;
+        argument.members = argument.parts;
+        function_.arguments.push_back(argument);
+        return;
+      }
       words = words.subspan(0, find_mark(words, ":"));
       if (words.empty() || !words[0].is_name()) {
         return;
@@ -238,7 +250,7 @@ class FunctionReader {
   /// Names of the parts of lists and objects, in the order of their indices or members.
   void find_parts() {
     for (Argument& each : function_.arguments) {
-      if (each.kind == Argument::Kind::output) {
+      if (each.kind == Argument::Kind::output || each.name.empty()) {
         continue;
       }
       std::set<std::size_t> indices;
@@ -652,7 +664,31 @@ class FunctionReader {
     if (is_one_of(words[0], {"[", "{"}) && is_whole_bracket(words)) {
       return list_of(inside(words, 0));
     }
+    if (std::optional<Given> list = list_within(words)) {
+      return list;
+    }
     return Given{"", 1, 1, {words}, {}, {}};
+  }
+
+  /// A list that is multiplied or added: its size is known, its entries are not.
+  std::optional<Given> list_within(Words words) {
+    for (std::size_t at = 0; at < words.size(); ++at) {
+      const bool begins =
+          at == 0 || (!words[at - 1].is_name() && !is_one_of(words[at - 1], {")", "]"}) &&
+                      words[at - 1].kind != Word::Kind::number);
+      if (words[at].is("[") && (begins || is_one_of(words[at - 1], {"return"}))) {
+        std::optional<Given> list = list_of(inside(words, at));
+        if (list) {
+          list->entries.clear();
+          list->names.clear();
+        }
+        return list;
+      }
+      if (words[at].is("[")) {
+        at = behind_bracket(words, at) - 1;
+      }
+    }
+    return std::nullopt;
   }
 
   /// `P.jacobian([a, b])`

@@ -75,6 +75,9 @@ class CallWriter {
 
   std::string text_of(const Argument& argument) {
     const std::vector<std::string> names = names_of(argument);
+    if (names.empty()) {
+      return "0";  // it is not used
+    }
     if (argument.kind == Argument::Kind::number) {
       return names[0];
     }
