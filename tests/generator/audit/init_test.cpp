@@ -58,7 +58,7 @@ const std::vector<Drafted>& all_drafted() {
       {"cam.c", "- e * e * sin(th)", "- e * sin(th)"},
       {"closures.cjs", "J[1][0] = p.l", "J[1][0] = p.r"},
       {"rod_sympy.py", "[l*cos(ph), 0]", "[r*cos(ph), 0]", {}, "", "sympy"},
-      {"lever.py", "p.a*np.cos(th)])\n\n\ndef", "p.a*np.sin(th)])\n\n\ndef", {}, "", "numpy"}};
+      {"lever.py", "(th), p.a*np.cos(th)", "(th), p.a*np.sin(th)", {}, "", "numpy"}};
   return list;
 }
 
