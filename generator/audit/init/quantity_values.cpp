@@ -75,12 +75,24 @@ class Values {
     }
     const auto local = function_.locals.find(name);
     const auto given = point_.find(name);
-    if (local == function_.locals.end() && given == point_.end()) {
-      throw text::ExpressionError("not known", 1);
-    }
-    const double value = given != point_.end() ? given->second : of(local->second);
+    const double value = given != point_.end()             ? given->second
+                         : local != function_.locals.end() ? of(local->second)
+                                                           : constant(name);
     known_[name] = value;
     return value;
+  }
+
+  /// What is no variable of the function is a constant of the file: a number of its own.
+  [[nodiscard]] double constant(const std::string& name) const {
+    const std::string whole = name.substr(0, name.find('_', 1));
+    if (function_.locals.contains(whole) || function_.locals.contains(name)) {
+      throw text::ExpressionError("a part of a variable", 1);
+    }
+    double value = 0;
+    for (const char letter : name) {
+      value = std::fmod(0.618034 * value + 0.1 * static_cast<unsigned char>(letter), 1.0);
+    }
+    return 0.5 + value;
   }
 
   const ProgramFunction& function_;
