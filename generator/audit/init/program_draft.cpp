@@ -447,7 +447,8 @@ class DraftWriter {
       for (std::size_t row = 0; row < names.size(); ++row) {
         std::set<std::string> seen;
         const bool is_angle =
-            row < what.entries.size() && gives_angle(function(quantity), what.entries[row], seen);
+            angles_.contains(names[row]) ||
+            (row < what.entries.size() && gives_angle(function(quantity), what.entries[row], seen));
         (is_angle ? angle_list_ : length_list_).push_back(names[row]);
         unknowns_.push_back(names[row]);
       }
