@@ -1,5 +1,6 @@
 #include "audit/init/program_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <filesystem>
@@ -266,6 +267,39 @@ std::string spelled(Words words) {
     text += word.text + (word.is(",") ? " " : "");
   }
   return text;
+}
+
+bool is_whole(const Word& word) {
+  return word.kind == Word::Kind::number && word.text.size() < 4 &&
+         word.text.find_first_not_of("0123456789") == std::string::npos;
+}
+std::size_t number_of(const Word& word) { return std::stoul(word.text); }
+
+bool is_one_of(const Word& word, std::initializer_list<const char*> list) {
+  return std::any_of(list.begin(), list.end(), [&](const char* each) { return word.is(each); });
+}
+
+/// The first of these marks outside brackets, or the end.
+std::size_t find_mark(Words words, const char* mark) {
+  for (std::size_t at = 0; at < words.size(); ++at) {
+    if (words[at].is(mark)) {
+      return at;
+    }
+    if (is_one_of(words[at], {"(", "[", "{"})) {
+      at = behind_bracket(words, at) - 1;
+    }
+  }
+  return words.size();
+}
+
+Words inside(Words words, std::size_t open) {
+  const std::size_t end = behind_bracket(words, open);
+  return words.subspan(open + 1, end > open + 1 ? end - open - 2 : 0);
+}
+
+bool is_whole_bracket(Words words) {
+  return !words.empty() && is_one_of(words[0], {"(", "[", "{"}) &&
+         behind_bracket(words, 0) == words.size();
 }
 
 }  // namespace assur::generator::audit::init

@@ -1,6 +1,7 @@
 // Turns a program in any of the languages that audits run into its words, without comments.
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -39,5 +40,16 @@ using Words = std::span<const Word>;
 [[nodiscard]] std::vector<Words> parts(Words words, const char* separator);
 /// The words one after the other, with a blank between two names.
 [[nodiscard]] std::string spelled(Words words);
+
+/// A number of at most three digits, such as an index.
+[[nodiscard]] bool is_whole(const Word& word);
+[[nodiscard]] std::size_t number_of(const Word& word);
+[[nodiscard]] bool is_one_of(const Word& word, std::initializer_list<const char*> list);
+/// The first of these marks outside brackets, or the end.
+[[nodiscard]] std::size_t find_mark(Words words, const char* mark);
+/// What stands in the bracket that opens at a place.
+[[nodiscard]] Words inside(Words words, std::size_t open);
+/// Whether one bracket holds all of the words.
+[[nodiscard]] bool is_whole_bracket(Words words);
 
 }  // namespace assur::generator::audit::init
