@@ -281,7 +281,9 @@ int run(int argc, char** argv) {
 
   AuditOptions audit;
   command = app.add_subcommand("audit", "compare what a source prints with the derivation");
-  command->add_option("FILE", audit.files, "audit files, or papers in LaTeX with --map")
+  command
+      ->add_option("FILE", audit.files,
+                   "audit files, or papers in LaTeX with --map;\nor a program or paper with --init")
       ->required();
   command->add_option("--map", audit.map, "what the notation of the papers stands for")
       ->check(not_empty);
@@ -301,7 +303,29 @@ int run(int argc, char** argv) {
           ""))
       ->capture_default_str()
       ->needs("--run");
-  command->callback([&] { chosen = [&] { return run_audit(audit) ? exit_ok : exit_negative; }; });
+  CLI::Option* const init =
+      command
+          ->add_flag(
+              "--init", audit.draft,
+              "write the audit file for the program FILE, or\nthe map for a paper, as far as "
+              "it can be told")
+          ->excludes("--map")
+          ->excludes("--run");
+  CLI::Option* const draft_file =
+      command->add_option("--output", audit.output, "with --init: the file to write")
+          ->check(not_empty)
+          ->needs(init);
+  command->add_flag("--force", audit.force, "with --output: replace a file that exists")
+      ->needs(draft_file);
+  command->callback([&] {
+    chosen = [&] {
+      if (audit.draft) {
+        draft_audit(audit);
+        return exit_ok;
+      }
+      return run_audit(audit) ? exit_ok : exit_negative;
+    };
+  });
 
   for (CLI::App* each : app.get_subcommands(nullptr)) {
     each->add_flag_callback("--quiet", silence_remarks,

@@ -1,0 +1,55 @@
+// Turns a program in any of the languages that audits run into its words, without comments.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace assur::generator::audit::init {
+
+enum class Language : unsigned char { cpp, c, javascript, python, matlab };
+
+/// By the ending of the file's name; nothing for a language that audits do not run.
+[[nodiscard]] std::optional<Language> language_of_file(const std::string& file);
+
+struct Word {
+  /// A `line_end` ends a statement; only Python and MATLAB have them.
+  enum class Kind : unsigned char { name, number, text, mark, line_end };
+
+  Kind kind;
+  std::string text;
+  std::size_t indent = 0;  ///< of its line
+  bool spaced = false;     ///< white space stands before it
+
+  [[nodiscard]] bool is(const char* other) const { return kind != Kind::text && text == other; }
+  [[nodiscard]] bool is_name() const { return kind == Kind::name; }
+  [[nodiscard]] bool ends_line() const { return kind == Kind::line_end; }
+};
+
+using Words = std::span<const Word>;
+
+/// Line ends inside the brackets of Python are left out; those inside the brackets of MATLAB are
+/// semicolons, and blanks between entries commas. What cannot be read is left out.
+[[nodiscard]] std::vector<Word> program_words(const std::string& code, Language language);
+
+/// The index behind the bracket that closes the one at `open`, or the end.
+[[nodiscard]] std::size_t behind_bracket(Words words, std::size_t open);
+/// The parts between the separators outside brackets; none of an empty list.
+[[nodiscard]] std::vector<Words> parts(Words words, const char* separator);
+/// The words one after the other, with a blank between two names.
+[[nodiscard]] std::string spelled(Words words);
+
+/// A number of at most three digits, such as an index.
+[[nodiscard]] bool is_whole(const Word& word);
+[[nodiscard]] std::size_t number_of(const Word& word);
+[[nodiscard]] bool is_one_of(const Word& word, std::initializer_list<const char*> list);
+/// The first of these marks outside brackets, or the end.
+[[nodiscard]] std::size_t find_mark(Words words, const char* mark);
+/// What stands in the bracket that opens at a place.
+[[nodiscard]] Words inside(Words words, std::size_t open);
+/// Whether one bracket holds all of the words.
+[[nodiscard]] bool is_whole_bracket(Words words);
+
+}  // namespace assur::generator::audit::init
