@@ -189,7 +189,9 @@ void AskedPoints::complete(Asked& asked) {
   if (assembled_) {
     for (const closures::AuditSymbol* unknown : points_.system().unknowns()) {
       if (has_rates(*unknown)) {
-        static_cast<void>(value_at(unknown->rate, asked.point));
+        const GiNaC::ex rate = points_.system().rate(unknown->symbol);
+        static_cast<void>(value_at(rate, asked.point));
+        static_cast<void>(value_at(points_.system().rate(rate), asked.point));
       }
     }
   }

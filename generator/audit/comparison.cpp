@@ -72,12 +72,16 @@ std::optional<bool> vanishes_at(closures::ClosurePoints& points, const GiNaC::ex
   }
   constexpr double rounding = 1e-40;
   constexpr double certain = 1e-30;
+  constexpr double of_roots = 1e-10;  // roots of what vanishes keep a half of its digits, or less
   const double bound =
       rounded_value(points.system().expanded(expression), symbol_values(points, point)).error;
-  if (!GiNaC::is_a<GiNaC::numeric>(value) || !std::isfinite(bound)) {
+  if (!GiNaC::is_a<GiNaC::numeric>(value)) {
     return std::nullopt;
   }
   const double size = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(value)).to_double();
+  if (!std::isfinite(bound)) {
+    return size == 0 ? std::optional(true) : size > of_roots ? std::optional(false) : std::nullopt;
+  }
   if (size <= bound * rounding || size > bound * certain) {
     return size <= bound * rounding;
   }
@@ -119,6 +123,9 @@ class PointwiseComparison {
               obstacle_.empty() ? "no point was found where the closures hold" : obstacle_, "", ""};
     }
     // Rational points are of one family, on which what holds at random points holds everywhere.
+    if (assembled_ && !is_computed()) {
+      add_other_factors();
+    }
     Comparison comparison = verdict(is_computed(), "");
     comparison.is_computed = is_computed();
     return comparison;
@@ -163,6 +170,30 @@ class PointwiseComparison {
       values_.push_back(value);
     } else {
       obstacle_ = "rounding hides whether it holds";
+    }
+  }
+
+  /// Adds points of all factors of the closures, if a statement that holds at all others does not
+  /// hold at one of them.
+  void add_other_factors() {
+    if (!std::ranges::all_of(trials_, &Trial::holds)) {
+      return;
+    }
+    const std::size_t known = trials_.size();
+    for (closures::ClosurePoints::Point& point : points_.points_of_all_factors()) {
+      try {
+        const GiNaC::ex value = points_.value(sides_.difference, point);
+        if (const auto holds = vanishes_at(points_, sides_.difference, value, point)) {
+          trials_.push_back({&point, *holds});
+          values_.push_back(value);
+        }
+      } catch (const closures::NotAlgebraic&) {
+        continue;  // it has no value there
+      }
+    }
+    if (std::ranges::all_of(trials_, &Trial::holds)) {
+      trials_.resize(known);
+      values_.resize(known);
     }
   }
 

@@ -14,11 +14,14 @@ namespace {
 
 constexpr int starts = 24;
 constexpr int most_steps = 60;
-constexpr std::size_t most_solutions = 8;
+/// Few of each draw, so that a number of points has many draws; which of them differs by the seed.
+constexpr std::size_t most_solutions = 4;
 /// The smallest pivot of J J^T, of the largest one, where equations count as independent.
 constexpr double least_pivot = 1e-9;
 /// Solutions that are nearer to each other, of their size, are the same.
 constexpr double same = 1e-6;
+/// What is smaller than this, of the size, is zero: by chance nothing comes so near.
+constexpr int zero_digits = 80;
 
 double as_double(double value) { return value; }
 double as_double(const GiNaC::numeric& value) { return value.to_double(); }
@@ -73,6 +76,7 @@ template <typename Number>
 struct AssemblyByNewton::Values {
   std::vector<Number> numbers;
   std::vector<Number> symbols;
+  std::vector<Number> sizes;  ///< of the variables: equations and steps are compared in their parts
   std::vector<Number> steps;
 
   void compute(const std::vector<Step>& list) {
@@ -176,20 +180,28 @@ template <typename Number>
 bool AssemblyByNewton::correction(Values<Number>& values, std::vector<Number>& step) const {
   values.compute(steps_);
   const std::size_t columns = variables_.size();
-  const auto slope = [&](std::size_t row, std::size_t column) -> const Number& {
-    return values.steps[slopes_[row * columns + column]];
+  const auto slope = [&](std::size_t row, std::size_t column) -> Number {
+    return values.steps[slopes_[row * columns + column]] * values.sizes[column];
   };
-  // The shortest solution of J x = -f is J^T (J J^T)^-1 (-f).
+  // The shortest solution of J x = -f is J^T (J J^T)^-1 (-f). Rows of J are of similar sizes.
   std::vector<std::vector<Number>> rows(equation_count_, std::vector<Number>(equation_count_ + 1));
+  std::vector<Number> scales;
+  for (std::size_t row = 0; row < equation_count_; ++row) {
+    double steepest = 0;
+    for (std::size_t column = 0; column < columns; ++column) {
+      steepest = std::max(steepest, std::abs(as_double(slope(row, column))));
+    }
+    scales.push_back(Number(steepest > 0 ? std::exp2(-std::ilogb(steepest)) : 1.0));
+  }
   for (std::size_t row = 0; row < equation_count_; ++row) {
     for (std::size_t other = 0; other < equation_count_; ++other) {
       Number sum = 0;
       for (std::size_t column = 0; column < columns; ++column) {
         sum = sum + slope(row, column) * slope(other, column);
       }
-      rows[row][other] = sum;
+      rows[row][other] = scales[row] * scales[other] * sum;
     }
-    rows[row][equation_count_] = -values.steps[equations_[row]];
+    rows[row][equation_count_] = -scales[row] * values.steps[equations_[row]];
   }
   if (!solve(rows)) {
     return false;
@@ -197,8 +209,9 @@ bool AssemblyByNewton::correction(Values<Number>& values, std::vector<Number>& s
   step.assign(columns, Number(0));
   for (std::size_t column = 0; column < columns; ++column) {
     for (std::size_t row = 0; row < equation_count_; ++row) {
-      step[column] = step[column] + slope(row, column) * rows[row][equation_count_];
+      step[column] = step[column] + scales[row] * slope(row, column) * rows[row][equation_count_];
     }
+    step[column] = step[column] * values.sizes[column];
   }
   return true;
 }
@@ -212,8 +225,8 @@ bool AssemblyByNewton::converges(Values<double>& values) const {
     double length = 0;
     double whole = 1;
     for (std::size_t place = 0; place < step.size(); ++place) {
-      length = std::max(length, std::abs(step[place]));
-      whole = std::max(whole, std::abs(values.symbols[place]));
+      length = std::max(length, std::abs(step[place]) / values.sizes[place]);
+      whole = std::max(whole, std::abs(values.symbols[place]) / values.sizes[place]);
     }
     if (!std::isfinite(length)) {
       return false;
@@ -265,20 +278,29 @@ std::vector<GiNaC::exmap> AssemblyByNewton::solutions(const GiNaC::exmap& given,
     size = std::max(size, std::abs(rough.symbols.back()));
   }
   size = std::max(size, size_.to_double());
+  const auto size_of = [&](std::size_t place) {
+    return variables_[place].is_direction ? 1.0 : size;
+  };
+  for (std::size_t place = 0; place < variables_.size(); ++place) {
+    rough.sizes.push_back(size_of(place));
+    exact.sizes.emplace_back(std::exp2(std::ilogb(size_of(place))));
+  }
+  const GiNaC::numeric least = GiNaC::numeric(size) / GiNaC::numeric(10).power(zero_digits);
   std::mt19937 engine(seed);
   std::vector<std::vector<double>> found;
   std::vector<GiNaC::exmap> list;
   for (int start = 0; start < starts && list.size() < most_solutions; ++start) {
     for (std::size_t place = 0; place < variables_.size(); ++place) {
       const double number = static_cast<double>(engine()) / 0x1p31 - 1;
-      rough.symbols[place] = size * (variables_[place].is_root ? std::abs(number) : number);
+      rough.symbols[place] =
+          size_of(place) * (variables_[place].is_root ? std::abs(number) : number);
     }
     if (!converges(rough)) {
       continue;
     }
     const auto is_same = [&](const std::vector<double>& other) {
       for (std::size_t place = 0; place < variables_.size(); ++place) {
-        if (std::abs(other[place] - rough.symbols[place]) > same * size) {
+        if (std::abs(other[place] - rough.symbols[place]) > same * size_of(place)) {
           return false;
         }
       }
@@ -300,7 +322,8 @@ std::vector<GiNaC::exmap> AssemblyByNewton::solutions(const GiNaC::exmap& given,
     }
     GiNaC::exmap solution;
     for (std::size_t place = 0; place < variables_.size(); ++place) {
-      solution[variables_[place].symbol] = exact.symbols[place];
+      const GiNaC::numeric& value = exact.symbols[place];
+      solution[variables_[place].symbol] = GiNaC::abs(value) < least ? GiNaC::numeric(0) : value;
     }
     list.push_back(std::move(solution));
   }

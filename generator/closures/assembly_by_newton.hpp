@@ -16,7 +16,8 @@ class AssemblyByNewton {
  public:
   struct Variable {
     GiNaC::symbol symbol;
-    bool is_root = false;  ///< it is not negative
+    bool is_root = false;       ///< it is not negative
+    bool is_direction = false;  ///< a cosine or sine
   };
 
   /// There are at least as many variables as equations.

@@ -80,6 +80,7 @@ void ClosurePoints::follow_system() {
   lists_.clear();
   assembly_.reset();
   newton_.reset();
+  of_all_factors_.reset();
   open_parts_.clear();
   closures_are_algebraic_ = true;
   closures_are_rational_ = true;
@@ -306,6 +307,17 @@ std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
       }
     }
   }
+  unsigned quadrant = seed;  // all of them in turn
+  for (const AuditSymbol& symbol : system_.symbols()) {
+    if (symbol.angle && !symbol.unknown) {
+      const equations::Vector2& direction = algebra_.direction(symbol.symbol);
+      values[direction.x] = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(values[direction.x])) *
+                            (quadrant % 4 < 2 ? 1 : -1);
+      values[direction.y] = GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(values[direction.y])) *
+                            (quadrant % 2 == 0 ? 1 : -1);
+      quadrant = quadrant / 4 + seed / 3;
+    }
+  }
   std::vector<Point> points;
   for (const GiNaC::exmap& solution : newton_->solutions(values, seed)) {
     Point point{values, {}, true};
@@ -328,6 +340,22 @@ std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
   return points;
 }
 
+std::deque<ClosurePoints::Point>& ClosurePoints::points_of_all_factors() {
+  constexpr unsigned draws = 4;
+  follow_system();
+  if (!of_all_factors_) {
+    of_all_factors_.emplace();
+    try {
+      for (unsigned seed = 1; seed <= draws; ++seed) {
+        std::ranges::move(solved_points(seed), std::back_inserter(*of_all_factors_));
+      }
+    } catch (const NotAlgebraic&) {
+      of_all_factors_->clear();
+    }
+  }
+  return *of_all_factors_;
+}
+
 AssemblyByNewton ClosurePoints::newton() {
   std::vector<GiNaC::ex> equations;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
@@ -346,8 +374,8 @@ AssemblyByNewton ClosurePoints::newton() {
     }
     const equations::Vector2& direction = algebra_.direction(symbol.symbol);
     equations.push_back(direction.x * direction.x + direction.y * direction.y - 1);
-    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.x)});
-    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.y)});
+    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.x), false, true});
+    variables.push_back({GiNaC::ex_to<GiNaC::symbol>(direction.y), false, true});
   }
   for (const auto& [root, radicand] : algebra_.roots()) {
     equations.push_back(root * root - radicand);

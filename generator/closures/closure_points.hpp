@@ -89,6 +89,10 @@ class ClosurePoints {
   /// Whether the expression's algebraic form is zero; throws NotAlgebraic.
   [[nodiscard]] bool vanishes(const GiNaC::ex& expression);
 
+  /// Solved configurations of some draws, on all branches. Rational points may all be of one factor
+  /// of closures that factor. Empty where the closures cannot be solved.
+  [[nodiscard]] std::deque<Point>& points_of_all_factors();
+
  private:
   struct PointList {
     std::deque<Point> drawn;
@@ -137,7 +141,8 @@ class ClosurePoints {
   std::optional<AssemblyByNewton> newton_;                                 ///< of this revision
   std::map<const ClosureDerivative*, std::vector<GiNaC::ex>> open_parts_;  ///< of this revision
   CircleAlgebra algebra_;
-  unsigned rates_drawn_ = 0;         ///< rates of third order or higher that have a number
+  unsigned rates_drawn_ = 0;  ///< rates of third order or higher that have a number
+  std::optional<std::deque<Point>> of_all_factors_;
   unsigned revision_ = 0;            ///< of the system that the points belong to
   std::size_t angles_ = 0;           ///< symbols of the system that the algebra knows
   std::map<bool, PointList> lists_;  ///< by whether they are assembled

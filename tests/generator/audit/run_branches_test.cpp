@@ -35,6 +35,9 @@ TEST_P(RunBranches, AreFoundByThemselves) {
 #define ROOT                                       \
   "length r l x\nangle th\nunknown x\nmoving th\n" \
   "closure f1 = r*cos(th) + sqrt(l^2 - r^2*sin(th)^2) - x\n"
+#define EQUAL                                    \
+  "length x\nangle a b\nunknown b x\nmoving a\n" \
+  "loop f1 f2 = polar(2, a) + polar(2, b) - point(x, 0)\n"
 #define FOUR_BAR                               \
   "angle th t3 t4\nunknown t3 t4\nmoving th\n" \
   "loop f1 f2 = polar(1, th) + polar(5/2, t3) - polar(2, t4) - point(11/5, 0)\n"
@@ -87,7 +90,33 @@ INSTANTIATE_TEST_SUITE_P(
                four_bar, 1, "rate(t4): differs"},
         Solved{"CounterexampleHasRates",
                FOUR_BAR "printed run a p.py of rate(t4)\n  result [2*rates(th, rate_th)[1]]\n",
-               four_bar, 1, ", rate(th) = "}),
+               four_bar, 1, ", rate(th) = "},
+        Solved{"RateOfAnUnknownInACall",
+               "length r l x\nangle a b\nunknown b x\nmoving a\n"
+               "loop f1 f2 = polar(r, a) + polar(l, b) - point(x, 0)\n"
+               "printed run v p.py of rate(x)\n  result v(r, l, a, b, rate_a, rate_b)\n",
+               "def v(r, l, a, b, u, w): return -r*sin(a)*u - l*sin(b)*w\n", 0, "agrees"},
+        Solved{"LargeNumbers",
+               "length x\nangle a b\nunknown b x\nmoving a\n"
+               "loop f1 f2 = polar(50000, a) + polar(200000, b) - point(x, 0)\n"
+               "printed equation (1) : x = 50000*cos(a) + 200000*cos(b)\n",
+               "", 0, "agrees"},
+        Solved{"AllQuadrants",
+               "angle t u0 v0 u1 v1 u2 v2\nunknown u0 v0 u1 v1 u2 v2\nmoving t\n"
+               "loop f0 g0 = polar(2, t) + polar(3, u0) - polar(5/2, v0) - point(3, 0)\n"
+               "loop f1 g1 = polar(2, v0) + polar(3, u1) - polar(5/2, v1) - point(3, 0)\n"
+               "loop f2 g2 = polar(2, v1) + polar(3, u2) - polar(5/2, v2) - point(3, 0)\n"
+               "printed equation (1) : 1 - sin(t) + cos(t) = sqrt((1 - sin(t) + cos(t))^2)\n",
+               "", 1, "points, and"},
+        Solved{"UnknownThatVanishes", EQUAL "printed equation (1) : x^2 - 4*x*cos(a) = 0\n", "", 0,
+               "agrees"},
+        Solved{"RootOfAnUnknownThatVanishes",
+               EQUAL "printed equation (1) : sqrt(x) = sqrt(4*cos(a))\n", "", 1,
+               "holds on one branch"},
+        Solved{"ClosuresThatFactor",
+               "length r x\nangle t\nunknown x\nmoving t\nclosure f = x^2 - 2*r*x*cos(t)\n"
+               "printed equation (1) : x = 2*r*cos(t)\nprinted equation (2) : x^2 = 2*r*x*cos(t)\n",
+               "", 1, "in all: 1 of 2 agree"}),
     [](const auto& tested) { return tested.param.name; });
 
 }  // namespace
