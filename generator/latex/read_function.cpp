@@ -29,14 +29,31 @@ constexpr std::array<Function, 12> functions = {{{"\\sin", "sin", Operation::sin
                                                  {"acos", "acos", Operation::acos},
                                                  {"atan", "atan", Operation::atan}}};
 
+bool is_word(const Token& token) {
+  return token.is("\\operatorname") || token.is("\\mathrm") || token.is("\\text");
+}
+
+/// The name of a function that is a word, `\operatorname{atan}_{2}` with its subscript; `at` is
+/// moved behind it.
+std::string take_word(const Tokens& tokens, std::size_t& at) {
+  std::string name = letters_of(take_argument(tokens, ++at));
+  if (name == "atan" && at < tokens.size() && tokens[at].is("_")) {
+    std::size_t behind = at + 1;
+    if (letters_of(take_argument(tokens, behind)) == "2") {
+      at = behind;
+      return "atan2";
+    }
+  }
+  return name == "arcsin" || name == "arccos" || name == "arctan" ? "\\" + name : name;
+}
+
 }  // namespace
 
 const Function* FormulaReader::find_function(std::size_t at) const {
   std::string name = tokens_[at].text;
-  if (tokens_[at].is("\\operatorname") || tokens_[at].is("\\mathrm") || tokens_[at].is("\\text")) {
-    std::size_t behind = at + 1;
-    name = letters_of(take_argument(tokens_, behind));
-    name = name == "arcsin" || name == "arccos" || name == "arctan" ? "\\" + name : name;
+  if (is_word(tokens_[at])) {
+    std::size_t behind = at;
+    name = take_word(tokens_, behind);
   } else if (!tokens_[at].is_command()) {
     return nullptr;
   }
@@ -48,9 +65,11 @@ const Function* FormulaReader::find_function(std::size_t at) const {
 
 Factor FormulaReader::called(const Function& function) {
   const std::size_t at = at_;
-  const bool word =
-      tokens_[at].is("\\operatorname") || tokens_[at].is("\\mathrm") || tokens_[at].is("\\text");
-  at_ = word ? end_of_argument(tokens_, at + 1) : at + 1;
+  if (is_word(tokens_[at])) {
+    static_cast<void>(take_word(tokens_, at_));
+  } else {
+    ++at_;
+  }
   Tokens power;
   if (at_ < tokens_.size() && tokens_[at_].is("^")) {
     power = take_argument(tokens_, ++at_);

@@ -90,6 +90,7 @@ const std::vector<Meaning> meanings = {
     {"- a_{1} \\tan{\\left(2 \\theta \\right)} \\cos{\\left(\\phi \\right)}",
      "-a1*tan(2*theta)*cos(phi)"},
     {"\\cos{\\left(\\operatorname{atan_{2}}{\\left(a,b \\right)} \\right)}", "b/sqrt(a^2 + b^2)"},
+    {"\\cos{\\left(\\operatorname{atan}_{2}{\\left(a,b \\right)} \\right)}", "b/sqrt(a^2 + b^2)"},
     {"\\sqrt{a^{2} + b^{2}} \\cos{\\left(\\operatorname{atan}{\\left(\\frac{a}{b} \\right)} "
      "\\right)}",
      "b"},
