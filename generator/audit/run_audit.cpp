@@ -242,7 +242,8 @@ class ProgramAudit {
                                : differing == told ? "; it differs at the others"
                                                    : "; it differs at some of the others";
     if (drawn_.given.size() < drawn_.asked.size()) {
-      return "it ends at point " + std::to_string(drawn_.given.size()) + " of " + all + others;
+      return "it is not run beyond point " + std::to_string(drawn_.given.size()) + " of " + all +
+             others;
     }
     return failing == drawn_.asked.size()
                ? "it fails at all " + all + " points"
