@@ -20,10 +20,6 @@ namespace {
 /// features on them.
 struct Extent {
   double origins = 0, features = 0;
-
-  void include(const Pose<double>& place, double& largest) {
-    largest = std::max({largest, std::abs(place.x), std::abs(place.y)});
-  }
 };
 
 /// The extent of the links that are placed once `groups` groups are; `before` tells how many each
@@ -32,15 +28,18 @@ Extent extent_of(const Values& values, const Table<LinkIndex, Frame>& links,
                  const Table<LinkIndex, std::size_t>& before, std::size_t groups) {
   const Mechanism& mechanism = values.plan().mechanism;
   Extent extent;
+  const auto include = [](const Pose<double>& place, double& largest) {
+    largest = std::max(largest, support::largest_coordinate(std::array{place}));
+  };
   for (const LinkIndex link : links.keys()) {
     if (before[link] <= groups) {
-      extent.include(links[link].pose, extent.origins);
+      include(links[link].pose, extent.origins);
     }
   }
   for (const Joint& joint : mechanism.joints()) {
     for (const FeatureIndex feature : joint.between) {
       if (before[mechanism.features()[feature].link] <= groups) {
-        extent.include(values.frame(feature).pose, extent.features);
+        include(values.frame(feature).pose, extent.features);
       }
     }
   }
@@ -67,9 +66,9 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links, const Re
                             values.frame(feature).pose);
   };
   const HeldPair held = held_by(mechanism, joint);
-  const Pair pair{pose(joint.one), pose(joint.other), !held.holds[0], held.holds[2], 0};
-  return {pair.one, pair.other, pair.is_line, pair.are_lines,
-          std::max(support::largest_coordinate(std::array{pair.one, pair.other}), extent.origins)};
+  const std::array places = {pose(joint.one), pose(joint.other)};
+  return {places[0], places[1], !held.holds[0], held.holds[2],
+          std::max(support::largest_coordinate(places), extent.origins)};
 }
 
 /// The fastest rates of the mechanism, against which the rounding of rates is measured: two links

@@ -122,7 +122,7 @@ SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::
                                                           const AllConstraints::Poses& second) {
   constexpr double near = 0.01;
   constexpr double much_better = 16;
-  constexpr double alike = 4;
+  constexpr double alike = 4;  // roundings: the place halfway is rounded as both are, and once more
   constraints_.measure(first);
   const Eigen::VectorXd apart = constraints_.step(first, second);
   if (!(apart.cwiseAbs().maxCoeff() < near)) {
