@@ -46,6 +46,49 @@ Formula Formula::difference(const Formula& one, const Formula& other) {
   return result;
 }
 
+Formula Formula::of(ParameterIndex parameter) {
+  Formula result;
+  result.steps_ = {{Step::Kind::parameter, text::Operation::other, 0, parameter, {}}};
+  return result;
+}
+
+Formula Formula::of(text::Operation operation, const Formula& argument) {
+  Formula result = argument;
+  result.steps_.push_back({Step::Kind::unary, operation, 0, {}, {}});
+  const std::optional<double> value = result.constant();
+  return value ? Formula(*value) : result;
+}
+
+Formula Formula::of(text::Operation operation, const Formula& first, const Formula& second) {
+  using text::Operation;
+  const std::optional<double> one = first.constant();
+  const std::optional<double> other = second.constant();
+  const bool adds = operation == Operation::add;
+  const bool multiplies = operation == Operation::multiply;
+  const bool divides = operation == Operation::divide;
+  if (!(one && other)) {
+    if ((adds && one == 0) || (multiplies && one == 1) || (multiplies && other == 0)) {
+      return second;
+    }
+    if (((adds || operation == Operation::subtract) && other == 0) ||
+        ((multiplies || divides) && other == 1) || ((multiplies || divides) && one == 0)) {
+      return first;
+    }
+  }
+  Formula result = first;
+  result.steps_.insert(result.steps_.end(), second.steps_.begin(), second.steps_.end());
+  result.steps_.push_back({Step::Kind::binary, operation, 0, {}, {}});
+  return one && other ? Formula(*result.constant()) : result;
+}
+
+std::optional<double> Formula::constant() const {
+  const bool is_constant = std::ranges::none_of(steps_, [](const Step& step) {
+    return step.kind == Step::Kind::parameter || step.kind == Step::Kind::joint;
+  });
+  return is_constant ? std::optional(evaluate<double>([](ParameterIndex) { return 0.0; }))
+                     : std::nullopt;
+}
+
 std::vector<ParameterIndex> Formula::parameters() const {
   std::vector<ParameterIndex> found;
   for (const Step& step : steps_) {

@@ -136,6 +136,17 @@ Json configuration_json(const Configuration& configuration, const Report& report
   return entry;
 }
 
+/// How near one configuration is; its number is null where it is `alone` in the solution.
+Json nearest_json(const std::optional<Nearest>& nearest, bool alone) {
+  Json entry = {{"configuration", nullptr}, {"distance", nullptr}, {"runner_up", nullptr}};
+  if (nearest) {
+    entry["configuration"] = alone ? Json() : Json(nearest->configuration + 1);
+    entry["distance"] = nearest->distance;
+    entry["runner_up"] = nearest->runner_up ? Json(*nearest->runner_up) : Json();
+  }
+  return entry;
+}
+
 /// The choices of earlier groups for which a group moves freely or is inconsistent.
 Json families_json(const Report& report) {
   const Mechanism& mechanism = report.plan.mechanism();
@@ -186,12 +197,12 @@ std::string report_json(const Report& report) {
     root["dropped"] = {{"count", solution.dropped}, {"reason", solution.drop_reason}};
   }
   if (report.nearest) {
-    const auto number =
-        report.alone ? report::Json() : report::Json(report.nearest->configuration + 1);
-    root["nearest"] = {
-        {"configuration", number}, {"distance", report.nearest->distance}, {"runner_up", nullptr}};
-    if (report.nearest->runner_up) {
-      root["nearest"]["runner_up"] = *report.nearest->runner_up;
+    root["nearest"] = report::nearest_json(report.nearest, report.alone);
+  }
+  if (const std::optional<DrawnPose>& drawn = report.plan.request().drawn) {
+    root["drawn"] = report::nearest_json(report.drawn, report.alone);
+    if (drawn->gap) {
+      root["drawn"]["gap"] = {{"joint", drawn->gap->joint}, {"length", drawn->gap->length}};
     }
   }
   root["configurations"] = report::Json::array();

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/point_values.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -209,6 +210,36 @@ std::string configuration_text(const Configuration& configuration, const Report&
   return text;
 }
 
+std::string degrees_text(double angle) {
+  std::array<char, 32> digits{};
+  (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
+  return digits.data();
+}
+
+/// Which configuration it is, where the number is known.
+std::string which_text(const Nearest& nearest, bool alone) {
+  return alone ? "one " : "configuration " + std::to_string(nearest.configuration + 1) + ", ";
+}
+
+/// Which configuration is the drawn one, and which pin is drawn beside its slot.
+std::string drawn_text(const Report& report) {
+  const std::optional<DrawnPose>& drawn = report.plan.request().drawn;
+  std::string text;
+  if (report.drawn) {
+    text +=
+        "drawn: " + which_text(*report.drawn, report.alone) + degrees_text(report.drawn->distance) +
+        " away" +
+        (report.drawn->runner_up ? " (the next one " + degrees_text(*report.drawn->runner_up) + ")"
+                                 : "") +
+        "\n";
+  }
+  if (drawn && drawn->gap) {
+    text += "gap: the joint " + drawn->gap->joint + " is drawn " +
+            text::short_number(drawn->gap->length, 4) + " beside its slot\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::report
@@ -256,21 +287,14 @@ std::string report_text(const Report& report) {
             " of configurations of earlier groups: " + solution.drop_reason + "\n";
   }
   if (report.nearest) {
-    const auto degrees = [](double angle) {
-      std::array<char, 32> digits{};
-      (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
-      return std::string(digits.data());
-    };
-    text += "nearest to the reference: " +
-            (report.alone
-                 ? "one "
-                 : "configuration " + std::to_string(report.nearest->configuration + 1) + ", ") +
-            degrees(report.nearest->distance) + " away" +
+    text += "nearest to the reference: " + report::which_text(*report.nearest, report.alone) +
+            report::degrees_text(report.nearest->distance) + " away" +
             (report.nearest->runner_up
-                 ? "; the next one is " + degrees(*report.nearest->runner_up) + " away"
+                 ? "; the next one is " + report::degrees_text(*report.nearest->runner_up) + " away"
                  : "") +
             "\n";
   }
+  text += report::drawn_text(report);
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
     if (!report::is_reported(report, index)) {
       continue;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,15 @@ class Formula {
   Formula(const text::Expression& expression, const Names& names);
 
   [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
+  /// The formula of a parameter alone.
+  [[nodiscard]] static Formula of(ParameterIndex parameter);
+  /// The formula of an operation on others. Constants are computed at once, and a term 0 or a
+  /// factor 0 or 1 leaves no operation behind.
+  [[nodiscard]] static Formula of(text::Operation operation, const Formula& argument);
+  [[nodiscard]] static Formula of(text::Operation operation, const Formula& first,
+                                  const Formula& second);
+  /// The value of a formula that names neither parameters nor joints; nothing for others.
+  [[nodiscard]] std::optional<double> constant() const;
 
   /// Whether formulas are written alike, so that they have the same value whatever parameters are.
   [[nodiscard]] bool operator==(const Formula&) const = default;
@@ -115,5 +125,18 @@ class Formula {
 
   std::vector<Step> steps_;
 };
+
+[[nodiscard]] inline Formula operator+(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::add, a, b);
+}
+[[nodiscard]] inline Formula operator-(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::subtract, a, b);
+}
+[[nodiscard]] inline Formula operator*(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::multiply, a, b);
+}
+[[nodiscard]] inline Formula operator/(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::divide, a, b);
+}
 
 }  // namespace assur::mechanism
