@@ -35,19 +35,6 @@ void expect_branch(const SolveOptions& options, int count) {
   }
 }
 
-/// The configuration that is nearest to the drawing, if the scene is drawn and can be assembled.
-std::optional<mechanism::Nearest> drawn_of(const mechanism::Plan& plan,
-                                           const mechanism::Values& values,
-                                           const mechanism::Solution& solution,
-                                           const std::optional<mechanism::Nearest>& nearest,
-                                           bool alone) {
-  if (!plan.request().drawn || plan.request().reference.empty() || nearest) {
-    return plan.request().drawn ? nearest : std::nullopt;
-  }
-  mechanism::Solution found;
-  return alone ? plan.solve_nearest(values, found) : plan.nearest(values, solution);
-}
-
 bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   const mechanism::Values values = plan.values();
   const bool alone = (options.nearest || options.branch > 0) &&
@@ -68,10 +55,8 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   if (!degenerate) {
     expect_configuration(options, count, count == 0 ? plan.obstacle(values) : "");
   }
-  const std::optional<mechanism::Nearest> drawn = drawn_of(plan, values, solution, nearest, alone);
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
-  const mechanism::Report report{plan,   values,  solution, options.scene,
-                                 branch, nearest, alone,    drawn};
+  const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
   if (degenerate && options.format == "csv") {
     remarks() << "degenerate: " << solution.reason << '\n';
   }

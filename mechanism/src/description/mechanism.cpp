@@ -83,9 +83,14 @@ JointIndex Mechanism::joint_named(const std::string& name, const std::string& pa
 }
 
 Formula Mechanism::formula(const std::string& text, const std::string& part, Reads reads) const {
-  static constexpr std::array<text::ExpressionFunction, 1> coordinate = {{{"joint", 1}}};
+  using text::Operation;
+  static constexpr std::array<text::ExpressionFunction, 4> own = {
+      {{"joint", 1},
+       {"abs", 1, Operation::absolute, true},
+       {"min", 2, Operation::minimum, true},
+       {"max", 2, Operation::maximum, true}}};
   try {
-    return {text::parse_expression(text, coordinate),
+    return {text::parse_expression(text, own),
             {[&](const std::string& name) { return parameter_named(name, part); },
              [&](const std::string& name) {
                if (reads == Reads::parameters) {

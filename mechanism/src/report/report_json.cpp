@@ -3,6 +3,7 @@
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
 
+#include "drawn_configuration.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -136,13 +137,20 @@ Json configuration_json(const Configuration& configuration, const Report& report
   return entry;
 }
 
-/// How near one configuration is; its number is null where it is `alone` in the solution.
-Json nearest_json(const std::optional<Nearest>& nearest, bool alone) {
+/// How near one configuration is; its number is null where it is not known.
+Json nearest_json(const Nearest& nearest, bool is_numbered) {
+  return {{"configuration", is_numbered ? Json(nearest.configuration + 1) : Json()},
+          {"distance", nearest.distance},
+          {"runner_up", nearest.runner_up ? Json(*nearest.runner_up) : Json()}};
+}
+
+Json drawn_json(const Report& report) {
   Json entry = {{"configuration", nullptr}, {"distance", nullptr}, {"runner_up", nullptr}};
-  if (nearest) {
-    entry["configuration"] = alone ? Json() : Json(nearest->configuration + 1);
-    entry["distance"] = nearest->distance;
-    entry["runner_up"] = nearest->runner_up ? Json(*nearest->runner_up) : Json();
+  if (const std::optional<DrawnConfiguration> drawn = drawn_configuration(report)) {
+    entry = nearest_json(drawn->nearest, drawn->is_numbered);
+  }
+  if (const std::optional<DrawnGap>& gap = report.plan.request().drawn->gap) {
+    entry["gap"] = {{"joint", gap->joint}, {"length", gap->length}};
   }
   return entry;
 }
@@ -197,13 +205,13 @@ std::string report_json(const Report& report) {
     root["dropped"] = {{"count", solution.dropped}, {"reason", solution.drop_reason}};
   }
   if (report.nearest) {
-    root["nearest"] = report::nearest_json(report.nearest, report.alone);
+    root["nearest"] = report::nearest_json(*report.nearest, !report.alone);
   }
-  if (const std::optional<DrawnPose>& drawn = report.plan.request().drawn) {
-    root["drawn"] = report::nearest_json(report.drawn, report.alone);
-    if (drawn->gap) {
-      root["drawn"]["gap"] = {{"joint", drawn->gap->joint}, {"length", drawn->gap->length}};
-    }
+  if (report.plan.request().drawn) {
+    root["drawn"] = report::drawn_json(report);
+  }
+  if (const std::vector<std::string> corners = report.values.corners(); !corners.empty()) {
+    root["corners"] = corners;
   }
   root["configurations"] = report::Json::array();
   for (std::size_t number = 0; number < solution.configurations.size(); ++number) {

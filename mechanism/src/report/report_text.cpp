@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "drawn_configuration.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -217,25 +218,24 @@ std::string degrees_text(double angle) {
 }
 
 /// Which configuration it is, where the number is known.
-std::string which_text(const Nearest& nearest, bool alone) {
-  return alone ? "one " : "configuration " + std::to_string(nearest.configuration + 1) + ", ";
+std::string which_text(const Nearest& nearest, bool is_numbered) {
+  return is_numbered ? "configuration " + std::to_string(nearest.configuration + 1) + ", " : "one ";
 }
 
 /// Which configuration is the drawn one, and which pin is drawn beside its slot.
 std::string drawn_text(const Report& report) {
-  const std::optional<DrawnPose>& drawn = report.plan.request().drawn;
   std::string text;
-  if (report.drawn) {
-    text +=
-        "drawn: " + which_text(*report.drawn, report.alone) + degrees_text(report.drawn->distance) +
-        " away" +
-        (report.drawn->runner_up ? " (the next one " + degrees_text(*report.drawn->runner_up) + ")"
-                                 : "") +
-        "\n";
+  if (const std::optional<DrawnConfiguration> drawn = drawn_configuration(report)) {
+    const Nearest& nearest = drawn->nearest;
+    text += "drawn: " + which_text(nearest, drawn->is_numbered) + degrees_text(nearest.distance) +
+            " away" +
+            (nearest.runner_up ? " (the next one " + degrees_text(*nearest.runner_up) + ")" : "") +
+            "\n";
   }
-  if (drawn && drawn->gap) {
-    text += "gap: the joint " + drawn->gap->joint + " is drawn " +
-            text::short_number(drawn->gap->length, 4) + " beside its slot\n";
+  const std::optional<DrawnPose>& pose = report.plan.request().drawn;
+  if (pose && pose->gap) {
+    text += "gap: the joint " + pose->gap->joint + " is drawn " +
+            text::short_number(pose->gap->length, 4) + " beside its slot\n";
   }
   return text;
 }
@@ -287,7 +287,7 @@ std::string report_text(const Report& report) {
             " of configurations of earlier groups: " + solution.drop_reason + "\n";
   }
   if (report.nearest) {
-    text += "nearest to the reference: " + report::which_text(*report.nearest, report.alone) +
+    text += "nearest to the reference: " + report::which_text(*report.nearest, !report.alone) +
             report::degrees_text(report.nearest->distance) + " away" +
             (report.nearest->runner_up
                  ? "; the next one is " + report::degrees_text(*report.nearest->runner_up) + " away"
@@ -295,6 +295,9 @@ std::string report_text(const Report& report) {
             "\n";
   }
   text += report::drawn_text(report);
+  for (const std::string& part : report.values.corners()) {
+    text += "corner: " + part + " has a corner here, so that derivatives are those of one side\n";
+  }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
     if (!report::is_reported(report, index)) {
       continue;

@@ -41,6 +41,12 @@ class Solver:
                              capture_output=True, text=True)
         return json.loads(run.stdout) if run.stdout else run.stderr.replace(str(self.file), "")
 
+    def rows(self, scene, *options):
+        self.file.write_text(json.dumps(scene))
+        run = subprocess.run([self.command, "solve", str(self.file), "--format", "csv", *options],
+                             capture_output=True, text=True)
+        return [line.split(",") for line in run.stdout.splitlines()]
+
 
 def numbers_of(value, kind="position", path=""):
     """All numbers of an answer, with their kind: derivatives grow near singular positions."""
@@ -103,9 +109,11 @@ def compare_derivatives(name, scene, answer, solve):
     """The derivatives by one parameter, against drawings at other values."""
     parameters = [name for name, entry in scene.get("parameters", {}).items()
                   if not (isinstance(entry, dict) and isinstance(entry.get("drawn"), str))]
-    if not parameters:
-        return
-    parameter = parameters[len(name) % len(parameters)]
+    for parameter in parameters[:2]:
+        compare_derivative(name, scene, answer, solve, parameter)
+
+
+def compare_derivative(name, scene, answer, solve, parameter):
     sides = {}
     drawing = Drawing(scene, sides=sides)
     drawing.translated()
@@ -134,6 +142,26 @@ def compare_derivatives(name, scene, answer, solve):
                        f"differences {slope}")
 
 
+def compare_sweep(name, scene, answer, solve):
+    """In a sweep about the drawing, --nearest follows the branch through the drawn configuration,
+    which is at its step in the middle."""
+    phi = next((driver["position"] for driver in scene["drivers"].values()
+                if driver.get("position") in scene.get("parameters", {})), None)
+    drawn = answer["drawn"]
+    # Close to another configuration, which is nearest depends on rounding.
+    if phi is None or drawn["runner_up"] and drawn["runner_up"] - drawn["distance"] < 1e-3:
+        return
+    count = 9
+    swept = {**scene, "want": ["position"], "sweep": {
+        "parameter": phi, "from": f"{phi} - 0.4", "to": f"{phi} + 0.4", "count": count}}
+    rows = solve.rows(swept, "--nearest")
+    step, configuration = rows[0].index("step"), rows[0].index("configuration")
+    middle = [row for row in rows[1:] if row[step] == str(count // 2)]
+    expect([row[configuration] for row in middle] == [str(drawn["configuration"])],
+           f"{name}: the drawn branch is {middle}, and the drawn configuration {drawn}")
+    expect(len({row[rows[0].index("branch")] for row in rows[1:]}) == 1, f"{name}: one branch")
+
+
 def main(command, *scenes):
     solved = 0
     with tempfile.TemporaryDirectory() as directory:
@@ -149,6 +177,7 @@ def main(command, *scenes):
             if compare_answers(name, drawn, told):
                 solved += 1
                 compare_derivatives(name, scene, drawn, solve)
+                compare_sweep(name, scene, drawn, solve)
             compare_answers(name + ", shuffled", solve(shuffled(scene, name)), told)
     print(f"{len(named)} drawn scenes, {solved} with configurations; largest differences",
           {kind: f"{value:.1e}" for kind, value in largest.items()}, f"{failures} failures")

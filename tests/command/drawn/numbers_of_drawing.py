@@ -210,12 +210,14 @@ class Drawing:
         links = {}
         for link, value in scene["links"].items():
             links[link] = {} if link in self.lists else {
-                name: self.numbers(feature) for name, feature in value.items()}
+                name: self.numbers(feature, value) for name, feature in value.items()}
         links.setdefault("ground", {})
         for link, points in self.lists.items():
             for point in points:
                 self.add(links, link, point)
-        result = {"links": links, "joints": {}, "drivers": {}, "outputs": {}}
+        result = {"parameters": {name: self.parameter(name)
+                                 for name in scene.get("parameters", {})},
+                  "links": links, "joints": {}, "drivers": {}, "outputs": {}}
         for name, ((kind, places), _, rest) in joints.items():
             between = []
             for link, place in places:
@@ -230,7 +232,7 @@ class Drawing:
             law = driver.get("position", joints[name][1])
             result["drivers"][name] = {
                 **{key: self.number(driver[key]) for key in driver if key != "position"},
-                "position": law if "joint(" in str(law) else self.number(law)}
+                "position": law}
         outputs = scene.get("outputs", {})
         for name, point in (outputs if isinstance(outputs, dict) else {p: p for p in outputs}).items():
             if "." in point:
@@ -251,7 +253,11 @@ class Drawing:
         own = self.place(link, point)
         links[link][point] = [own.real, own.imag]
 
-    def numbers(self, feature):
-        if isinstance(feature, dict):
-            return {key: self.numbers(value) for key, value in feature.items()}
-        return [self.number(part) for part in feature]
+    def numbers(self, feature, link):
+        """A feature of a link with a frame of its own."""
+        if isinstance(feature, list):
+            return [self.number(part) for part in feature]
+        if "from" not in feature:
+            return {key: self.numbers(value, link) for key, value in feature.items()}
+        begin, end = (self.numbers(link[feature[key]], link) for key in ("from", "to"))
+        return {"through": begin, "along": [b - a for a, b in zip(begin, end)]}

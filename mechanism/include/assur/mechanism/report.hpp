@@ -19,9 +19,6 @@ struct Report {
   /// Whether the one configuration is alone in the solution; the number of the nearest one is then
   /// not known.
   bool alone = false;
-  /// The configuration that is nearest to the drawing, where the request has one; its number is not
-  /// known where `alone`.
-  std::optional<Nearest> drawn = std::nullopt;
 };
 
 /// Returns the JSON object of the scene format (docs/reference/scene_format.md).
