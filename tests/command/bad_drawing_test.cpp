@@ -43,7 +43,7 @@ TEST(GoodDrawing, IsSolved) {
   EXPECT_EQ(run_assur("solve " + directory.write("scene.json", four_bar).string()).status, 0);
 }
 
-constexpr std::array<Fault, 60> faults = {{
+constexpr auto faults = std::to_array<Fault>({
     {"UnknownPoint", R"({"links": {"rocker": ["D", "Cc"]}})",
      "links.rocker[1]: no point named 'Cc' (did you mean 'C'"},
     {"PointTwice", R"({"links": {"rocker": ["D", "C", "D"]}})",
@@ -83,7 +83,8 @@ constexpr std::array<Fault, 60> faults = {{
      R"({"links": {"piston": {"C": [0, 0]}},
          "joints": {"S": {"type": "prismatic", "links": ["ground", "piston"],
                           "along": ["A", "D"]}}})",
-     "joints.S.links[1]: the link 'piston' has a frame of its own; join it with 'between', or list "
+     "joints.S.links[1]: the link 'piston' has a frame of its own; join it with 'between', or "
+     "list "
      "its drawn points"},
     {"LinkTwice", R"({"joints": {"S": {"type": "revolute", "links": ["ground", "ground"],
                                        "at": "A"}}})",
@@ -112,12 +113,14 @@ constexpr std::array<Fault, 60> faults = {{
      R"({"joints": {"S": {"type": "prismatic", "links": ["ground", "coupler"],
                           "along": ["A", "Dd"]}}})",
      "joints.S.along[1]: no point named 'Dd' (did you mean 'D'"},
-    {"PinAtUnknownPoint", R"({"joints": {"S": {"type": "revolute", "links": ["crank", "ground"]}}})",
+    {"PinAtUnknownPoint",
+     R"({"joints": {"S": {"type": "revolute", "links": ["crank", "ground"]}}})",
      "joints.S.at: no point named 'S'"},
     {"BetweenAndLinks",
      R"({"joints": {"S": {"type": "revolute", "links": ["crank", "ground"],
                           "between": ["crank.A", "ground.A"]}}})",
-     "joints.S: 'between' names features that say all; leave it out, or 'links', 'at', 'along' and "
+     "joints.S: 'between' names features that say all; leave it out, or 'links', 'at', 'along' "
+     "and "
      "'direction'"},
     {"BetweenOfUnknownPoint",
      R"({"joints": {"S": {"type": "revolute", "between": ["crank.Aa", "ground.A"]}}})",
@@ -125,17 +128,17 @@ constexpr std::array<Fault, 60> faults = {{
     {"NameOfAPin",
      R"({"joints": {"C": {"type": "pin-in-slot", "links": ["coupler", "ground"], "at": "P",
                           "along": ["A", "D"]}}})",
-     "joints.C: the links coupler, rocker are pinned at the point C, and this joint, which has its "
+     "joints.C: the links coupler, rocker are pinned at the point C, and this joint, which has "
+     "its "
      "name, does not join them all; name the joint otherwise, or name all links"},
     {"DriverWithoutSense", R"({"drivers": {"C": {}}})",
-     "drivers.C: the joint C joins the moving links coupler and rocker; say from which to which it "
+     "drivers.C: the joint C joins the moving links coupler and rocker; say from which to which "
+     "it "
      R"(is measured: "joints": {"C": {"type": "revolute", "links": ["coupler", "rocker"]}})"},
     {"DriverWithoutSenseButPosition", R"({"drivers": {"C": {"position": 1}}})",
      "drivers.C: the joint C joins the moving links coupler and rocker; say from which"},
-    {"LawWithoutSense", R"({"drivers": {"A": {"position": "joint(C)"}}})",
-     "drivers.A.position: the joint C joins the moving links coupler and rocker; say from which"
-}
-,
+    {"LawWithoutSense", R"-({"drivers": {"A": {"position": "joint(C)"}}})-",
+     "drivers.A.position: the joint C joins the moving links coupler and rocker; say from which"},
     {"ParameterWithoutSense", R"({"parameters": {"x": {"drawn": "C"}}})",
      "parameters.x.drawn: the joint C joins the moving links coupler and rocker; say from which"},
     {"DriverOfObjectLinks",
@@ -166,7 +169,8 @@ constexpr std::array<Fault, 60> faults = {{
      "parameters.AC.drawn: expected two points of one link, or the name of a joint"},
     {"LengthAmongFurtherPoints",
      R"({"links": {"coupler": ["B", "C", "P", "Q"]}, "parameters": {"PQ": {"drawn": ["P", "Q"]}}})",
-     "parameters.PQ.drawn: neither P nor Q is the first or second point of the link coupler; list "
+     "parameters.PQ.drawn: neither P nor Q is the first or second point of the link coupler; "
+     "list "
      "one of them there"},
     {"LengthTwice", R"({"parameters": {"a": {"drawn": ["A", "B"]}, "b": {"drawn": ["B", "A"]}}})",
      "parameters.b.drawn: the distance of B and A is the parameter a already"},
@@ -196,7 +200,8 @@ constexpr std::array<Fault, 60> faults = {{
      "parameters.x.drawn: a point of the link coupler coincides with C in the drawing, so that "
      "their distance has no direction"},
     {"LinkWithoutPins", R"({"links": {"rocker": {"D": [0, 0], "C": [100, 0]}}})",
-     "links: under-constrained by 4: the links coupler, rocker can still move; drive one of their "
+     "links: under-constrained by 4: the links coupler, rocker can still move; drive one of "
+     "their "
      "joints, or add a joint; the link rocker has a frame of its own, so that no point pins it: "
      "name its joints"},
     {"LineFromNoPoint",
@@ -210,9 +215,7 @@ constexpr std::array<Fault, 60> faults = {{
      "links.rocker.s.to: expected a point, and 'g' is a line"},
     {"LineOfOneFeature", R"({"links": {"rocker": {"D": [0, 0], "s": {"from": "D", "to": "D"}}}})",
      "links.rocker.s: the points D and D coincide, so that the line has no direction"},
-}
-}
-;
+});
 
 INSTANTIATE_TEST_SUITE_P(Faults, BadDrawing, testing::ValuesIn(faults),
                          [](const auto& fault) { return std::string(fault.param.name); });

@@ -14,6 +14,9 @@ namespace assur::mechanism::report {
 
 namespace {
 
+/// Numbers below this part of the largest one of their kind are printed as zero.
+constexpr double rounding = 1e-14;
+
 /// One row of a table: a name, on a line of its own if it is longer than its column, then numbers
 /// with ten significant digits.
 std::string table_row(const std::string& name, const std::vector<double>& numbers) {
@@ -59,7 +62,6 @@ struct Size {
     return std::isfinite(number) ? std::max(most, std::abs(number)) : most;
   }
   static double shown(double number, double largest) {
-    constexpr double rounding = 1e-14;
     return std::abs(number) <= rounding * largest ? 0 : number;
   }
 };
@@ -211,9 +213,11 @@ std::string configuration_text(const Configuration& configuration, const Report&
   return text;
 }
 
+/// An angle in radians, as degrees; zero within rounding.
 std::string degrees_text(double angle) {
   std::array<char, 32> digits{};
-  (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
+  const double shown = angle <= rounding ? 0 : angle * 180 / std::numbers::pi;
+  (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", shown);
   return digits.data();
 }
 
