@@ -5,24 +5,14 @@
 
 #include "description/unmeasured_joint.hpp"
 #include "drawn/drawn_joints.hpp"
-#include "drawn/implied_pins.hpp"
 #include "drawn/link_places.hpp"
 
 namespace assur::mechanism::drawn {
 
 namespace {
 
-/// A pin that is drawn farther beside its slot than this part of the drawing's size is told: the
-/// digits of a drawing close joints to less.
-constexpr double told_gap = 1e-6;
-
 bool is_ground(const DrawnParts& parts, DrawnLinkIndex link) {
   return parts.links[link].name == "ground";
-}
-
-/// The key of the distance of two points, in whatever order they are named.
-auto length_key(DrawnLinkIndex link, DrawnPointIndex one, DrawnPointIndex other) {
-  return std::tuple(link, std::min(one, other), std::max(one, other));
 }
 
 }  // namespace
@@ -33,7 +23,7 @@ namespace assur::mechanism {
 
 std::optional<ParameterIndex> DrawnParts::length(DrawnLinkIndex link, DrawnPointIndex one,
                                                  DrawnPointIndex other) const {
-  const auto found = lengths.find(drawn::length_key(link, one, other));
+  const auto found = lengths.find({link, std::min(one, other), std::max(one, other)});
   return found == lengths.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -148,68 +138,6 @@ void DrawnMechanism::set_coordinate(const std::string& parameter, const std::str
   coordinates_of_parameters_.push_back({parameter, joint});
 }
 
-void DrawnMechanism::add_left_out_ground() {
-  const bool all_drawn = std::ranges::all_of(mechanism_.links(), &Link::is_drawn);
-  if (is_drawn() && all_drawn && !mechanism_.ground().exists()) {
-    add_link("ground", {});
-  }
-}
-
-/// Notes which distance is which parameter, and gives each parameter without a value the drawn one.
-void DrawnMechanism::set_lengths() {
-  for (const auto& [parameter, pairs] : lengths_) {
-    const std::string whole = "parameters." + parameter;
-    const std::string part = whole + ".drawn";
-    const ParameterIndex index = mechanism_.parameter_named(parameter, part);
-    for (const auto& [one, other] : pairs) {
-      const auto [first_name, second_name] =
-          std::pair(parts_.points[one].name, parts_.points[other].name);
-      bool is_listed = false;
-      for (const DrawnLinkIndex link : parts_.links.keys()) {
-        if (!parts_.lists(link, one) || !parts_.lists(link, other)) {
-          continue;
-        }
-        is_listed = true;
-        const std::vector<DrawnPointIndex>& points = parts_.links[link].points;
-        if (std::ranges::none_of(std::array{points[0], points[1]}, [&](DrawnPointIndex point) {
-              return point == one || point == other;
-            })) {
-          throw MechanismError(part, "neither " + first_name + " nor " + second_name +
-                                         " is the first or second point of the link " +
-                                         parts_.links[link].name + "; list one of them there");
-        }
-        const auto [entry, is_new] =
-            parts_.lengths.emplace(drawn::length_key(link, one, other), index);
-        if (!is_new) {
-          throw MechanismError(part, "the distance of " + first_name + " and " + second_name +
-                                         " is the parameter " +
-                                         mechanism_.parameters()[entry->second].name + " already");
-        }
-      }
-      if (!is_listed) {
-        throw MechanismError(part, "no link lists both " + first_name + " and " + second_name);
-      }
-    }
-    if (!mechanism_.parameters()[index].value.exists()) {
-      if (pairs.size() > 1) {
-        throw MechanismError(whole, "several distances share the parameter; give its 'value'");
-      }
-      const auto place = [&](DrawnPointIndex point) { return drawn::place_of(parts_, point); };
-      mechanism_.set_parameter(parameter, length(place(pairs[0][1]) - place(pairs[0][0])));
-    }
-  }
-}
-
-void DrawnMechanism::set_coordinates() {
-  for (const auto& [parameter, joint] : coordinates_of_parameters_) {
-    const std::string part = "parameters." + parameter + ".drawn";
-    const Formula drawn = coordinate_of(joint, part);
-    if (!mechanism_.parameters()[mechanism_.parameter_named(parameter, part)].value.exists()) {
-      mechanism_.set_parameter(parameter, drawn);
-    }
-  }
-}
-
 Formula DrawnMechanism::coordinate_of(const std::string& joint, const std::string& part) const {
   const auto found = coordinates_.find(joint);
   if (found == coordinates_.end()) {
@@ -228,86 +156,6 @@ Formula DrawnMechanism::coordinate_of(const std::string& joint, const std::strin
                                    " has no coordinate in the drawing; give a value");
   }
   return *found->second;
-}
-
-std::vector<drawn::ResolvedJoint> DrawnMechanism::resolved_joints() const {
-  const drawn::DrawnNames names = {
-      [this](const std::string& name, const std::string& part) { return link_named(name, part); },
-      [this](const std::string& name) { return end_named(name); },
-      [this](const std::string& name, const std::string& part) { return point_named(name, part); },
-      [this](const std::string& name) { return point_of_name_.contains(name); }};
-  std::vector<drawn::ResolvedJoint> result;
-  result.reserve(joints_.size());
-  for (const DrawnJoint& joint : joints_) {
-    result.push_back(drawn::resolved(joint, parts_, mechanism_, names));
-  }
-  return result;
-}
-
-void DrawnMechanism::place() {
-  add_left_out_ground();
-  set_lengths();
-  // Coordinates are formulas of the points, and parameters may be these coordinates: no number
-  // decides before all parameters have their values.
-  const std::vector<drawn::ResolvedJoint> joints = resolved_joints();
-  for (const drawn::ResolvedJoint& joint : joints) {
-    coordinates_[joint.joint->name] = joint.coordinate;
-  }
-  const std::vector<drawn::ImpliedPin> pins = drawn::implied_pins(parts_, joints_);
-  const auto link_name = [this](DrawnLinkIndex link) { return parts_.links[link].name; };
-  for (const drawn::ImpliedPin& pin : pins) {
-    const std::string& name = parts_.points[pin.point].name;
-    const bool has_coordinate = pin.links.size() == 2;
-    coordinates_[name] =
-        has_coordinate ? std::optional(drawn::angle_between(parts_, pin.links[0], pin.links[1]))
-                       : std::nullopt;
-    if (has_coordinate && !drawn::is_ground(parts_, pin.links[0])) {
-      unmeasured_[name] = {link_name(pin.links[0]), link_name(pin.links[1])};
-    }
-  }
-  set_coordinates();
-
-  if (is_drawn()) {
-    places_ = std::make_shared<const drawn::LinkPlaces>(parts_, mechanism_);
-  }
-  for (const DrawnLink& link : parts_.links) {
-    for (const DrawnPointIndex point : link.points) {
-      make_feature(link.name + "." + parts_.points[point].name, "links." + link.name);
-    }
-  }
-  for (const drawn::ResolvedJoint& joint : joints) {
-    const DrawnJoint& own = *joint.joint;
-    for (std::size_t place = 0; place < own.between.size(); ++place) {
-      make_feature(own.between[place],
-                   "joints." + own.name + ".between[" + std::to_string(place) + "]");
-    }
-    if (own.type != JointType::prismatic && joint.at.exists()) {
-      const std::size_t pinned = own.type == JointType::revolute ? own.links.size() : 1;
-      for (std::size_t place = 0; place < pinned; ++place) {
-        make_feature(own.links[place] + "." + parts_.points[joint.at].name,
-                     "joints." + own.name + ".at");
-      }
-    }
-    if (joint.line) {
-      const double gap = drawn::gap_of(joint, parts_, *places_);
-      if (gap > drawn::told_gap * places_->size() && (!gap_ || gap > gap_->length)) {
-        gap_ = DrawnGap{own.name, gap};
-      }
-    }
-    drawn::add_resolved(joint, parts_, places_.get(), mechanism_);
-  }
-  for (const drawn::ImpliedPin& pin : pins) {
-    const std::string& name = parts_.points[pin.point].name;
-    std::vector<std::string> between;
-    for (const DrawnLinkIndex link : pin.links) {
-      between.push_back(link_name(link) + "." + name);
-    }
-    if (unmeasured_.contains(name)) {
-      mechanism_.add_unmeasured_joint(name, between);
-    } else {
-      mechanism_.add_joint(name, JointType::revolute, between);
-    }
-  }
 }
 
 void DrawnMechanism::make_feature(const std::string& name, const std::string& part) {

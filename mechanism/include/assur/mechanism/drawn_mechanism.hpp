@@ -17,6 +17,7 @@ namespace assur::mechanism {
 namespace drawn {
 class LinkPlaces;
 struct DrawnEnd;
+struct ImpliedPin;
 struct ResolvedJoint;
 }  // namespace drawn
 
@@ -138,7 +139,12 @@ class DrawnMechanism {
   [[nodiscard]] std::vector<drawn::ResolvedJoint> resolved_joints() const;
   void add_left_out_ground();
   void set_lengths();
+  void find_coordinates(const std::vector<drawn::ResolvedJoint>& joints,
+                        const std::vector<drawn::ImpliedPin>& pins);
   void set_coordinates();
+  void add_features(const std::vector<drawn::ResolvedJoint>& joints);
+  void add_joints(const std::vector<drawn::ResolvedJoint>& joints,
+                  const std::vector<drawn::ImpliedPin>& pins);
   /// The coordinate of a joint as drawn. Throws MechanismError where the drawing tells none.
   [[nodiscard]] Formula coordinate_of(const std::string& joint, const std::string& part) const;
 
