@@ -6,6 +6,7 @@ points, links, joints and parameters changes nothing.
 """
 
 import json
+import os
 import pathlib
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import tempfile
 from numbers_of_drawing import Drawing
 from random_drawings import RandomDrawing, shuffled
 
-SEEDS = range(1, 161)
+SEEDS = range(1, 401 if os.environ.get("ASSUR_WHOLE_CAMPAIGN") else 31)
 STEP = 1e-5  # of a parameter, for central differences
 POSITIONS = 1e-9  # of the size of the scene; rounding, where configurations are regular
 RATES = 1e-7
