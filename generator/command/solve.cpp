@@ -66,12 +66,6 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
   return degenerate;
 }
 
-/// A configuration at a step of a sweep.
-struct SweptConfiguration {
-  int step;
-  std::size_t place;
-};
-
 /// The values of a sweep's parameter, step by step, with all other parameters.
 class SweptValues {
  public:
@@ -93,18 +87,6 @@ class SweptValues {
   mechanism::Values values_;
   double from_, range_;
 };
-
-/// The configuration nearest to the reference at the first step that has any.
-std::optional<SweptConfiguration> nearest_in_sweep(const mechanism::Plan& plan) {
-  SweptValues values(plan);
-  for (int step = 0; step < plan.request().sweep->count; ++step) {
-    const mechanism::Values& here = values.at(step);
-    if (const auto found = plan.nearest(here, plan.solve(here))) {
-      return SweptConfiguration{step, found->configuration};
-    }
-  }
-  return std::nullopt;
-}
 
 /// A value of a sweep's parameter as remarks show it.
 std::string shown(double number) { return text::short_number(number, 6); }
@@ -213,27 +195,21 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
 
 /// Prints rows as they are computed. It prints nothing before the requested branch has begun, since
 /// it may not exist, nor before the second step, since the steps may be too far apart.
-bool print_sweep(const SolveOptions& options, const mechanism::Plan& plan) {
+bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
+                 const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
+  const int chosen =
+      options.nearest ? nearest_branch(scene.mechanism, scene.request).value_or(0) : options.branch;
+  const bool is_all = !options.nearest && options.branch == 0;
   ProgressBar bar;
   bool degenerate = false;
   int last_branch = 0;
   bool has_row = false;
-  int chosen = options.branch;  // 0 for all, until the nearest one is known
-  const std::optional<SweptConfiguration> nearest =
-      options.nearest ? nearest_in_sweep(plan) : std::nullopt;
   std::string text = csv_header(plan);
   const auto record = [&](const mechanism::SweepRecord& row) {
     last_branch = std::max(last_branch, row.branch);
-    // At a crossing the configuration has a row for each branch: the first of them is followed.
-    if (nearest && chosen == 0 && row.step == nearest->step &&
-        std::cmp_equal(row.configuration, nearest->place + 1)) {
-      chosen = row.branch;
-    }
-    const bool is_chosen =
-        options.nearest ? chosen > 0 && row.branch == chosen : chosen == 0 || row.branch == chosen;
-    if (is_chosen) {
+    if (is_all || row.branch == chosen) {
       has_row = true;
       add_csv_row(plan, row, text);
     }
@@ -309,7 +285,7 @@ bool print_solution(const SolveOptions& options) {
     }
     const bool follows_one = (options.nearest || options.branch > 0) &&
                              plan.most_configurations() > mechanism::most_followed;
-    return follows_one ? print_branch(options, plan) : print_sweep(options, plan);
+    return follows_one ? print_branch(options, plan) : print_sweep(options, scene, plan);
   } catch (const mechanism::MechanismError& error) {
     throw text::InputError(scene.file + ": " + error.what());
   }

@@ -142,6 +142,13 @@ std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, const py::obje
   return branch;
 }
 
+std::optional<int> nearest_branch(const PlannedScene& planned) {
+  const OthersRun others_run;
+  return in_scene(planned.scene->file, [&] {
+    return mechanism::nearest_branch(planned.scene->mechanism, planned.scene->request);
+  });
+}
+
 template <typename Kind, typename Number>
 auto all_of(std::vector<Number> SweptRows::*member) {
   return
@@ -201,6 +208,15 @@ void add_sweep(py::module_& module, PlanClass& plan) {
            "given\n"
            "values (see solve).\n\n"
            "Raises SceneError if the scene has no sweep, and as solve does. Ctrl-C ends it.")
+      .def(
+          "nearest_branch", nearest_branch,
+          "nearest_branch(self)\n--\n\n"
+          "Returns the number of the branch of the scene's sweep that is nearest to the reference, "
+          "or\n"
+          "None if there is none. Without a reference of its own, a drawn scene has the branch "
+          "through\n"
+          "the drawn configuration.\n\n"
+          "Raises SceneError if the scene has no reference or no sweep.")
       .def("sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
            "sweep_branch(self, number, /)\n--\n\n"
            "Returns one branch alone, as a Branch, which takes the memory of its own rows only: "

@@ -106,7 +106,8 @@ constexpr std::array<Fault, 105> faults = {{
      "redundancy.tolerance: a tolerance is a distance and cannot be negative"},
     {"UnknownParameterKey", "/parameters/AB/tol", "1", "parameters.AB: unknown key 'tol'"},
     {"UnknownDriver", "/drivers/AA", "{\"position\": 0}", "no joint named 'AA'"},
-    {"DriverWithoutPosition", "/drivers/A/position", "", "the key 'position' is missing"},
+    {"DriverWithoutPosition", "/drivers/A/position", "",
+     "drivers.A.position: the joint 'A' has no coordinate in the drawing; give a value"},
     {"OutputOfLine", "/outputs/E", "\"rod.slide\"", "an output is a point"},
     {"UnknownWant", "/want", "[\"speed\"]",
      "want[0]: no such result 'speed' (choose from position, velocity, acceleration, "

@@ -63,6 +63,9 @@ def main(command, root, *pages):
                 elif language == "json" and "A crank-rocker" in block:
                     file = root / "docs/tutorial/four_bar.json"
                     expect(stands_in(block, file), f"{page}: a scene is not {file}")
+                elif language == "json" and block.startswith('{"points"'):
+                    file = root / "docs/tutorial/four_bar_drawn.json"
+                    expect(stands_in(block, file), f"{page}: a scene is not {file}")
                 elif language == "cpp" and "FourBar" in block:
                     file = root / "docs/tutorial/follow.cpp"
                     expect(stands_in(block, file), f"{page}: a program is not {file}")

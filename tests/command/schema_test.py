@@ -23,12 +23,17 @@ EVERY_KEY = {
         "AB": {"value": 2, "tolerance": 0.01, "velocity": 0, "acceleration": 0, "variable": True},
         "phi": "60*deg",
         "BC": 5,
+        "OQ": {"drawn": ["O", "Q"]},
     },
+    "points": {"O": [0, 5], "Q": [2, 6], "R": [5, 7], "V": [6, 9]},
     "links": {
         "ground": {"A": [0, 0], "guide": {"through": [0, 0], "along": [1, 0]}},
         "crank": {"A": [0, 0], "B": ["AB", 0]},
-        "rod": {"B": [0, 0], "C": ["BC", 0]},
+        "rod": {"B": [0, 0], "C": ["BC", 0], "chord": {"from": "B", "to": "C"}},
         "piston": {"C": [0, 0], "guide": {"through": [0, 0], "along": [1, 0]}},
+        "arm": ["O", "Q"],
+        "slider": ["R"],
+        "tip": ["V"],
     },
     "joints": {
         "A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
@@ -36,8 +41,12 @@ EVERY_KEY = {
         "C": {"type": "revolute", "between": ["rod.C", "piston.C"]},
         "slide": {"type": "prismatic", "between": ["ground.guide", "piston.guide"],
                   "limits": [0, "2*BC"]},
+        "O": {"type": "revolute", "between": ["ground.A", "arm.O"]},
+        "T": {"type": "prismatic", "links": ["arm", "slider"], "along": ["O", "Q"]},
+        "U": {"type": "prismatic", "links": ["slider", "tip"], "at": "R", "direction": [0, 1]},
     },
-    "drivers": {"A": {"position": "phi", "velocity": 1, "acceleration": 0}},
+    "drivers": {"A": {"position": "phi", "velocity": 1, "acceleration": 0},
+                "O": {"position": 0.5}, "T": {}, "U": {}},
     "outputs": {"C": "rod.C"},
     "want": ["position", "velocity", "acceleration", "sensitivity"],
     "report": {"links": ["rod"], "joints": ["slide"]},
@@ -78,6 +87,8 @@ def objects_with_keys(scene):
             if isinstance(value, dict):
                 yield (part, name)
     for link, features in scene.get("links", {}).items():
+        if isinstance(features, list):
+            continue
         for feature, value in features.items():
             if isinstance(value, dict):
                 yield ("links", link, feature)

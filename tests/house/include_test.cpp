@@ -61,7 +61,8 @@ House house() {
 
           {mechanism, "assur::mechanism", {runtime, words}, {"Eigen"}},
           part("description", {}, {}),
-          part("file", {"description"}, {"nlohmann"}),
+          part("drawn", {"description"}, {}),
+          part("file", {"description", "drawn"}, {"nlohmann"}),
           part("models", {}),
           part("plan", {"description", "models"}, {}),
           part("values", {"description", "models", "plan"}),

@@ -347,12 +347,16 @@ class SceneEmitter {
     view_.set("aliases", cpp::line_list(lines, ""));
   }
 
-  /// Shows the angles that tell one configuration from the others, if their links are reported.
+  /// Shows the angles that tell one configuration from the others, if their links are reported. The
+  /// angles of a drawing are those of all its links, and reported ones have to do.
   void show_reference() {
     const mechanism::Request& request = solver_.plan.request();
     std::vector<std::string> names;
     std::vector<std::string> angles;
     for (const mechanism::ReferenceAngle& angle : request.reference) {
+      if (request.want.position && request.drawn && !solver_.reports(angle.link)) {
+        continue;
+      }
       if (!request.want.position || !solver_.reports(angle.link)) {
         names.clear();
         break;

@@ -149,7 +149,14 @@ class FormulaText {
       if (GiNaC::is_a<GiNaC::function>(factor)) {
         std::vector<std::string> arguments;
         std::transform(factor.begin(), factor.end(), std::back_inserter(arguments), whole);
-        std::string name = "std::" + GiNaC::ex_to<GiNaC::function>(factor).get_name();
+        const std::string own_name = GiNaC::ex_to<GiNaC::function>(factor).get_name();
+        if (own_name == "sense_of") {
+          return "std::copysign(Scalar(1), " + arguments[0] + ")";
+        }
+        std::string name = own_name == "absolute"     ? "std::abs"
+                           : own_name == "smaller_of" ? "std::min<Scalar>"
+                           : own_name == "larger_of"  ? "std::max<Scalar>"
+                                                      : "std::" + own_name;
         if (arguments.size() == 4) {
           const auto order = [&factor](std::size_t place) {
             return std::to_string(GiNaC::ex_to<GiNaC::numeric>(factor.op(place)).to_int());

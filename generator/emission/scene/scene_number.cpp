@@ -83,9 +83,60 @@ GiNaC::ex differentiated_power(const GiNaC::ex& a, const GiNaC::ex& b, const GiN
                        : power_derivative(a, b, by_base, by_exponent + 1);
 }
 
+bool is_number(const GiNaC::ex& a) { return GiNaC::is_a<GiNaC::numeric>(a); }
+
+GiNaC::ex evaluated_sense(const GiNaC::ex& a) {
+  return is_number(a) ? GiNaC::ex(a.info(GiNaC::info_flags::negative) ? -1 : 1)
+                      : sense_of(a).hold();
+}
+
+GiNaC::ex flat(const GiNaC::ex&, unsigned) { return 0; }
+
+GiNaC::ex evaluated_absolute(const GiNaC::ex& a) {
+  return is_number(a) ? evaluated_sense(a) * a : absolute(a).hold();
+}
+
+GiNaC::ex differentiated_absolute(const GiNaC::ex& a, unsigned) { return sense_of(a); }
+
+GiNaC::ex evaluated_smaller(const GiNaC::ex& a, const GiNaC::ex& b) {
+  return !is_number(a) || !is_number(b) ? smaller_of(a, b).hold() : bool(b < a) ? b : a;
+}
+
+GiNaC::ex evaluated_larger(const GiNaC::ex& a, const GiNaC::ex& b) {
+  return !is_number(a) || !is_number(b) ? larger_of(a, b).hold() : bool(a < b) ? b : a;
+}
+
+/// The derivative of a choice by an argument: 1 for the one that is chosen, by the sense of a
+/// difference, and 0 for the other.
+GiNaC::ex chosen(const GiNaC::ex& for_first, unsigned argument) {
+  return (1 + (argument == 0 ? 1 : -1) * sense_of(for_first)) / 2;
+}
+
+GiNaC::ex differentiated_smaller(const GiNaC::ex& a, const GiNaC::ex& b, unsigned argument) {
+  return chosen(b - a, argument);
+}
+
+GiNaC::ex differentiated_larger(const GiNaC::ex& a, const GiNaC::ex& b, unsigned argument) {
+  return chosen(a - b, argument);
+}
+
 }  // namespace
 
 // The macro is GiNaC's.
+REGISTER_FUNCTION(sense_of,  // NOLINT
+                  eval_func(evaluated_sense).evalf_func(evaluated_sense).derivative_func(flat))
+REGISTER_FUNCTION(absolute,  // NOLINT
+                  eval_func(evaluated_absolute)
+                      .evalf_func(evaluated_absolute)
+                      .derivative_func(differentiated_absolute))
+REGISTER_FUNCTION(smaller_of,  // NOLINT
+                  eval_func(evaluated_smaller)
+                      .evalf_func(evaluated_smaller)
+                      .derivative_func(differentiated_smaller))
+REGISTER_FUNCTION(
+    larger_of,  // NOLINT
+    eval_func(evaluated_larger).evalf_func(evaluated_larger).derivative_func(differentiated_larger))
+
 REGISTER_FUNCTION(power_derivative,  // NOLINT
                   eval_func(evaluated_power).derivative_func(differentiated_power))
 
@@ -213,6 +264,19 @@ SceneNumber atan(const SceneNumber& a) {
 SceneNumber atan2(const SceneNumber& y, const SceneNumber& x) {
   return binary(atan2(y.number(), x.number()), y, x,
                 [](const GiNaC::ex& f, const GiNaC::ex& g) { return GiNaC::atan2(f, g); });
+}
+SceneNumber abs(const SceneNumber& a) {
+  return unary(abs(a.number()), a, [](const GiNaC::ex& f) -> GiNaC::ex { return absolute(f); });
+}
+SceneNumber min(const SceneNumber& a, const SceneNumber& b) {
+  return binary(
+      min(a.number(), b.number()), a, b,
+      [](const GiNaC::ex& f, const GiNaC::ex& g) -> GiNaC::ex { return smaller_of(f, g); });
+}
+SceneNumber max(const SceneNumber& a, const SceneNumber& b) {
+  return binary(
+      max(a.number(), b.number()), a, b,
+      [](const GiNaC::ex& f, const GiNaC::ex& g) -> GiNaC::ex { return larger_of(f, g); });
 }
 SceneNumber pow(const SceneNumber& a, double exponent) {
   return unary(pow(a.number(), exponent), a,

@@ -87,6 +87,9 @@ SceneNumber asin(const SceneNumber& a);
 SceneNumber acos(const SceneNumber& a);
 SceneNumber atan(const SceneNumber& a);
 SceneNumber atan2(const SceneNumber& y, const SceneNumber& x);
+SceneNumber abs(const SceneNumber& a);
+SceneNumber min(const SceneNumber& a, const SceneNumber& b);
+SceneNumber max(const SceneNumber& a, const SceneNumber& b);
 SceneNumber pow(const SceneNumber& a, double exponent);
 SceneNumber pow(const SceneNumber& a, const SceneNumber& b);
 
@@ -94,6 +97,13 @@ SceneNumber pow(const SceneNumber& a, const SceneNumber& b);
 /// constant exponent it is a power of GiNaC, as long as it is not differentiated by the exponent.
 // The macro is GiNaC's.
 DECLARE_FUNCTION_4P(power_derivative)  // NOLINT
+
+/// 1 for an argument that is not negative, else -1: by which corners choose their side.
+DECLARE_FUNCTION_1P(sense_of)  // NOLINT
+/// The absolute value, the smaller and the larger of two numbers; of two equal ones the first.
+DECLARE_FUNCTION_1P(absolute)    // NOLINT
+DECLARE_FUNCTION_2P(smaller_of)  // NOLINT
+DECLARE_FUNCTION_2P(larger_of)   // NOLINT
 
 /// The formula with sin^2 x + cos^2 x = 1, if that makes it shorter.
 [[nodiscard]] GiNaC::ex shortened(const GiNaC::ex& formula);

@@ -105,7 +105,7 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
     if (!kept[link]) {
       continue;
     }
-    const LinkIndex own = part.links_.add({links_[link].name, {}});
+    const LinkIndex own = part.links_.add({links_[link].name, {}, links_[link].is_drawn});
     for (const FeatureIndex index : links_[link].features) {
       Feature feature = features_[index];
       feature.link = own;
@@ -114,11 +114,8 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   }
   Table<JointIndex, JointIndex> joint_of(joints_.size());
   for (const JointIndex index : joints_.keys()) {
-    Joint joint{joints_[index].name,
-                joints_[index].type,
-                {},
-                joints_[index].lowest,
-                joints_[index].highest};
+    Joint joint{joints_[index].name,   joints_[index].type,    {},
+                joints_[index].lowest, joints_[index].highest, joints_[index].is_measured};
     for (const FeatureIndex feature : joints_[index].between) {
       if (feature_of[feature].exists()) {
         joint.between.push_back(feature_of[feature]);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "line_direction.hpp"
+#include "unmeasured_joint.hpp"
 
 namespace assur::mechanism::description {
 
@@ -77,13 +78,19 @@ JointIndex Mechanism::joint_named(const std::string& name, const std::string& pa
         "the joint " + text::in_quotes(name) +
             " joins more than two links and has no coordinate; give each link a pin of its own");
   }
+  expect_measured(joints_[joint], part);
   return joint;
 }
 
 Formula Mechanism::formula(const std::string& text, const std::string& part, Reads reads) const {
-  static constexpr std::array<text::ExpressionFunction, 1> coordinate = {{{"joint", 1}}};
+  using text::Operation;
+  static constexpr std::array<text::ExpressionFunction, 4> own = {
+      {{"joint", 1},
+       {"abs", 1, Operation::absolute, true},
+       {"min", 2, Operation::minimum, true},
+       {"max", 2, Operation::maximum, true}}};
   try {
-    return {text::parse_expression(text, coordinate),
+    return {text::parse_expression(text, own),
             {[&](const std::string& name) { return parameter_named(name, part); },
              [&](const std::string& name) {
                if (reads == Reads::parameters) {
@@ -99,7 +106,11 @@ Formula Mechanism::formula(const std::string& text, const std::string& part, Rea
 }
 
 Number Mechanism::number(const Given& given, const std::string& part, Reads reads) const {
-  return {given.text_ ? formula(*given.text_, part, reads) : Formula(given.number_), part};
+  return {given.text_ ? formula(*given.text_, part, reads) : given.formula_, part};
+}
+
+Formula Mechanism::formula_of(const Given& given, const std::string& part) const {
+  return number(given, part).formula;
 }
 
 NumberIndex Mechanism::add_number(const Given& given, const std::string& part) {
@@ -180,7 +191,13 @@ LinkIndex Mechanism::add_link(const std::string& name) {
                                       std::to_string(description::most_links) +
                                       " links; remove some");
   }
-  return links_.add({name, {}});
+  return links_.add({name, {}, false});
+}
+
+LinkIndex Mechanism::add_drawn_link(const std::string& name) {
+  const LinkIndex link = add_link(name);
+  links_[link].is_drawn = true;
+  return link;
 }
 
 Feature Mechanism::on_link(const std::string& name, const std::string& part) const {
@@ -244,6 +261,29 @@ FeatureIndex Mechanism::add_line(const std::string& name, const Given& x, const 
   return add_feature(std::move(feature));
 }
 
+FeatureIndex Mechanism::add_line(const std::string& name, const std::string& from,
+                                 const std::string& to) {
+  const std::string part = "links." + name;
+  const std::string link = links_[on_link(name, part).link].name;
+  const auto point = [&](const std::string& point_name, const std::string& end) {
+    const FeatureIndex index = feature_named(link + "." + point_name, part + "." + end);
+    const Feature& feature = features_[index];
+    if (feature.is_line) {
+      throw MechanismError(part + "." + end,
+                           "expected a point, and '" + point_name + "' is a line");
+    }
+    return std::array{numbers_[feature.x].formula, numbers_[feature.y].formula};
+  };
+  const std::array<Formula, 2> begin = point(from, "from");
+  const std::array<Formula, 2> end = point(to, "to");
+  const std::array<Formula, 2> along = {end[0] - begin[0], end[1] - begin[1]};
+  if (along[0].constant() == 0 && along[1].constant() == 0) {
+    throw MechanismError(
+        part, "the points " + from + " and " + to + " coincide, so that the line has no direction");
+  }
+  return add_line(name, begin[0], begin[1], along[0], along[1]);
+}
+
 FeatureIndex Mechanism::feature_named(const std::string& name, const std::string& part) const {
   const Feature wanted = on_link(name, part);
   const Link& link = links_[wanted.link];
@@ -266,13 +306,30 @@ JointIndex Mechanism::add_joint(const std::string& name, JointType type,
   if (between.size() < 2) {
     throw MechanismError(part, "expected two or more features [\"link.feature\", ...]");
   }
-  Joint joint{name, type, {}, {}, {}};
+  Joint joint{name, type, {}, {}, {}, true};
   for (std::size_t place = 0; place < between.size(); ++place) {
     joint.between.push_back(
         feature_named(between[place], part + "[" + std::to_string(place) + "]"));
   }
   expect_fitting(joint, part);
   return joints_.add(std::move(joint));
+}
+
+JointIndex Mechanism::add_unmeasured_joint(const std::string& name,
+                                           const std::vector<std::string>& between) {
+  const JointIndex joint = add_joint(name, JointType::revolute, between);
+  joints_[joint].is_measured = false;
+  return joint;
+}
+
+void Mechanism::expect_measured(const Joint& joint, const std::string& part) const {
+  if (joint.is_measured || joint.between.size() != 2) {
+    return;
+  }
+  const auto link = [&](std::size_t place) {
+    return links_[features_[joint.between[place]].link].name;
+  };
+  throw description::refusal_of_measure(part, joint.name, link(0), link(1));
 }
 
 void Mechanism::expect_fitting(const Joint& joint, const std::string& part) const {
@@ -326,6 +383,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
     throw MechanismError("drivers", "no joint named " + text::in_quotes(joint) +
                                         text::suggestion_or_choice(joint, names_of(joints_)));
   }
+  expect_measured(joints_[driver.joint], part);
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {
       throw MechanismError(part, "the joint has a driver already; give it only one");

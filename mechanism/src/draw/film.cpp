@@ -99,7 +99,7 @@ class FilmMaker {
     for (const Configuration& configuration : solution.configurations) {
       record(++number, 0, configuration);
     }
-    if (asked_for_ == 0 && !request_.reference.empty() && number > 0) {
+    if (asked_for_ == 0 && !plan_.request().reference.empty() && number > 0) {
       film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
     }
   }
@@ -111,7 +111,9 @@ class FilmMaker {
     Request request = request_;
     request.sweep->count = film_.count;
     const Plan plan(mechanism_, request);
-    choose(plan);
+    if (asked_for_ == 0 && !request_.reference.empty()) {
+      film_.chosen = nearest_branch(mechanism_, request).value_or(1);
+    }
     (void)sweep(plan, {[&](const SweepRecord& row) {
                          if (row.event.empty()) {
                            vary_at(row.parameter);
@@ -122,17 +124,6 @@ class FilmMaker {
                          }
                        },
                        nullptr, nullptr});
-  }
-
-  /// At the first step branches have the numbers of the configurations.
-  void choose(const Plan& plan) {
-    if (asked_for_ > 0 || request_.reference.empty()) {
-      return;
-    }
-    Values values = plan.values();
-    values.set(request_.sweep->parameter, film_.from);
-    const std::optional<Nearest> nearest = plan.nearest(values, plan.solve(values));
-    film_.chosen = nearest ? static_cast<int>(nearest->configuration) + 1 : 1;
   }
 
   void vary_at(double parameter) {

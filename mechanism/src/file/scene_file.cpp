@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/drawn_mechanism.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/quoted.hpp>
@@ -22,6 +23,7 @@ class SceneReader {
         settings_(settings),
         settings_name_(settings_name),
         mechanism_(scene.mechanism),
+        drawn_(scene.mechanism),
         request_(scene.request) {}
 
   void read() {
@@ -35,8 +37,11 @@ class SceneReader {
     }
     read_parameters();
     apply_settings();
+    read_points();
     read_links();
+    read_lengths();
     read_joints();
+    drawn_.place();
     read_drivers();
     read_outputs();
     read_want();
@@ -65,8 +70,10 @@ class SceneReader {
       }
       expect_keys(value, part, parameter_keys);
       const std::string value_part = part + ".value";
-      mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
-                               value_part);
+      if (value.contains("value") || !value.contains("drawn")) {
+        mechanism_.set_parameter(name, number_of(required(value, "value", part), value_part),
+                                 value_part);
+      }
       if (value.contains("tolerance")) {
         mechanism_.set_tolerance(name, number_of(value["tolerance"], part + ".tolerance"));
       }
@@ -108,16 +115,95 @@ class SceneReader {
     }
   }
 
+  void read_points() {
+    if (!root_.contains("points")) {
+      return;
+    }
+    expect_object(root_["points"], "points");
+    for (const auto& [name, value] : root_["points"].items()) {
+      const auto place = pair_of(value, "points." + name);
+      drawn_.add_point(name, place[0], place[1]);
+    }
+  }
+
+  /// The parameters that the drawing defines: distances of points, and coordinates of joints.
+  void read_lengths() {
+    if (!root_.contains("parameters")) {
+      return;
+    }
+    for (const auto& [name, value] : root_["parameters"].items()) {
+      if (!value.is_object() || !value.contains("drawn")) {
+        continue;
+      }
+      const SceneJson& drawn = value["drawn"];
+      const std::string part = "parameters." + name + ".drawn";
+      if (drawn.is_string()) {
+        if (value.contains("value")) {
+          throw MechanismError(
+              "parameters." + name,
+              "'drawn' names a joint, so 'value' would not be used; leave one out");
+        }
+        drawn_.set_coordinate(name, drawn.get<std::string>());
+        continue;
+      }
+      std::vector<std::array<std::string, 2>> pairs;
+      const bool is_list = drawn.is_array() && !drawn.empty() && drawn[0].is_array();
+      for (const SceneJson& pair : is_list ? drawn : SceneJson::array({drawn})) {
+        if (!pair.is_array() || pair.size() != 2 || !pair[0].is_string() || !pair[1].is_string()) {
+          throw MechanismError(part, "expected two points of one link, or the name of a joint");
+        }
+        pairs.push_back({pair[0].get<std::string>(), pair[1].get<std::string>()});
+      }
+      drawn_.set_length(name, pairs);
+    }
+  }
+
+  /// A list of names.
+  static std::vector<std::string> names_in(const SceneJson& list, const std::string& part,
+                                           const std::string& expected) {
+    if (!list.is_array()) {
+      throw MechanismError(part, expected);
+    }
+    std::vector<std::string> names;
+    for (std::size_t index = 0; index < list.size(); ++index) {
+      names.push_back(text_of(list[index], part + "[" + std::to_string(index) + "]"));
+    }
+    return names;
+  }
+
   void read_links() {
     const SceneJson& links = required(root_, "links", "");
     expect_object(links, "links");
     for (const auto& [name, value] : links.items()) {
+      if (value.is_array()) {
+        drawn_.add_link(name, names_in(value, "links." + name, ""));
+        continue;
+      }
       mechanism_.add_link(name);
       expect_object(value, "links." + name);
       for (const auto& [feature, place] : value.items()) {
-        read_feature(name, feature, place);
+        if (!joins_points(place)) {
+          read_feature(name, feature, place);
+        }
+      }
+      for (const auto& [feature, place] : value.items()) {
+        if (joins_points(place)) {
+          read_line_through_points(name + "." + feature, place);
+        }
       }
     }
+  }
+
+  /// Whether a feature is a line that names two points of its link.
+  static bool joins_points(const SceneJson& feature) {
+    return feature.is_object() && (feature.contains("from") || feature.contains("to"));
+  }
+
+  void read_line_through_points(const std::string& name, const SceneJson& value) {
+    const std::string part = "links." + name;
+    expect_keys(value, part, line_through_points_keys);
+    mechanism_.add_line(name, text_of(required(value, "from", part), part + ".from"),
+                        text_of(required(value, "to", part), part + ".to"));
   }
 
   void read_feature(const std::string& link, const std::string& name, const SceneJson& value) {
@@ -138,40 +224,62 @@ class SceneReader {
   }
 
   void read_joints() {
+    if (drawn_.is_drawn() && !root_.contains("joints")) {
+      return;
+    }
     const SceneJson& joints = required(root_, "joints", "");
     expect_object(joints, "joints");
-    const std::vector<std::string> types = {"revolute", "prismatic", "pin-in-slot"};
     for (const auto& [name, value] : joints.items()) {
-      const std::string part = "joints." + name;
-      expect_object(value, part);
-      expect_keys(value, part, joint_keys);
-      const std::string type = text_of(required(value, "type", part), part + ".type");
-      const auto found = std::find(types.begin(), types.end(), type);
-      if (found == types.end()) {
-        throw MechanismError(part + ".type",
-                             "no joint type " + text::in_quotes(type) +
-                                 text::suggestion(type, types) +
-                                 "; the types are revolute, prismatic, pin-in-slot");
-      }
-      const SceneJson& between = required(value, "between", part);
-      if (!between.is_array()) {
-        throw MechanismError(part + ".between",
-                             "expected two or more features [\"link.feature\", ...]");
-      }
-      std::vector<std::string> features;
-      for (std::size_t index = 0; index < between.size(); ++index) {
-        features.push_back(
-            text_of(between[index], part + ".between[" + std::to_string(index) + "]"));
-      }
-      mechanism_.add_joint(name, static_cast<JointType>(found - types.begin()), features);
-      if (value.contains("limits")) {
-        if (!value["limits"].is_array() || value["limits"].size() != 2) {
-          throw MechanismError(part + ".limits", "expected the limits [lowest, highest]");
-        }
-        const auto limits = pair_of(value["limits"], part + ".limits");
-        mechanism_.set_limits(name, limits[0], limits[1]);
+      drawn_.add_joint(joint_of(name, value));
+    }
+  }
+
+  [[nodiscard]] DrawnJoint joint_of(const std::string& name, const SceneJson& value) {
+    const std::vector<std::string> types = {"revolute", "prismatic", "pin-in-slot"};
+    const std::string part = "joints." + name;
+    expect_object(value, part);
+    expect_keys(value, part, joint_keys);
+    const std::string type = text_of(required(value, "type", part), part + ".type");
+    const auto found = std::find(types.begin(), types.end(), type);
+    if (found == types.end()) {
+      throw MechanismError(part + ".type", "no joint type " + text::in_quotes(type) +
+                                               text::suggestion(type, types) +
+                                               "; the types are revolute, prismatic, pin-in-slot");
+    }
+    DrawnJoint joint;
+    joint.name = name;
+    joint.type = static_cast<JointType>(found - types.begin());
+    if (value.contains("between") || !drawn_.is_drawn()) {
+      const std::string expected = "expected two or more features [\"link.feature\", ...]";
+      joint.between = names_in(required(value, "between", part), part + ".between", expected);
+      if (joint.between.empty()) {
+        mechanism_.add_joint(name, joint.type, {});  // which refuses it
       }
     }
+    if (value.contains("links")) {
+      joint.links = names_in(value["links"], part + ".links",
+                             R"(expected the links that the joint joins, ["a", "b"])");
+    }
+    if (value.contains("at")) {
+      joint.at = text_of(value["at"], part + ".at");
+    }
+    if (value.contains("along")) {
+      const std::string expected = R"(expected two drawn points ["A", "D"])";
+      joint.along = names_in(value["along"], part + ".along", expected);
+      if (joint.along.size() != 2) {
+        throw MechanismError(part + ".along", expected);
+      }
+    }
+    if (value.contains("direction")) {
+      joint.direction = pair_of(value["direction"], part + ".direction");
+    }
+    if (value.contains("limits")) {
+      if (!value["limits"].is_array() || value["limits"].size() != 2) {
+        throw MechanismError(part + ".limits", "expected the limits [lowest, highest]");
+      }
+      joint.limits = pair_of(value["limits"], part + ".limits");
+    }
+    return joint;
   }
 
   void read_drivers() {
@@ -188,12 +296,11 @@ class SceneReader {
       }
       expect_object(value, part);
       expect_keys(value, part, driver_keys);
-      const auto rate = [&, &driver = value](const std::string& key) {
+      const auto number = [&, &driver = value](const std::string& key) {
         return driver.contains(key) ? std::optional(number_of(driver[key], part + "." + key))
                                     : std::nullopt;
       };
-      mechanism_.add_driver(name, number_of(required(value, "position", part), part + ".position"),
-                            rate("velocity"), rate("acceleration"));
+      drawn_.add_driver(name, number("position"), number("velocity"), number("acceleration"));
     }
   }
 
@@ -201,9 +308,16 @@ class SceneReader {
     if (!root_.contains("outputs")) {
       return;
     }
-    expect_object(root_["outputs"], "outputs");
-    for (const auto& [name, value] : root_["outputs"].items()) {
-      mechanism_.add_output(name, text_of(value, "outputs." + name));
+    const SceneJson& outputs = root_["outputs"];
+    if (outputs.is_array()) {
+      for (const std::string& point : names_in(outputs, "outputs", "")) {
+        drawn_.add_output(point, point);
+      }
+      return;
+    }
+    expect_object(outputs, "outputs");
+    for (const auto& [name, value] : outputs.items()) {
+      drawn_.add_output(name, text_of(value, "outputs." + name));
     }
   }
 
@@ -249,6 +363,7 @@ class SceneReader {
 
   void read_reference() {
     if (!root_.contains("reference")) {
+      drawn_.refer(request_);
       return;
     }
     const SceneJson& value = root_["reference"];
@@ -375,6 +490,7 @@ class SceneReader {
   const std::vector<std::string>& settings_;
   const std::string& settings_name_;
   Mechanism& mechanism_;
+  DrawnMechanism drawn_;
   Request& request_;
 };
 

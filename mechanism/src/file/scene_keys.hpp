@@ -20,15 +20,20 @@ inline constexpr std::array scene_keys = {
              "The name of the unit of length, such as mm or in, shown in drawings."},
     SceneKey{"parameters", false, R"({"$ref": "#/$defs/parameters"})",
              "Numbers with names, which expressions may use."},
-    SceneKey{
-        "links", true, R"({"$ref": "#/$defs/links"})",
-        "The rigid bodies, each with its named features in its own frame. The link 'ground' is "
-        "the fixed frame."},
-    SceneKey{"joints", true, R"({"$ref": "#/$defs/joints"})", "What joins features of links."},
+    SceneKey{"points", false, R"({"$ref": "#/$defs/points"})",
+             "The points of a drawing, in the frame of the ground, which links may list."},
+    SceneKey{"links", true, R"({"$ref": "#/$defs/links"})",
+             "The rigid bodies, each with the drawn points that belong to it, or with its named "
+             "features in its own frame. The link 'ground' is the fixed frame; it may be left out "
+             "where all links list points."},
+    SceneKey{"joints", false, R"({"$ref": "#/$defs/joints"})",
+             "What joins features of links. Every drawn point that two links or more list is a "
+             "revolute joint of its name, unless joints join them there. Required where no link "
+             "lists points."},
     SceneKey{"drivers", false, R"({"$ref": "#/$defs/drivers"})",
              "The joints whose coordinates are given."},
     SceneKey{"outputs", false, R"({"$ref": "#/$defs/outputs"})",
-             "Points to report, each with a name."},
+             "Points to report, each with a name; or a list of drawn points."},
     SceneKey{"want", false,
              R"({"type": "array", "items": {"enum": ["position", "velocity", "acceleration",
                  "sensitivity"]}, "uniqueItems": true})",
@@ -37,7 +42,8 @@ inline constexpr std::array scene_keys = {
              "Which links and slides are reported beside the outputs."},
     SceneKey{"reference", false,
              R"({"type": "object", "additionalProperties": {"$ref": "#/$defs/number"}})",
-             "Approximate angles of some links against the ground, in radians, for --nearest."},
+             "Approximate angles of some links against the ground, in radians, for --nearest; by "
+             "default those of the drawing."},
     SceneKey{"redundancy", false, R"({"$ref": "#/$defs/redundancy"})",
              "By how much redundant constraints may fail to hold."},
     SceneKey{"sweep", false, R"({"$ref": "#/$defs/sweep"})", "A range of one parameter."},
@@ -46,8 +52,13 @@ inline constexpr std::array scene_keys = {
 };
 
 inline constexpr std::array parameter_keys = {
-    SceneKey{"value", true, R"({"$ref": "#/$defs/number"})",
-             "A length in the scene's unit, an angle in radians, or any other number."},
+    SceneKey{"value", false, R"({"$ref": "#/$defs/number"})",
+             "A length in the scene's unit, an angle in radians, or any other number. Required "
+             "without 'drawn'."},
+    SceneKey{"drawn", false, R"({"$ref": "#/$defs/drawn"})",
+             "Two drawn points: the parameter is their distance in every link that lists both, as "
+             "drawn unless 'value' is given. A list of such pairs: the distance of each, and "
+             "'value' is required. The name of a joint: its coordinate as drawn."},
     SceneKey{"tolerance", false, R"({"$ref": "#/$defs/number"})",
              "A half-width, in the parameter's unit; not negative."},
     SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
@@ -59,6 +70,7 @@ inline constexpr std::array parameter_keys = {
              "Whether the parameter stays an argument of the emitted solver."},
 };
 
+/// The two forms of a line: by a point and a direction, or by two points of the same link.
 inline constexpr std::array line_keys = {
     SceneKey{"through", true, R"({"$ref": "#/$defs/point"})",
              "A point of the line, from which displacements are measured."},
@@ -67,25 +79,46 @@ inline constexpr std::array line_keys = {
              "displacements."},
 };
 
+inline constexpr std::array line_through_points_keys = {
+    SceneKey{"from", true, R"({"type": "string"})",
+             "A point of the same link, from which displacements are measured."},
+    SceneKey{"to", true, R"({"type": "string"})", "The point of that link toward which it runs."},
+};
+
 inline constexpr std::array joint_keys = {
     SceneKey{"type", true, R"({"enum": ["revolute", "prismatic", "pin-in-slot"]})",
              "Revolute: points coincide. Prismatic: two lines coincide, with the same direction. "
              "Pin-in-slot: a point lies on a line."},
     SceneKey{
-        "between", true,
+        "between", false,
         R"({"type": "array", "minItems": 2, "items": {"$ref": "#/$defs/feature_name"}})",
-        "Features of different links. The coordinate is measured from the first to the second: "
+        "Features of different links. A prismatic joint may name two points of links that list "
+        "drawn points: the line from the first to the second. The coordinate is measured from the "
+        "first to the second: "
         "the angle theta_second - theta_first, counter-clockwise, or the displacement of the "
         "second line's 'through' from the first's, along the line."},
+    SceneKey{"links", false, R"({"type": "array", "minItems": 2, "items": {"type": "string"}})",
+             "In place of 'between': links that list drawn points. The coordinate is measured from "
+             "the first to the second; the pin of a pin-in-slot is on the first, the slot on the "
+             "second."},
+    SceneKey{"at", false, R"({"type": "string"})",
+             "With 'links': the drawn point of the pin; by default the one with the joint's name."},
+    SceneKey{"along", false,
+             R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "string"}})",
+             "With 'links': the drawn points from the first of which to the second a slide or a "
+             "slot runs. The displacement of a slide is zero as drawn; that of a pin in its slot "
+             "is measured from the first point."},
+    SceneKey{"direction", false, R"({"$ref": "#/$defs/point"})",
+             "In place of 'along': the direction [dx, dy] in the drawing of a line through 'at'."},
     SceneKey{"limits", false, R"({"$ref": "#/$defs/pair"})",
              "Lowest and highest coordinate, both included, in radians or the scene's unit; an "
              "angle may differ by whole turns."},
 };
 
 inline constexpr std::array driver_keys = {
-    SceneKey{"position", true, R"({"$ref": "#/$defs/number"})",
+    SceneKey{"position", false, R"({"$ref": "#/$defs/number"})",
              "The joint's coordinate: an angle in radians or a displacement. It may contain "
-             "joint(K), the coordinate of another joint of two links."},
+             "joint(K), the coordinate of another joint of two links. By default as drawn."},
     SceneKey{"velocity", false, R"({"$ref": "#/$defs/number"})",
              "Its rate in time; by default it follows from the position."},
     SceneKey{"acceleration", false, R"({"$ref": "#/$defs/number"})",

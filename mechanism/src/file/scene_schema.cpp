@@ -52,10 +52,23 @@ SceneJson definitions() {
                      {"maxItems", 2}};
   };
   SceneJson joint = object_of(joint_keys, "A joint of two links; a revolute one may have more");
+  joint["oneOf"] = {{{"required", {"between"}}}, {{"required", {"links"}}}};
   joint["if"] = {{"properties", {{"type", {{"enum", {"prismatic", "pin-in-slot"}}}}}}};
-  joint["then"] = {{"properties", {{"between", {{"maxItems", 2}}}}}};
+  joint["then"] = {{"properties", {{"between", {{"maxItems", 2}}}, {"links", {{"maxItems", 2}}}}}};
   const SceneJson line = object_of(line_keys, "A line in the frame of its link");
-  const SceneJson parameter = object_of(parameter_keys, "A parameter and what is known of it");
+  const SceneJson line_through_points =
+      object_of(line_through_points_keys, "A line through two points of its link");
+  SceneJson parameter = object_of(parameter_keys, "A parameter and what is known of it");
+  parameter["anyOf"] = {{{"required", {"value"}}}, {{"required", {"drawn"}}}};
+  const SceneJson name = {{"type", "string"}, {"minLength", 1}};
+  const SceneJson two_points = {
+      {"type", "array"}, {"items", name}, {"minItems", 2}, {"maxItems", 2}, {"uniqueItems", true}};
+  const SceneJson listed_points = {{"description", "The drawn points of the link, each once"},
+                                   {"type", "array"},
+                                   {"items", name},
+                                   {"uniqueItems", true}};
+  const SceneJson features =
+      names_of({{"anyOf", {reference_to("point"), line, line_through_points}}});
   return {{"number", number},
           {"pair", two("[lowest, highest]")},
           {"point", two("[x, y] in the frame of its link, in the scene's unit of length")},
@@ -63,10 +76,14 @@ SceneJson definitions() {
            {{"description", "link.feature"}, {"type", "string"}, {"pattern", "^[^.]+\\."}}},
           {"parameters",
            names_of({{"anyOf", {reference_to("number"), parameter}}}, "^[A-Za-z_][A-Za-z0-9_]*$")},
-          {"links", names_of(names_of({{"anyOf", {reference_to("point"), line}}}), "^[^.]+$")},
+          {"points", names_of(reference_to("point"), "^[^.]+$")},
+          {"drawn",
+           {{"anyOf",
+             {two_points, {{"type", "array"}, {"items", two_points}, {"minItems", 1}}, name}}}},
+          {"links", names_of({{"anyOf", {features, listed_points}}}, "^[^.]+$")},
           {"joints", names_of(joint)},
           {"drivers", names_of(object_of(driver_keys, "The law of the joint of this name"))},
-          {"outputs", names_of(reference_to("feature_name"))},
+          {"outputs", {{"anyOf", {names_of(name), listed_points}}}},
           {"report", object_of(report_keys, "Lists of names")},
           {"sweep", object_of(sweep_keys, "Equally spaced values of a parameter")},
           {"redundancy",

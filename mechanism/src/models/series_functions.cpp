@@ -104,6 +104,10 @@ Series acos(const Series& a) {
 Series atan(const Series& a) {
   return integral(std::atan(a.value()), rate_of(a) / (Series(1) + a * a));
 }
+Series abs(const Series& a) { return a.value() < 0 ? -a : a; }
+Series min(const Series& a, const Series& b) { return b.value() < a.value() ? b : a; }
+Series max(const Series& a, const Series& b) { return a.value() < b.value() ? b : a; }
+
 Series atan2(const Series& y, const Series& x) {
   return integral(std::atan2(y.value(), x.value()),
                   (x * rate_of(y) - y * rate_of(x)) / (x * x + y * y));

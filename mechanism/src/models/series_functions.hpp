@@ -20,6 +20,11 @@ namespace assur::mechanism::models {
 [[nodiscard]] Series acos(const Series& a);
 [[nodiscard]] Series atan(const Series& a);
 [[nodiscard]] Series atan2(const Series& y, const Series& x);
+/// At a corner, where the values decide nothing, these are the series of the side where the
+/// argument of abs is positive, and of the first argument of min and max.
+[[nodiscard]] Series abs(const Series& a);
+[[nodiscard]] Series min(const Series& a, const Series& b);
+[[nodiscard]] Series max(const Series& a, const Series& b);
 
 /// Series are compared by their values, as numbers with derivatives are.
 [[nodiscard]] inline bool operator==(const Series& a, const Series& b) {

@@ -1,8 +1,8 @@
 #include "plan/evaluation_order.hpp"
 
 #include <algorithm>
-#include <iterator>
 
+#include "description/parameter_order.hpp"
 #include "plan/driver_laws.hpp"
 #include "plan/plan_data.hpp"
 
@@ -15,11 +15,7 @@ class OrderFinder {
   OrderFinder(const Mechanism& mechanism, const Request& request,
               const std::vector<FeatureIndex>& more)
       : mechanism_(mechanism), request_(request) {
-    const auto& parameters = mechanism.parameters();
-    marks_.assign(parameters.size(), Mark::untouched);
-    for (const ParameterIndex parameter : parameters.keys()) {
-      settle(parameter);
-    }
+    order_.parameters = description::parameter_order(mechanism);
     list_numbers(more);
     list_drivers();
     list_moving();
@@ -29,56 +25,8 @@ class OrderFinder {
   [[nodiscard]] EvaluationOrder order() { return std::move(order_); }
 
  private:
-  enum class Mark : unsigned char { untouched, open, known };
-
   [[nodiscard]] const Number& number(NumberIndex index) const {
     return mechanism_.numbers()[index];
-  }
-
-  /// `open` is a path of parameters, each read by the one before, and its last reads `needed`.
-  [[nodiscard]] MechanismError depends_on_itself(const std::vector<ParameterIndex>& open,
-                                                 ParameterIndex needed) const {
-    const auto& parameters = mechanism_.parameters();
-    const auto next = std::next(std::find(open.begin(), open.end(), needed));
-    return {number(parameters[needed].value).part,
-            "the parameter depends on itself" +
-                (next == open.end()
-                     ? "; its formula may not name it"
-                     : " through '" + parameters[*next].name + "'; give one of them a number")};
-  }
-
-  /// Puts a parameter behind those that its formula names. The list of open parameters stands in
-  /// for recursion, which a long chain of parameters would exhaust.
-  void settle(ParameterIndex first) {
-    std::vector<ParameterIndex> open = {first};
-    while (!open.empty()) {
-      const ParameterIndex parameter = open.back();
-      if (marks_[parameter] == Mark::known) {
-        open.pop_back();
-        continue;
-      }
-      const Parameter& entry = mechanism_.parameters()[parameter];
-      if (!entry.value.exists()) {
-        throw MechanismError("parameters." + entry.name, "the parameter has no value; give it one");
-      }
-      marks_[parameter] = Mark::open;
-      bool waits = false;
-      for (const ParameterIndex needed : number(entry.value).formula.parameters()) {
-        if (marks_[needed] == Mark::open) {
-          throw depends_on_itself(open, needed);
-        }
-        if (marks_[needed] == Mark::untouched) {
-          open.push_back(needed);
-          waits = true;
-          break;
-        }
-      }
-      if (!waits) {
-        marks_[parameter] = Mark::known;
-        order_.parameters.push_back(parameter);
-        open.pop_back();
-      }
-    }
   }
 
   /// Lists the numbers that solving reads. The ends of a sweep are not among them, nor features
@@ -164,7 +112,6 @@ class OrderFinder {
 
   const Mechanism& mechanism_;
   const Request& request_;
-  Table<ParameterIndex, Mark> marks_;
   EvaluationOrder order_;
 };
 

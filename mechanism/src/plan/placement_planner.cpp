@@ -345,10 +345,25 @@ class PlacementPlanner {
   }
 
   /// Which links keep a freedom.
-  [[nodiscard]] static std::string lack_of(const Imbalance& under) {
+  [[nodiscard]] std::string lack_of(const Imbalance& under) const {
     return "under-constrained by " + std::to_string(under.surplus) + ": the " +
            text::listed_as("link", under.links) + " can still move; drive one of " +
-           (under.links.size() == 1 ? "its" : "their") + " joints, or add a joint";
+           (under.links.size() == 1 ? "its" : "their") + " joints, or add a joint" +
+           undrawn_among(under.links);
+  }
+
+  /// In a drawing, points pin the links that list them: the first link for which none does so.
+  [[nodiscard]] std::string undrawn_among(const std::vector<std::string>& names) const {
+    const auto& links = mechanism_.links();
+    const auto is_undrawn = [&](const std::string& name) {
+      const LinkIndex link = index_of(links, name);
+      return link.exists() && !links[link].is_drawn;
+    };
+    const auto found = std::ranges::find_if(names, is_undrawn);
+    return found == names.end() || std::ranges::none_of(links, &Link::is_drawn)
+               ? ""
+               : "; the link " + *found +
+                     " has a frame of its own, so that no point pins it: name its joints";
   }
 
   void expect_balance(const Decomposition& decomposition) const {

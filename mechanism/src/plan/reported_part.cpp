@@ -10,11 +10,11 @@ namespace {
 
 class PartFinder {
  public:
-  PartFinder(const Mechanism& mechanism, const Structure& structure, const Reported& reported,
-             const std::vector<ReferenceAngle>& reference)
+  PartFinder(const Mechanism& mechanism, const Structure& structure, const Request& request)
       : mechanism_(mechanism),
         structure_(structure),
         needed_(structure.linkage.links.size(), false) {
+    const Reported& reported = request.reported;
     needed_[mechanism.ground()] = true;
     for (const Output& output : mechanism.outputs()) {
       needed_[mechanism.features()[output.point].link] = true;
@@ -22,8 +22,8 @@ class PartFinder {
     for (const LinkIndex link : mechanism.links().keys()) {
       needed_[link] = needed_[link] || reported.has(link);
     }
-    for (const ReferenceAngle& angle : reference) {
-      needed_[angle.link] = true;
+    for (const ReferenceAngle& angle : request.reference) {
+      needed_[angle.link] = needed_[angle.link] || !request.drawn;
     }
     for (const Joint& joint : mechanism.joints()) {
       if (joint.lowest.exists()) {  // its limits may rule out configurations of reported parts
@@ -119,14 +119,14 @@ std::optional<std::vector<Key>> translated(const std::optional<std::vector<Key>>
 
 ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
                            const Request& request) {
-  Mechanism part =
-      mechanism.only(PartFinder(mechanism, structure, request.reported, request.reference).run());
+  Mechanism part = mechanism.only(PartFinder(mechanism, structure, request).run());
   Request asked = request;
   asked.reported = {translated(request.reported.links, mechanism.links(), part.links()),
                     translated(request.reported.joints, mechanism.joints(), part.joints())};
   for (ReferenceAngle& angle : asked.reference) {
     angle.link = index_of(part.links(), mechanism.links()[angle.link].name);
   }
+  std::erase_if(asked.reference, [](const ReferenceAngle& angle) { return !angle.link.exists(); });
   return {std::move(part), std::move(asked)};
 }
 

@@ -3,6 +3,7 @@
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
 
+#include "drawn_configuration.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -136,6 +137,24 @@ Json configuration_json(const Configuration& configuration, const Report& report
   return entry;
 }
 
+/// How near one configuration is; its number is null where it is not known.
+Json nearest_json(const Nearest& nearest, bool is_numbered) {
+  return {{"configuration", is_numbered ? Json(nearest.configuration + 1) : Json()},
+          {"distance", nearest.distance},
+          {"runner_up", nearest.runner_up ? Json(*nearest.runner_up) : Json()}};
+}
+
+Json drawn_json(const Report& report) {
+  Json entry = {{"configuration", nullptr}, {"distance", nullptr}, {"runner_up", nullptr}};
+  if (const std::optional<DrawnConfiguration> drawn = drawn_configuration(report)) {
+    entry = nearest_json(drawn->nearest, drawn->is_numbered);
+  }
+  if (const std::optional<DrawnGap>& gap = report.plan.request().drawn->gap) {
+    entry["gap"] = {{"joint", gap->joint}, {"length", gap->length}};
+  }
+  return entry;
+}
+
 /// The choices of earlier groups for which a group moves freely or is inconsistent.
 Json families_json(const Report& report) {
   const Mechanism& mechanism = report.plan.mechanism();
@@ -186,13 +205,13 @@ std::string report_json(const Report& report) {
     root["dropped"] = {{"count", solution.dropped}, {"reason", solution.drop_reason}};
   }
   if (report.nearest) {
-    const auto number =
-        report.alone ? report::Json() : report::Json(report.nearest->configuration + 1);
-    root["nearest"] = {
-        {"configuration", number}, {"distance", report.nearest->distance}, {"runner_up", nullptr}};
-    if (report.nearest->runner_up) {
-      root["nearest"]["runner_up"] = *report.nearest->runner_up;
-    }
+    root["nearest"] = report::nearest_json(*report.nearest, !report.alone);
+  }
+  if (report.plan.request().drawn) {
+    root["drawn"] = report::drawn_json(report);
+  }
+  if (const std::vector<std::string> corners = report.values.corners(); !corners.empty()) {
+    root["corners"] = corners;
   }
   root["configurations"] = report::Json::array();
   for (std::size_t number = 0; number < solution.configurations.size(); ++number) {

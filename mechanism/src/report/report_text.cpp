@@ -2,15 +2,20 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/point_values.hpp>
+#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
+#include "drawn_configuration.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
 
 namespace {
+
+/// Numbers below this part of the largest one of their kind are printed as zero.
+constexpr double rounding = 1e-14;
 
 /// One row of a table: a name, on a line of its own if it is longer than its column, then numbers
 /// with ten significant digits.
@@ -57,7 +62,6 @@ struct Size {
     return std::isfinite(number) ? std::max(most, std::abs(number)) : most;
   }
   static double shown(double number, double largest) {
-    constexpr double rounding = 1e-14;
     return std::abs(number) <= rounding * largest ? 0 : number;
   }
 };
@@ -209,6 +213,37 @@ std::string configuration_text(const Configuration& configuration, const Report&
   return text;
 }
 
+/// An angle in radians, as degrees; zero within rounding.
+std::string degrees_text(double angle) {
+  std::array<char, 32> digits{};
+  const double shown = angle <= rounding ? 0 : angle * 180 / std::numbers::pi;
+  (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", shown);
+  return digits.data();
+}
+
+/// Which configuration it is, where the number is known.
+std::string which_text(const Nearest& nearest, bool is_numbered) {
+  return is_numbered ? "configuration " + std::to_string(nearest.configuration + 1) + ", " : "one ";
+}
+
+/// Which configuration is the drawn one, and which pin is drawn beside its slot.
+std::string drawn_text(const Report& report) {
+  std::string text;
+  if (const std::optional<DrawnConfiguration> drawn = drawn_configuration(report)) {
+    const Nearest& nearest = drawn->nearest;
+    text += "drawn: " + which_text(nearest, drawn->is_numbered) + degrees_text(nearest.distance) +
+            " away" +
+            (nearest.runner_up ? " (the next one " + degrees_text(*nearest.runner_up) + ")" : "") +
+            "\n";
+  }
+  const std::optional<DrawnPose>& pose = report.plan.request().drawn;
+  if (pose && pose->gap) {
+    text += "gap: the joint " + pose->gap->joint + " is drawn " +
+            text::short_number(pose->gap->length, 4) + " beside its slot\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::report
@@ -256,20 +291,16 @@ std::string report_text(const Report& report) {
             " of configurations of earlier groups: " + solution.drop_reason + "\n";
   }
   if (report.nearest) {
-    const auto degrees = [](double angle) {
-      std::array<char, 32> digits{};
-      (void)std::snprintf(digits.data(), digits.size(), "%.4g deg", angle * 180 / std::numbers::pi);
-      return std::string(digits.data());
-    };
-    text += "nearest to the reference: " +
-            (report.alone
-                 ? "one "
-                 : "configuration " + std::to_string(report.nearest->configuration + 1) + ", ") +
-            degrees(report.nearest->distance) + " away" +
+    text += "nearest to the reference: " + report::which_text(*report.nearest, !report.alone) +
+            report::degrees_text(report.nearest->distance) + " away" +
             (report.nearest->runner_up
-                 ? "; the next one is " + degrees(*report.nearest->runner_up) + " away"
+                 ? "; the next one is " + report::degrees_text(*report.nearest->runner_up) + " away"
                  : "") +
             "\n";
+  }
+  text += report::drawn_text(report);
+  for (const std::string& part : report.values.corners()) {
+    text += "corner: " + part + " has a corner here, so that derivatives are those of one side\n";
   }
   for (std::size_t index = 0; index < solution.configurations.size(); ++index) {
     if (!report::is_reported(report, index)) {

@@ -67,6 +67,16 @@ struct RoundedNumber {
   const double length = std::hypot(x.value, y.value);
   return rounded_to(std::atan2(y.value, x.value), (x.error + y.error) / length);
 }
+[[nodiscard]] inline RoundedNumber abs(const RoundedNumber& a) {
+  return {std::abs(a.value), a.error};
+}
+/// Rounding may choose the other one where it is that near.
+[[nodiscard]] inline RoundedNumber min(const RoundedNumber& a, const RoundedNumber& b) {
+  return {std::min(a.value, b.value), std::max(a.error, b.error)};
+}
+[[nodiscard]] inline RoundedNumber max(const RoundedNumber& a, const RoundedNumber& b) {
+  return {std::max(a.value, b.value), std::max(a.error, b.error)};
+}
 [[nodiscard]] inline RoundedNumber pow(const RoundedNumber& a, double exponent) {
   const double value = std::pow(a.value, exponent);
   return rounded_to(value, std::abs(exponent * std::pow(a.value, exponent - 1)) * a.error);

@@ -268,6 +268,43 @@ double Values::rounding(NumberIndex index) const {
       .error;
 }
 
+std::vector<std::string> Values::corners() const {
+  const Mechanism& mechanism = plan_->mechanism;
+  std::vector<std::string> parts;
+  const auto look_at = [&](NumberIndex index) {
+    const Number& number = mechanism.numbers()[index];
+    if (!number.formula.has_corners()) {
+      return;
+    }
+    const std::vector<Formula> deciders = number.formula.deciders();
+    const bool is_corner = std::ranges::any_of(deciders, [&](const Formula& decider) {
+      const auto side = decider.evaluate<values::RoundedNumber>([&](ParameterIndex parameter) {
+        return values::RoundedNumber(parameters_[parameter].value(),
+                                     parameter_roundings_[parameter]);
+      });
+      return std::abs(side.value) <= side.error;
+    });
+    if (is_corner) {
+      parts.push_back(number.part);
+    }
+  };
+  for (const ParameterIndex parameter : plan_->evaluation.parameters) {
+    const bool is_replaced =
+        std::ranges::find(replaced_, parameter, &std::pair<ParameterIndex, double>::first) !=
+        replaced_.end();
+    if (!is_replaced) {
+      look_at(mechanism.parameters()[parameter].value);
+    }
+  }
+  for (const NumberIndex number : plan_->evaluation.numbers) {
+    look_at(number);
+  }
+  for (const Driver& driver : mechanism.drivers()) {
+    look_at(driver.position);
+  }
+  return parts;
+}
+
 void Values::expect_unit() const {
   double largest = 0;
   for (const FeatureIndex feature : plan_->evaluation.features) {

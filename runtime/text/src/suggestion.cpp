@@ -40,7 +40,7 @@ std::string suggestion(const std::string& name, const std::vector<std::string>& 
     }
     const std::size_t distance = edit_distance(name, candidate);
     const bool shares_half = 2 * distance <= std::max(name.size(), candidate.size());
-    if (distance < best_distance && distance < candidate.size() && shares_half) {
+    if (distance < best_distance && shares_half) {
       best = &candidate;
       best_distance = distance;
     }

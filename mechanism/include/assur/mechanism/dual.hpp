@@ -160,6 +160,11 @@ inline Dual atan2(const Dual& y, const Dual& x) {
       std::atan2(y.value(), x.value()), y, x,
       {c / radius, -s / radius, -curvature, (s - c) * (s + c) / radius / radius, curvature});
 }
+/// At zero, with the derivatives of the side where the argument is positive.
+inline Dual abs(const Dual& a) { return a.value() < 0 ? -a : a; }
+/// Of two equal numbers, the first.
+inline Dual min(const Dual& a, const Dual& b) { return b.value() < a.value() ? b : a; }
+inline Dual max(const Dual& a, const Dual& b) { return a.value() < b.value() ? b : a; }
 /// A constant power of any base.
 inline Dual pow(const Dual& a, double exponent) {
   return Dual::chained(std::pow(a.value(), exponent), a,

@@ -1,11 +1,13 @@
 // Turns an expression in named parameters into operations on parameters by index.
 #pragma once
 
+#include <algorithm>
 #include <assur/text/expression.hpp>
 #include <assur/text/index.hpp>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,15 @@ class Formula {
   Formula(const text::Expression& expression, const Names& names);
 
   [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
+  /// The formula of a parameter alone.
+  [[nodiscard]] static Formula of(ParameterIndex parameter);
+  /// The formula of an operation on others. Constants are computed at once, and a term 0 or a
+  /// factor 0 or 1 leaves no operation behind.
+  [[nodiscard]] static Formula of(text::Operation operation, const Formula& argument);
+  [[nodiscard]] static Formula of(text::Operation operation, const Formula& first,
+                                  const Formula& second);
+  /// The value of a formula that names neither parameters nor joints; nothing for others.
+  [[nodiscard]] std::optional<double> constant() const;
 
   /// Whether formulas are written alike, so that they have the same value whatever parameters are.
   [[nodiscard]] bool operator==(const Formula&) const = default;
@@ -42,6 +53,11 @@ class Formula {
   [[nodiscard]] std::vector<ParameterIndex> parameters() const;
   /// The joints that occur in it, each once.
   [[nodiscard]] std::vector<JointIndex> joints() const;
+  /// Formulas of parameters whose signs decide between the sides of a corner: the argument of
+  /// each abs, and the difference of the arguments of each min and max. Where one of them is zero,
+  /// derivatives are those of one side. Those that read joints are left out.
+  [[nodiscard]] std::vector<Formula> deciders() const;
+  [[nodiscard]] bool has_corners() const;  ///< whether abs, min or max occurs in it
   /// The same formula in a mechanism in which the joints have other indices.
   [[nodiscard]] Formula renumbered(const Table<JointIndex, JointIndex>& joint_of) const;
 
@@ -86,6 +102,18 @@ class Formula {
 
   void append(const text::Expression& expression, const Names& names);
 
+  /// The operation on two arguments; of two equal ones, min and max are the first.
+  template <typename Scalar>
+  static Scalar chosen_or_applied(text::Operation operation, const Scalar& first,
+                                  const Scalar& second) {
+    using std::max;
+    using std::min;
+    return operation == text::Operation::minimum ? Scalar(min(first, second))
+           : operation == text::Operation::maximum
+               ? Scalar(max(first, second))
+               : text::applied<Scalar>(operation, first, second);
+  }
+
   template <typename Scalar, typename ValueOf>
   static void apply(const Step& step, const ValueOf& value_of, std::vector<Scalar>& stack) {
     using std::pow;
@@ -98,16 +126,20 @@ class Formula {
       case Step::Kind::parameter:
         stack.push_back(Scalar(value_of(step.parameter)));
         break;
-      case Step::Kind::unary:
-        stack.back() = text::applied<Scalar>(step.operation, stack.back());
+      case Step::Kind::unary: {
+        using std::abs;
+        stack.back() = step.operation == text::Operation::absolute
+                           ? Scalar(abs(stack.back()))
+                           : text::applied<Scalar>(step.operation, stack.back());
         break;
+      }
       case Step::Kind::constant_power:  // without a derivative by the exponent
         stack.back() = Scalar(pow(stack.back(), step.number));
         break;
       case Step::Kind::binary: {
         const Scalar last = std::move(stack.back());
         stack.pop_back();
-        stack.back() = text::applied<Scalar>(step.operation, stack.back(), last);
+        stack.back() = chosen_or_applied<Scalar>(step.operation, stack.back(), last);
         break;
       }
     }
@@ -115,5 +147,18 @@ class Formula {
 
   std::vector<Step> steps_;
 };
+
+[[nodiscard]] inline Formula operator+(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::add, a, b);
+}
+[[nodiscard]] inline Formula operator-(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::subtract, a, b);
+}
+[[nodiscard]] inline Formula operator*(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::multiply, a, b);
+}
+[[nodiscard]] inline Formula operator/(const Formula& a, const Formula& b) {
+  return Formula::of(text::Operation::divide, a, b);
+}
 
 }  // namespace assur::mechanism

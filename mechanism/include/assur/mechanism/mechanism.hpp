@@ -46,6 +46,7 @@ struct Feature {
 struct Link {
   std::string name;
   std::vector<FeatureIndex> features;
+  bool is_drawn = false;  ///< whether points of a drawing define its frame and its features
 };
 
 /// The constraint that a joint puts on its features.
@@ -61,6 +62,9 @@ struct Joint {
   JointType type = JointType::revolute;
   std::vector<FeatureIndex> between;
   NumberIndex lowest, highest;  ///< of its coordinate; do not exist where it has no limits
+  /// Whether it is said from which link to which the coordinate is measured. Where it is not,
+  /// neither drivers nor formulas may name the joint.
+  bool is_measured = true;
 };
 
 /// The law of a joint of two links: the angle theta_second - theta_first, or the displacement. It
@@ -95,17 +99,19 @@ struct Output {
 /// declared (docs/guide/scenes.md).
 class Mechanism {
  public:
-  /// A number as a caller gives it: a number, or the text of an expression.
+  /// A number as a caller gives it: a number, the text of an expression, or a formula.
   class Given {
    public:
-    Given(double number) : number_(number) {}
-    Given(int number) : number_(number) {}
+    Given(double number) : formula_(number) {}
+    Given(int number) : formula_(number) {}
     Given(const char* expression) : text_(expression) {}
     Given(std::string expression) : text_(std::move(expression)) {}
+    /// A formula in the parameters of the mechanism that it is given to.
+    Given(Formula formula) : formula_(std::move(formula)) {}
 
    private:
     friend class Mechanism;
-    double number_ = 0;
+    Formula formula_;
     std::optional<std::string> text_;
   };
 
@@ -125,13 +131,19 @@ class Mechanism {
   ParameterIndex add_parameter(const std::string& name, const Given& value);
 
   LinkIndex add_link(const std::string& name);
+  /// A link whose frame and features are those of points of a drawing.
+  LinkIndex add_drawn_link(const std::string& name);
   /// Adds a feature; `name` is `link.feature`.
   FeatureIndex add_point(const std::string& name, const Given& x, const Given& y);
   /// A line through a point; `along` is its direction, of any length except zero.
   FeatureIndex add_line(const std::string& name, const Given& x, const Given& y,
                         const Given& along_x, const Given& along_y);
+  /// A line from one point of the link to another; both are names of features without the link's.
+  FeatureIndex add_line(const std::string& name, const std::string& from, const std::string& to);
   JointIndex add_joint(const std::string& name, JointType type,
                        const std::vector<std::string>& between);
+  /// A revolute joint of which nobody has said from which link to which its coordinate is measured.
+  JointIndex add_unmeasured_joint(const std::string& name, const std::vector<std::string>& between);
   /// Sets the range, ends included, of a configuration's coordinate of a joint of two links. An
   /// angle is within it if whole turns bring it there.
   void set_limits(const std::string& joint, const Given& lowest, const Given& highest);
@@ -177,6 +189,8 @@ class Mechanism {
   [[nodiscard]] Mechanism with_slot(JointIndex pin, FeatureIndex feature,
                                     FeatureIndex along_from) const;
 
+  /// The formula of a number that names parameters only.
+  [[nodiscard]] Formula formula_of(const Given& given, const std::string& part) const;
   /// The parameter with a name; `part` is what a message calls the place that names it.
   [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
                                                const std::string& part = "") const;
@@ -204,6 +218,8 @@ class Mechanism {
   FeatureIndex add_feature(Feature feature);
   [[nodiscard]] FeatureIndex feature_named(const std::string& name, const std::string& part) const;
   void expect_fitting(const Joint& joint, const std::string& part) const;
+  /// Throws MechanismError for a joint whose coordinate has no sense, with the mend.
+  void expect_measured(const Joint& joint, const std::string& part) const;
 
   std::string name_;
   std::string unit_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace assur::mechanism {
@@ -54,6 +55,17 @@ struct ReferenceAngle {
   NumberIndex theta;
 };
 
+/// How far a pin is drawn beside its slot, in the scene's unit.
+struct DrawnGap {
+  std::string joint;
+  double length;
+};
+
+/// The pose in which a mechanism is drawn. Its angles are the request's reference.
+struct DrawnPose {
+  std::optional<DrawnGap> gap;  ///< the largest; nothing where all joints close in the drawing
+};
+
 /// What is wanted of a mechanism.
 struct Request {
   Want want;
@@ -64,6 +76,9 @@ struct Request {
   /// hold up to rounding.
   NumberIndex redundancy_tolerance;
   std::vector<ReferenceAngle> reference;  ///< by which one configuration is chosen
+  /// Exists where the reference is that of a drawing, as nobody has given another one. It keeps no
+  /// link in the solved part of the mechanism.
+  std::optional<DrawnPose> drawn;
   /// The parameters that stay arguments of an emitted solver; the others become numbers there.
   std::vector<ParameterIndex> variable;
 };

@@ -44,6 +44,13 @@ int sweep(const Plan& plan, const SweepObserver& observer);
 /// Does the same with all parameters but the swept one as in `values`.
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer);
 
+/// The number of the branch, in the sweep of a request, that is nearest to the request's reference.
+/// Where that is the one of a drawing, it is the branch that goes through the drawn configuration
+/// at the swept parameter's own value, if that is in the sweep. Otherwise the configuration is
+/// chosen at the first step that has any. Nothing where no step has one. Throws MechanismError as
+/// `sweep` does, and for a request without a reference.
+[[nodiscard]] std::optional<int> nearest_branch(const Mechanism& mechanism, const Request& request);
+
 /// Follows a single branch, in the memory of one configuration, however many others there are. It
 /// begins with a configuration at the first step that has one: the one with the given number, from
 /// 1 as `Plan::solve_one` counts, or for zero the one nearest to the request's reference. A step is

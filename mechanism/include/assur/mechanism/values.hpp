@@ -87,6 +87,10 @@ class Values {
               const Table<LinkIndex, support::Displacement>& displaced);
   /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
   [[nodiscard]] double value_of(NumberIndex index) const;
+  /// The parts whose formulas have a corner at these values, to within rounding: an abs, min or max
+  /// that reads no joint. Derivatives are those of the side where the argument of an abs is
+  /// positive, and of the first argument of a min or max.
+  [[nodiscard]] std::vector<std::string> corners() const;
   /// A feature in its link's frame. A block has no feature; the result is then its origin.
   [[nodiscard]] LinkFeature<Dual> feature(FeatureIndex feature, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.

@@ -34,7 +34,12 @@ enum class Operation : unsigned char {
   multiply,
   divide,
   power,
-  atan2
+  atan2,
+  // The following have corners. Only a caller that names them in `more` has them, and they are not
+  // among those that `applied` knows.
+  absolute,
+  minimum,
+  maximum
 };
 
 /// A tree over numbers, names, + - * / ^, and the functions sqrt sin cos tan asin acos atan atan2.
