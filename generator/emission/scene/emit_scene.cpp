@@ -161,6 +161,7 @@ class SceneEmitter {
     view_.set("batch_values", variables.empty() ? "{}" : "values");
     view_.set("variable_option", variables.empty() ? "" : " --variable " + variable_names());
     view_.set("has_variables", !variables.empty());
+    view_.set("call_given", variables.empty() ? "drivers" : "drivers, values");
     view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
     view_.set("given_list", variables.empty() ? "const Drivers<Scalar>& drivers"
                                               : "const Drivers<Scalar>& drivers, const "
