@@ -68,7 +68,7 @@ class Printer {
     line += (statement.value ? text(*statement.value) : "") + ";";
     if (!statement.comment.empty()) {
       const std::string comment = "// " + statement.comment;
-      if (size_without_types(line, statement) + comment.size() < most_with_comment) {
+      if (indentation + line.size() + comment.size() + 2 <= line_width) {
         line += "  " + comment;
       } else {
         lines.push_back(comment);
@@ -78,7 +78,8 @@ class Printer {
   }
 
  private:
-  static constexpr std::size_t most_with_comment = 90;
+  /// Of the body of a function in a nested struct.
+  static constexpr std::size_t indentation = 6;
 
   void name(const Expression& local) {
     taken_.push_back(text::member_names({local.text}, taken_).front());
@@ -109,15 +110,6 @@ class Printer {
       result += is_negative ? " - " + operand(negative(*term), {Form::sum}) : " + " + text(*term);
     }
     return result;
-  }
-
-  /// Comments stand where they would if numbers were written without their type.
-  static std::size_t size_without_types(const std::string& line, const Statement& statement) {
-    std::size_t size = line.size();
-    visit(statement, [&size](const Expression& part) {
-      size -= part.is_number() ? std::string("Scalar()").size() : 0;
-    });
-    return size;
   }
 
   std::vector<std::string> taken_;

@@ -19,7 +19,7 @@ class Constraints {
   explicit Constraints(const SolverScene& solver)
       : solver_(solver),
         stands_(solver.plan.structure().placed_by_drivers()),
-        body_(solver.parameters, solver.numbers, solver.derivative_order) {
+        body_(solver.body()) {
     for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
       if (!is_fixed(link)) {
         moving_.push_back(link);

@@ -15,6 +15,7 @@
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
+#include "emission/scene/listing_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"

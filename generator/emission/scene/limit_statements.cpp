@@ -29,7 +29,7 @@ cpp::Expression turned_angle(const SolverScene& solver, const mechanism::Joint& 
 }  // namespace
 
 cpp::Block limit_statements(const SolverScene& solver) {
-  FunctionBody body(solver.parameters, solver.numbers, solver.derivative_order);
+  FunctionBody body = solver.body();
   std::vector<cpp::Expression> tests = redundancy_tests(solver, body);
   const auto& joints = solver.mechanism().joints();
   for (const mechanism::JointIndex index : joints.keys()) {

@@ -39,7 +39,7 @@ std::vector<cpp::Expression> own_places(const SolverScene& solver, const Functio
       }
     }
   }
-  add(cpp::call("Scalar", {cpp::number(largest)}), cpp::call("Scalar", {cpp::number(0)}));
+  add(cpp::number(largest), cpp::number(0));
   return places;
 }
 
@@ -101,10 +101,8 @@ std::vector<cpp::Expression> redundancy_tests(const SolverScene& solver, Functio
   const mechanism::NumberIndex given = solver.plan.request().redundancy_tolerance;
   body.add(cpp::declared(
       "const Scalar", slack,
-      given.exists()
-          ? cpp::call(maximum(),
-                      {rounding, cpp::call("Scalar", {body.number(solver.numbers.number(given))})})
-          : rounding));
+      given.exists() ? cpp::call(maximum(), {rounding, body.number(solver.numbers.number(given))})
+                     : rounding));
   return tests;
 }
 
@@ -112,7 +110,7 @@ cpp::Block redundant_gap(const SolverScene& solver) {
   if (solver.plan.redundant().empty() || solver.plan.request().redundancy_tolerance.exists()) {
     return {};
   }
-  FunctionBody body(solver.parameters, solver.numbers, solver.derivative_order);
+  FunctionBody body = solver.body();
   const cpp::Expression most = cpp::call(maximum(), {cpp::braces("", gaps(solver, body))});
   body.add(cpp::returned(cpp::quotient(most, cpp::variable("reach"))));
   return body.block();

@@ -1,37 +1,15 @@
 #include "emission/scene/scene_statements.hpp"
 
 #include <algorithm>
-#include <array>
-#include <assur/text/names.hpp>
 #include <deque>
 
+#include "emission/scene/carried_links.hpp"
 #include "emission/scene/specialised_numbers.hpp"
 #include "equations/closure.hpp"
 
 namespace assur::generator::emission::scene {
 
 namespace {
-
-FunctionBody body_of(const SolverScene& solver) {
-  return {solver.parameters, solver.numbers, solver.derivative_order};
-}
-
-std::string on(const SolverScene& solver, const std::string& feature, mechanism::LinkIndex link) {
-  return feature + "_on_" + solver.link_name(link);
-}
-
-/// A joint's feature as a frame of the link: a line along its x-axis, a point in the link's axes.
-Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::ElementaryJoint& at,
-                                mechanism::LinkIndex link) {
-  const LinkFeature<SceneNumber> feature = solver.numbers.feature(at, link);
-  return {feature.x, feature.y, feature.along};
-}
-
-/// Rates as a row; nothing if none are wanted.
-OptionalExpression row_of(std::vector<cpp::Expression> rates) {
-  return rates.empty() ? std::nullopt
-                       : OptionalExpression(cpp::call(cpp::alias("Rates"), std::move(rates)));
-}
 
 /// A direction that is turned by another.
 cpp::Expression turned_direction(const FunctionBody& body, const cpp::Expression& direction,
@@ -40,30 +18,6 @@ cpp::Expression turned_direction(const FunctionBody& body, const cpp::Expression
   return angle.parts[0].is_number(1) && angle.parts[1].is_number(0)
              ? direction
              : cpp::call("turned", {direction, angle});
-}
-
-/// The expression, or its negative.
-cpp::Expression with_sense(double sense, const cpp::Expression& expression) {
-  return sense < 0 ? cpp::negative(expression) : expression;
-}
-
-/// The values of those members of a part of a state that are wanted: `{pose, velocity}`.
-cpp::Expression state_of(const mechanism::Want& want, const cpp::Expression& position,
-                         const cpp::Expression& rates,
-                         const std::vector<cpp::Expression>& more = {}) {
-  std::vector<cpp::Expression> values;
-  const auto rate = [&](std::size_t order) { return rates.at({cpp::word(order)}); };
-  if (want.position) {
-    values.push_back(position);
-  }
-  if (want.velocity) {
-    values.push_back(rate(0));
-  }
-  if (want.acceleration) {
-    values.push_back(rate(1));
-  }
-  values.insert(values.end(), more.begin(), more.end());
-  return cpp::braces("", std::move(values));
 }
 
 /// `held.template hold_point<2>(arguments)`
@@ -109,129 +63,6 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
   }
 }
 
-/// A driver as statements read it.
-struct DriverValue {
-  cpp::Expression position;
-  OptionalExpression rates;  ///< nothing if none are wanted
-  SceneNumber law;           ///< how the position follows the parameters
-};
-
-/// An argument of the solver, or the formula of a law in the joints that it reads.
-DriverValue driver_value(const SolverScene& solver, mechanism::DriverIndex index,
-                         const FunctionBody& body) {
-  if (solver.is_argument(index)) {
-    const cpp::Expression state = cpp::variable("drivers").member(solver.members.drivers[index]);
-    std::vector<cpp::Expression> rates = {state.member("velocity"), state.member("acceleration")};
-    rates.resize(static_cast<std::size_t>(solver.derivative_order));
-    return {state.member("position"), row_of(std::move(rates)), solver.numbers.law(index)};
-  }
-  const SceneNumber& position = solver.numbers.position(index);
-  const mechanism::Driver& driver = solver.mechanism().drivers()[index];
-  std::vector<cpp::Expression> rates = solver.numbers.rates(position, solver.derivative_order);
-  const std::array<mechanism::NumberIndex, 2> given = {driver.velocity, driver.acceleration};
-  for (std::size_t order = 0; order < rates.size(); ++order) {
-    if (given[order].exists()) {
-      rates[order] = cpp::number(solver.values.number(given[order]).value());
-    }
-  }
-  return {body.number(position), row_of(std::move(rates)), position};
-}
-
-/// How far along its line a slide is, where the links stand.
-cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
-                             FunctionBody& body) {
-  const mechanism::Mechanism& mechanism = solver.mechanism();
-  const auto frame_of = [&](mechanism::FeatureIndex index) {
-    const mechanism::Feature& described = mechanism.features()[index];
-    const LinkFeature<SceneNumber> feature = solver.numbers.feature(index, described.is_line);
-    const OptionalExpression own = body.frame(on(solver, described.name, described.link),
-                                              {feature.x, feature.y, feature.along});
-    return nested_frames({solver.placed(described.link), own});
-  };
-  const std::vector<mechanism::FeatureIndex>& between = mechanism.joints()[slide].between;
-  const std::size_t line = mechanism.features()[between[0]].is_line ? 0 : 1;
-  const cpp::Expression from = frame_of(between[line]);
-  return cpp::call("support::displacement_along", {from, frame_of(between[1 - line])});
-}
-
-std::string coordinate_of(const SolverScene& solver, mechanism::JointIndex joint) {
-  return "joint_" + solver.members.joints[joint];
-}
-
-/// Declares the coordinates of the joints that a driver's law reads and that groups place, as far
-/// as `is_read` tells for their names.
-template <typename IsRead>
-void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
-                     const IsRead& is_read) {
-  const mechanism::Mechanism& mechanism = solver.mechanism();
-  const auto link_of = [&](mechanism::FeatureIndex feature) {
-    return mechanism.features()[feature].link;
-  };
-  for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
-    const mechanism::Joint& at = mechanism.joints()[joint];
-    const std::string name = coordinate_of(solver, joint);
-    if (mechanism.driver_of(joint).exists() || body.declares(name) || !is_read(name)) {
-      continue;
-    }
-    const cpp::Expression value =
-        at.type == mechanism::JointType::revolute
-            ? cpp::call(cpp::scalar_only("support::angle_between"),
-                        {nested_frames({solver.placed(link_of(at.between[0]))}),
-                         nested_frames({solver.placed(link_of(at.between[1]))})})
-            : displacement(solver, joint, body);
-    body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
-  }
-}
-
-cpp::Expression placed_slide(const std::string& member) {
-  return cpp::variable("placed").member("slide_" + member);
-}
-
-/// A slide's displacement with its rates, if they are wanted.
-cpp::Expression slide_of(const cpp::Expression& displacement, const OptionalExpression& rates) {
-  return rates ? cpp::braces("", {displacement, *rates}) : cpp::braces("", {displacement});
-}
-
-/// Places a link that another one carries.
-void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,
-                      FunctionBody& body, std::vector<std::string>& slides) {
-  if (link.group.exists()) {
-    body.add(
-        cpp::assigned(*solver.placed(link.to),
-                      nested_frames({solver.placed(link.from), solver.placed_by_group(link.to)})));
-    return;
-  }
-  const mechanism::ElementaryJoint& at = solver.joint(link.joint);
-  add_joints_read(solver, link.driver, body, [](const std::string&) { return true; });
-  const DriverValue driver = driver_value(solver, link.driver, body);
-  const double sense = at.first == link.from ? 1 : -1;
-  const OptionalExpression gradient =
-      body.gradient(at.name + "_gradient", SceneNumber(sense) * driver.law);
-  const bool is_formula = !solver.is_argument(link.driver) && sense < 0;
-  std::vector<cpp::Expression> law = {
-      with_sense(sense, is_formula ? cpp::parentheses(driver.position) : driver.position)};
-  if (driver.rates || gradient) {
-    law.push_back(driver.rates ? with_sense(sense, *driver.rates) : cpp::braces(""));
-  }
-  if (gradient) {
-    law.push_back(*gradient);
-  }
-  const std::string kind = at.prismatic ? "support::sliding" : "support::turning";
-  const cpp::Expression moved =
-      cpp::call(kind + "<Scalar, order, parameter_count>", std::move(law));
-  const OptionalExpression near =
-      body.frame(on(solver, at.name, link.from), feature_frame(solver, at, link.from));
-  const OptionalExpression far = body.frame(solver.link_name(link.to) + "_on_" + at.name,
-                                            mechanism::inverse(feature_frame(solver, at, link.to)));
-  body.add(cpp::assigned(*solver.placed(link.to),
-                         nested_frames({solver.placed(link.from), near, moved, far})));
-  if (at.prismatic) {
-    const std::string& slide = solver.slide_member(at);
-    body.add(cpp::assigned(placed_slide(slide), slide_of(driver.position, driver.rates)));
-    slides.push_back(slide);
-  }
-}
-
 /// Adds a part of a function for a group. If laws that read joints change the shape of the group's
 /// links, the coordinates of these joints come before it, as far as it reads them. A law that is
 /// computed after the group is left out: it may read the group itself.
@@ -271,12 +102,12 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, Functio
     const LinkFeature<SceneNumber> feature = external.feature(solver);
     if (at.prismatic) {
       const OptionalExpression line =
-          held.frame(on(solver, at.name, base), feature_frame(solver, at, base));
+          held.frame(feature_name(solver, at.name, base), feature_frame(solver, at, base));
       held.add(hold("hold_line", first, {nested_frames({external.frame(solver), line})}));
     } else {
-      held.add(hold(
-          "hold_point", first,
-          {held.point(on(solver, at.name, base), external.frame(solver), feature.x, feature.y)}));
+      held.add(hold("hold_point", first,
+                    {held.point(feature_name(solver, at.name, base), external.frame(solver),
+                                feature.x, feature.y)}));
     }
     first += at.prismatic ? 3 : 2;
   }
@@ -365,7 +196,7 @@ void add_group(const SolverScene& solver, mechanism::GroupIndex group, FunctionB
 }  // namespace
 
 PlacingStatements driving_statements(const SolverScene& solver) {
-  FunctionBody body = body_of(solver);
+  FunctionBody body = solver.body();
   std::vector<std::string> slides;
   for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
     if (link.groups_before == 0) {
@@ -376,13 +207,13 @@ PlacingStatements driving_statements(const SolverScene& solver) {
 }
 
 cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex group) {
-  FunctionBody body = body_of(solver);
+  FunctionBody body = solver.body();
   add_part(solver, group, body, [&] { add_holding(solver, group, body); });
   return body.block();
 }
 
 PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
-  FunctionBody body = body_of(solver);
+  FunctionBody body = solver.body();
   std::vector<std::string> slides;
   const std::size_t placed = group.place() + 1;
   add_part(solver, group, body, [&] { add_group(solver, group, body, slides); });
@@ -393,53 +224,6 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
   }
   add_part(solver, group, body, [&] { add_second_pins(solver, placed, body, slides); });
   return {body.block(), slides};
-}
-
-cpp::Block listing_statements(const SolverScene& solver, const std::vector<std::string>& slides) {
-  const mechanism::Want& want = solver.plan.request().want;
-  const cpp::Expression state = cpp::variable("state");
-  FunctionBody body = body_of(solver);
-  for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
-    if (solver.reports(link)) {
-      const std::string& member = solver.members.links[link];
-      const cpp::Expression frame = cpp::variable("placed").member(member);
-      body.add(
-          cpp::assigned(state.member("links").member(member),
-                        state_of(want, frame.member("pose"), frame.member("rates").member("col"))));
-    }
-  }
-  for (const std::string& slide : slides) {
-    const cpp::Expression placed = placed_slide(slide);
-    body.add(cpp::assigned(state.member("slides").member(slide),
-                           state_of(want, placed.member("displacement"), placed.member("rates"))));
-  }
-  const bool is_sensitive = solver.parameters.count() > 0 || solver.has_tolerances();
-  if (!want.position && !want.velocity && !want.acceleration && !is_sensitive) {
-    return body.block();
-  }
-  for (const mechanism::OutputIndex index : solver.mechanism().outputs().keys()) {
-    const mechanism::FeatureIndex output = solver.mechanism().outputs()[index].point;
-    const mechanism::Feature& feature = solver.mechanism().features()[output];
-    const LinkFeature<SceneNumber> place = solver.numbers.feature(output, false);
-    const cpp::Expression value = body.point(on(solver, feature.name, feature.link),
-                                             solver.placed(feature.link), place.x, place.y);
-    const cpp::Expression point = body.local("point_" + solver.members.outputs[index]);
-    body.add(cpp::declared({"const LinkPoint", "LinkPoint"}, point, value));
-    std::vector<cpp::Expression> sensitive;
-    const cpp::Expression gradient = point.member("gradient");
-    if (solver.parameters.count() > 0) {
-      sensitive.push_back(gradient);
-    }
-    if (solver.has_tolerances()) {
-      for (const char* bound : {"support::worst_case", "support::root_sum_square"}) {
-        sensitive.push_back(cpp::call(bound, {gradient, cpp::variable("tolerances")}));
-      }
-    }
-    body.add(cpp::assigned(state.member("outputs").member(solver.members.outputs[index]),
-                           state_of(want, cpp::braces("", {point.member("x"), point.member("y")}),
-                                    point.member("rates").member("col"), sensitive)));
-  }
-  return body.block();
 }
 
 }  // namespace assur::generator::emission::scene

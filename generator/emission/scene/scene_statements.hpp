@@ -21,8 +21,5 @@ struct PlacingStatements {
 /// Places the links and slides of a group in one of its configurations.
 [[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,
                                                    mechanism::GroupIndex group);
-/// Fills a state from the placed links, and from the slides with these members.
-[[nodiscard]] cpp::Block listing_statements(const SolverScene& solver,
-                                            const std::vector<std::string>& slides);
 
 }  // namespace assur::generator::emission::scene

@@ -94,6 +94,8 @@ struct SolverScene {
     return is_ground(link) ? std::nullopt
                            : std::optional(cpp::variable("placed").member(members.links[link]));
   }
+  /// The body of a function of the solver, without statements.
+  [[nodiscard]] FunctionBody body() const { return {parameters, numbers, derivative_order}; }
   /// The place where a group puts one of its links: `placed.crank`, or `placed.rod_on_crank`.
   [[nodiscard]] cpp::Expression placed_by_group(mechanism::LinkIndex link) const {
     const auto& names = members.relative[link].empty() ? members.links : members.relative;
