@@ -95,12 +95,8 @@ struct Model01 {
     Scalar BC{};  ///< distance from B to C on link BC
     Scalar CD{};  ///< distance from C to D on link CD
 
-    [[nodiscard]] auto members() {
-      return std::tie(BC, CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(BC, CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(BC, CD); }
+    [[nodiscard]] auto members() const { return std::tie(BC, CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -111,12 +107,8 @@ struct Model01 {
     Scalar x_D{};  ///< x of external joint D
     Scalar y_D{};  ///< y of external joint D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -125,12 +117,8 @@ struct Model01 {
     Direction<Scalar> theta_BC{};  ///< angle of link BC
     Direction<Scalar> theta_CD{};  ///< angle of link CD
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BC, theta_CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BC, theta_CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BC, theta_CD); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BC, theta_CD); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -170,36 +158,27 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    f(0) = u.x_D + DC_x - u.x_B - BC_x;
-    f(1) = u.y_D + DC_y - u.y_B - BC_y;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    f(0) = u.x_D + DC_x - u.x_B - BC_x;  f(1) = u.y_D + DC_y - u.y_B - BC_y;
   }
 
   /// J = df/dq.
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    J(0, 0) = BC_y;
-    J(0, 1) = -DC_y;
-    J(1, 0) = -BC_x;
-    J(1, 1) = DC_x;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    J(0, 0) = BC_y;  J(0, 1) = -DC_y;
+    J(1, 0) = -BC_x;  J(1, 1) = DC_x;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
   template <typename Scalar>
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
-    F_d(0, 0) = -q.theta_BC.cos;
-    F_d(0, 1) = -q.theta_CD.cos;
-    F_d(1, 0) = -q.theta_BC.sin;
-    F_d(1, 1) = -q.theta_CD.sin;
+    F_d(0, 0) = -q.theta_BC.cos;  F_d(0, 1) = -q.theta_CD.cos;
+    F_d(1, 0) = -q.theta_BC.sin;  F_d(1, 1) = -q.theta_CD.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -207,10 +186,8 @@ struct Model01 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -218,12 +195,8 @@ struct Model01 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -233,18 +206,11 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar t01 = omega_BC * omega_BC;
-    const Scalar t02 = omega_CD * omega_CD;
+    const Scalar omega_BC = q_rate(0), omega_CD = q_rate(1), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar t01 = omega_BC * omega_BC, t02 = omega_CD * omega_CD;
     rhs(0) = a_x_B + DC_x * t02 - a_x_D - BC_x * t01;
     rhs(1) = a_y_B + DC_y * t02 - a_y_D - BC_y * t01;
   }
@@ -257,20 +223,12 @@ struct Model01 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar alpha_BC = q_second_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar alpha_CD = q_second_rate(1);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar t01 = omega_BC * omega_BC;
-    const Scalar t02 = omega_CD * omega_CD;
+    const Scalar omega_BC = q_rate(0), alpha_BC = q_second_rate(0), omega_CD = q_rate(1);
+    const Scalar alpha_CD = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar t01 = omega_BC * omega_BC, t02 = omega_CD * omega_CD;
     rhs(0) = j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD - DC_y * t02) - j_x_D
         - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t01);
     rhs(1) = j_y_B + omega_CD * (Scalar(3) * DC_y * alpha_CD + DC_x * t02) - j_y_D
@@ -284,14 +242,9 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar v_BC = d_rate(0);
-    const Scalar v_CD = d_rate(1);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
+    const Scalar omega_BC = q_rate(0), omega_CD = q_rate(1), v_BC = d_rate(0), v_CD = d_rate(1);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
     rhs(0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC)
         - omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - DC_x * omega_CD);
     rhs(1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC)
@@ -302,16 +255,10 @@ struct Model01 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BC.cos;
-    poses[0].direction.sin = q.theta_BC.sin;
-    poses[1].x = u.x_D + DC_x;
-    poses[1].y = u.y_D + DC_y;
-    poses[1].direction.cos = q.theta_CD.cos;
-    poses[1].direction.sin = q.theta_CD.sin;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BC.cos;
+    poses[0].direction.sin = q.theta_BC.sin;  poses[1].x = u.x_D + DC_x;  poses[1].y = u.y_D + DC_y;
+    poses[1].direction.cos = q.theta_CD.cos;  poses[1].direction.sin = q.theta_CD.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -324,8 +271,7 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
     P_q(2, 0) = Scalar(1);
     P_q(3, 1) = -DC_y;
     P_q(4, 1) = DC_x;
@@ -343,20 +289,11 @@ struct Model01 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BC;
-    v(1, 0) = v_x_D - DC_y * omega_CD;
-    v(1, 1) = DC_x * omega_CD + v_y_D;
-    v(1, 2) = omega_CD;
+    const Scalar omega_BC = q_rate(0), omega_CD = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BC;
+    v(1, 0) = v_x_D - DC_y * omega_CD;  v(1, 1) = DC_x * omega_CD + v_y_D;  v(1, 2) = omega_CD;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -365,21 +302,13 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_BC = q_second_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar alpha_CD = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
+    const Scalar alpha_BC = q_second_rate(0), omega_CD = q_rate(1), alpha_CD = q_second_rate(1);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
     const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
     const Scalar t01 = omega_CD * omega_CD;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BC;
-    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t01;
-    a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t01;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BC;
+    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t01;  a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t01;
     a(1, 2) = alpha_CD;
   }
 
@@ -390,11 +319,9 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_CD = q_rate(1);
-    const Scalar v_CD = d_rate(1);
+    const Scalar omega_CD = q_rate(1), v_CD = d_rate(1);
     p.setZero();
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
     p(1, 0) = omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD - DC_x * omega_CD);
     p(1, 1) = -omega_CD * (Scalar(2) * q.theta_CD.cos * v_CD + DC_y * omega_CD);
   }
@@ -409,12 +336,9 @@ struct Model01 {
     using std::abs;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_BC.sin * q.theta_CD.cos;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
-    const Scalar t01 = abs(d.BC) + abs(d.CD);
-    p(0) = -CD_across_BC;
-    p(1) = -d.BC;
-    size(0) = t01;
-    size(1) = t01;
+    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC, t01 = abs(d.BC) + abs(d.CD);
+    p(0) = -CD_across_BC;  p(1) = -d.BC;
+    size(0) = t01;  size(1) = t01;
     terms = abs(d.CD);
   }
 
@@ -426,13 +350,11 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_CD.sin;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
     // A zero divisor means CD_across_BC = 0, or BC = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse;
-    const Scalar inverse_BC = -CD_across_BC * inverse;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
     J_inverse(0, 0) = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
     J_inverse(0, 1) = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
@@ -449,13 +371,11 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_CD.sin;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
     // A zero divisor means CD_across_BC = 0, or BC = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse;
-    const Scalar inverse_BC = -CD_across_BC * inverse;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
     const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
     const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
@@ -463,15 +383,10 @@ struct Model01 {
     const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
     S_d(0, 0) = BC_per_along_BC;
     S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
-    S_d(1, 0) = inverse_CD_across_BC;
-    S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
-    S_u(0, 0) = BC_per_x_B;
-    S_u(0, 1) = BC_per_y_B;
-    S_u(0, 2) = -BC_per_x_B;
+    S_d(1, 0) = inverse_CD_across_BC;  S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
+    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
     S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = CD_per_x_B;
-    S_u(1, 1) = CD_per_y_B;
-    S_u(1, 2) = -CD_per_x_B;
+    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = -CD_per_x_B;
     S_u(1, 3) = -CD_per_y_B;
   }
 
@@ -480,29 +395,22 @@ struct Model01 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
     const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
         + q.theta_BC.sin * q.theta_CD.sin;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
     // A zero divisor means CD_across_BC = 0, or BC = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse;
-    const Scalar inverse_BC = -CD_across_BC * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_BC = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_BC = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_CD = inverse_CD_across_BC * velocity_along_BC;
     const Scalar omega_BC = -inverse_BC * (CD_along_BC * omega_CD - velocity_across_BC);
-    q_rate(0) = omega_BC;
-    q_rate(1) = omega_CD;
+    q_rate(0) = omega_BC;  q_rate(1) = omega_CD;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -511,44 +419,32 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
     const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
         + q.theta_BC.sin * q.theta_CD.sin;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
     // A zero divisor means CD_across_BC = 0, or BC = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse;
-    const Scalar inverse_BC = -CD_across_BC * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_BC = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_BC = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_CD = inverse_CD_across_BC * velocity_along_BC;
     const Scalar omega_BC = -inverse_BC * (CD_along_BC * omega_CD - velocity_across_BC);
-    const Scalar t03 = a_x_B - a_x_D;
-    const Scalar t04 = a_y_B - a_y_D;
-    const Scalar t05 = omega_CD * omega_CD;
+    const Scalar t03 = a_x_B - a_x_D, t04 = a_y_B - a_y_D, t05 = omega_CD * omega_CD;
     const Scalar acceleration_along_BC = q.theta_BC.cos * t03 + q.theta_BC.sin * t04
         + CD_along_BC * t05 - d.BC * omega_BC * omega_BC;
     const Scalar acceleration_across_BC = q.theta_BC.cos * t04 + CD_across_BC * t05
         - q.theta_BC.sin * t03;
     const Scalar alpha_CD = inverse_CD_across_BC * acceleration_along_BC;
     const Scalar alpha_BC = -inverse_BC * (CD_along_BC * alpha_CD - acceleration_across_BC);
-    q_rate(0) = omega_BC;
-    q_rate(1) = omega_CD;
-    q_second_rate(0) = alpha_BC;
-    q_second_rate(1) = alpha_CD;
+    q_rate(0) = omega_BC;  q_rate(1) = omega_CD;
+    q_second_rate(0) = alpha_BC;  q_second_rate(1) = alpha_CD;
   }
 
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
@@ -559,53 +455,36 @@ struct Model01 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
     const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
         + q.theta_BC.sin * q.theta_CD.sin;
     const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
         - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC;
-    const Scalar CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
     const Scalar pivot_product = d.BC * CD_across_BC;
     // A zero divisor means CD_across_BC = 0, or BC = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse;
-    const Scalar inverse_BC = -CD_across_BC * inverse;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
     const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
     const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
     const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
     const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
-    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
-    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02;
-    const Scalar t03 = omega_CD * omega_CD;
+    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin, t01 = v_x_B - v_x_D;
+    const Scalar t02 = v_y_B - v_y_D, omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
+    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02, t03 = omega_CD * omega_CD;
     const Scalar centripetal_along_BC = CD_along_BC * t03 - d.BC * omega_BC * omega_BC;
-    const Scalar centripetal_across_BC = CD_across_BC * t03;
-    const Scalar t04 = a_x_B - a_x_D;
+    const Scalar centripetal_across_BC = CD_across_BC * t03, t04 = a_x_B - a_x_D;
     const Scalar t05 = a_y_B - a_y_D;
     S_d(0, 0) = BC_per_along_BC;
     S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
-    S_d(1, 0) = inverse_CD_across_BC;
-    S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
-    S_u(0, 0) = BC_per_x_B;
-    S_u(0, 1) = BC_per_y_B;
-    S_u(0, 2) = -BC_per_x_B;
+    S_d(1, 0) = inverse_CD_across_BC;  S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
+    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
     S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = CD_per_x_B;
-    S_u(1, 1) = CD_per_y_B;
-    S_u(1, 2) = -CD_per_x_B;
+    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = -CD_per_x_B;
     S_u(1, 3) = -CD_per_y_B;
-    q_rate(0) = omega_BC;
-    q_rate(1) = omega_CD;
+    q_rate(0) = omega_BC;  q_rate(1) = omega_CD;
     q_second_rate(0) = BC_per_x_B * t04 + BC_per_y_B * t05 + inverse_BC * centripetal_across_BC
         + BC_per_along_BC * centripetal_along_BC;
     q_second_rate(1) = CD_per_x_B * t04 + CD_per_y_B * t05
@@ -617,22 +496,17 @@ struct Model01 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
-    const Scalar T_m1_re = d.CD * DB_x;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D, T_m1_re = d.CD * DB_x;
     const Scalar T_m1_im = d.CD * DB_y;
     const Scalar T_0_re = d.CD * d.CD + DB_x * DB_x + DB_y * DB_y - d.BC * d.BC;
-    T.cosine[0] = T_0_re;
-    T.cosine[1] = Scalar(2) * T_m1_re;
-    T.sine[1] = Scalar(2) * T_m1_im;
+    T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     // A zero divisor means that the link that turns by theta_BC has no length.
     const Scalar inverse_theta_BC = Scalar(1) / -d.BC;
     q.theta_BC.cos = (d.CD * q.theta_CD.cos + DB_x) * inverse_theta_BC;

@@ -94,12 +94,8 @@ struct Model02 {
     Scalar h_B_BC{};  ///< offset of the slide at B on link BC, positive to the left
     Scalar CD{};  ///< distance from C to D on link CD
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BC, CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BC, CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BC, CD); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BC, CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -111,12 +107,8 @@ struct Model02 {
     Scalar x_D{};  ///< x of external joint D
     Scalar y_D{};  ///< y of external joint D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -125,12 +117,8 @@ struct Model02 {
     Direction<Scalar> theta_CD{};  ///< angle of link CD
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CD, s_B);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CD, s_B);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CD, s_B); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CD, s_B); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -172,36 +160,27 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    f(0) = u.x_D + DC_x - u.x_B - slide_B_x - BC_x;
-    f(1) = u.y_D + DC_y - u.y_B - slide_B_y - BC_y;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    f(0) = u.x_D + DC_x - u.x_B - slide_B_x - BC_x;  f(1) = u.y_D + DC_y - u.y_B - slide_B_y - BC_y;
   }
 
   /// J = df/dq.
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    J(0, 0) = -DC_y;
-    J(0, 1) = -u.phi_B.cos;
-    J(1, 0) = DC_x;
-    J(1, 1) = -u.phi_B.sin;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    J(0, 0) = -DC_y;  J(0, 1) = -u.phi_B.cos;
+    J(1, 0) = DC_x;  J(1, 1) = -u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
   template <typename Scalar>
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
-    F_d(0, 0) = -u.phi_B.sin;
-    F_d(0, 1) = -q.theta_CD.cos;
-    F_d(1, 0) = u.phi_B.cos;
-    F_d(1, 1) = -q.theta_CD.sin;
+    F_d(0, 0) = -u.phi_B.sin;  F_d(0, 1) = -q.theta_CD.cos;
+    F_d(1, 0) = u.phi_B.cos;  F_d(1, 1) = -q.theta_CD.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -209,16 +188,10 @@ struct Model02 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_B_y + BC_y;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -slide_B_x - BC_x;
-    F_u(1, 4) = Scalar(1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + BC_y;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - BC_x;  F_u(1, 4) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -226,15 +199,10 @@ struct Model02 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
     rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - v_y_D;
   }
@@ -246,23 +214,13 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
-    const Scalar t03 = omega_CD * omega_CD;
+    const Scalar omega_CD = q_rate(0), v_s_B = q_rate(1), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y, t03 = omega_CD * omega_CD;
     rhs(0) = a_x_B + DC_x * t03 - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t02 * alpha_B - a_x_D;
     rhs(1) = t01 * alpha_B + a_y_B + DC_y * t03 - omega_B * (t02 * omega_B
@@ -277,28 +235,15 @@ struct Model02 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar alpha_CD = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = omega_CD * omega_CD;
+    const Scalar omega_CD = q_rate(0), alpha_CD = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = u.phi_B.cos * v_s_B, t03 = slide_B_x + BC_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = omega_CD * omega_CD;
     rhs(0) = omega_B * (omega_B * (t01 * omega_B - Scalar(3) * t02) - Scalar(3) * t03 * alpha_B
         - Scalar(3) * u.phi_B.sin * a_s_B) + j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD
         - DC_y * t05) - t01 * jerk_B - j_x_D - Scalar(3) * alpha_B * t04;
@@ -315,17 +260,11 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_h_B_BC = d_rate(0);
-    const Scalar v_CD = d_rate(1);
+    const Scalar omega_CD = q_rate(0), v_s_B = q_rate(1), v_h_B_BC = d_rate(0), v_CD = d_rate(1);
     const Scalar omega_B = u_rate(2);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC) - omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
         - DC_x * omega_CD);
@@ -338,19 +277,12 @@ struct Model02 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    poses[0].x = u.x_B + slide_B_x + BC_x;
-    poses[0].y = u.y_B + slide_B_y + BC_y;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_D + DC_x;
-    poses[1].y = u.y_D + DC_y;
-    poses[1].direction.cos = q.theta_CD.cos;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    poses[0].x = u.x_B + slide_B_x + BC_x;  poses[0].y = u.y_B + slide_B_y + BC_y;
+    poses[0].direction.cos = u.phi_B.cos;  poses[0].direction.sin = u.phi_B.sin;
+    poses[1].x = u.x_D + DC_x;  poses[1].y = u.y_D + DC_y;  poses[1].direction.cos = q.theta_CD.cos;
     poses[1].direction.sin = q.theta_CD.sin;
   }
 
@@ -364,12 +296,9 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 0) = -DC_y;
@@ -379,10 +308,8 @@ struct Model02 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(3, 1) = -q.theta_CD.cos;
     P_d(4, 1) = -q.theta_CD.sin;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y - BC_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x + BC_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y - BC_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x + BC_x;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
@@ -393,25 +320,14 @@ struct Model02 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar omega_CD = q_rate(0), v_s_B = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_D - DC_y * omega_CD;
-    v(1, 1) = DC_x * omega_CD + v_y_D;
-    v(1, 2) = omega_CD;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_D - DC_y * omega_CD;  v(1, 1) = DC_x * omega_CD + v_y_D;  v(1, 2) = omega_CD;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -420,32 +336,20 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar alpha_CD = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
+    const Scalar omega_CD = q_rate(0), alpha_CD = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
-    const Scalar t03 = omega_CD * omega_CD;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y, t03 = omega_CD * omega_CD;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (t01 * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B) - t02 * alpha_B;
     a(0, 1) = t01 * alpha_B + u.phi_B.sin * a_s_B + a_y_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t03;
-    a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t03;
+    a(1, 0) = a_x_D - DC_y * alpha_CD - DC_x * t03;  a(1, 1) = DC_x * alpha_CD + a_y_D - DC_y * t03;
     a(1, 2) = alpha_CD;
   }
 
@@ -456,18 +360,12 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_h_B_BC = d_rate(0);
-    const Scalar v_CD = d_rate(1);
+    const Scalar omega_CD = q_rate(0), v_s_B = q_rate(1), v_h_B_BC = d_rate(0), v_CD = d_rate(1);
     const Scalar omega_B = u_rate(2);
     p.setZero();
-    const Scalar DC_x = -d.CD * q.theta_CD.cos;
-    const Scalar DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     p(0, 0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     p(0, 1) = -omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
@@ -502,8 +400,7 @@ struct Model02 {
     // A zero divisor means CD_along_slide_B = 0.
     const Scalar inverse = Scalar(1) / CD_along_slide_B;
     const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    J_inverse(0, 0) = -inverse * u.phi_B.sin;
-    J_inverse(0, 1) = inverse * u.phi_B.cos;
+    J_inverse(0, 0) = -inverse * u.phi_B.sin;  J_inverse(0, 1) = inverse * u.phi_B.cos;
     J_inverse(1, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(1, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
   }
@@ -524,19 +421,13 @@ struct Model02 {
     const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     const Scalar CD_per_y_B = inverse * u.phi_B.cos;
     const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    S_d(0, 0) = -inverse;
-    S_d(0, 1) = inverse * sin_CD_minus_phi_B;
+    S_d(0, 0) = -inverse;  S_d(0, 1) = inverse * sin_CD_minus_phi_B;
     S_d(1, 0) = -s_B_per_across_slide_B;
     S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = CD_per_x_B;
-    S_u(0, 1) = CD_per_y_B;
-    S_u(0, 2) = inverse * q.s_B;
-    S_u(0, 3) = -CD_per_x_B;
-    S_u(0, 4) = -CD_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
-    S_u(1, 3) = -s_B_per_x_B;
+    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = inverse * q.s_B;
+    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;  S_u(1, 3) = -s_B_per_x_B;
     S_u(1, 4) = -s_B_per_y_B;
   }
 
@@ -545,10 +436,7 @@ struct Model02 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
     const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
@@ -556,15 +444,13 @@ struct Model02 {
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
     // A zero divisor means CD_along_slide_B = 0.
     const Scalar inverse = Scalar(1) / CD_along_slide_B;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
         + d.h_B_BC * omega_B;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01;
     const Scalar omega_CD = inverse * velocity_across_slide_B;
     const Scalar v_s_B = -CD_across_slide_B * omega_CD - velocity_along_slide_B;
-    q_rate(0) = omega_CD;
-    q_rate(1) = v_s_B;
+    q_rate(0) = omega_CD;  q_rate(1) = v_s_B;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -573,15 +459,9 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
     const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
@@ -589,27 +469,21 @@ struct Model02 {
     const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
     // A zero divisor means CD_along_slide_B = 0.
     const Scalar inverse = Scalar(1) / CD_along_slide_B;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = d.h_B_BC * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = d.h_B_BC * omega_B;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03;
     const Scalar t04 = q.s_B * omega_B;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + t04 - u.phi_B.sin * t01;
     const Scalar omega_CD = inverse * velocity_across_slide_B;
     const Scalar v_s_B = -CD_across_slide_B * omega_CD - velocity_along_slide_B;
-    const Scalar t05 = a_x_B - a_x_D;
-    const Scalar t06 = a_y_B - a_y_D;
-    const Scalar t07 = omega_CD * omega_CD;
+    const Scalar t05 = a_x_B - a_x_D, t06 = a_y_B - a_y_D, t07 = omega_CD * omega_CD;
     const Scalar acceleration_along_slide_B = u.phi_B.cos * t05 + u.phi_B.sin * t06
         + d.h_B_BC * alpha_B + CD_along_slide_B * t07 - omega_B * t04;
     const Scalar acceleration_across_slide_B = u.phi_B.cos * t06 + omega_B * (t03
         + Scalar(2) * v_s_B) + q.s_B * alpha_B + CD_across_slide_B * t07 - u.phi_B.sin * t05;
     const Scalar alpha_CD = inverse * acceleration_across_slide_B;
     const Scalar a_s_B = -CD_across_slide_B * alpha_CD - acceleration_along_slide_B;
-    q_rate(0) = omega_CD;
-    q_rate(1) = v_s_B;
-    q_second_rate(0) = alpha_CD;
-    q_second_rate(1) = a_s_B;
+    q_rate(0) = omega_CD;  q_rate(1) = v_s_B;
+    q_second_rate(0) = alpha_CD;  q_second_rate(1) = a_s_B;
   }
 
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
@@ -620,15 +494,9 @@ struct Model02 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
     const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
@@ -642,8 +510,7 @@ struct Model02 {
     const Scalar CD_per_y_B = inverse * u.phi_B.cos;
     const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
     const Scalar CD_per_phi_B = inverse * q.s_B;
-    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
-    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC, t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02 + CD_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B;
@@ -651,24 +518,15 @@ struct Model02 {
     const Scalar centripetal_along_slide_B = CD_along_slide_B * t03 - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
         + CD_across_slide_B * t03;
-    const Scalar t04 = a_x_B - a_x_D;
-    const Scalar t05 = a_y_B - a_y_D;
-    S_d(0, 0) = -inverse;
-    S_d(0, 1) = inverse * sin_CD_minus_phi_B;
+    const Scalar t04 = a_x_B - a_x_D, t05 = a_y_B - a_y_D;
+    S_d(0, 0) = -inverse;  S_d(0, 1) = inverse * sin_CD_minus_phi_B;
     S_d(1, 0) = -s_B_per_across_slide_B;
     S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = CD_per_x_B;
-    S_u(0, 1) = CD_per_y_B;
-    S_u(0, 2) = CD_per_phi_B;
-    S_u(0, 3) = -CD_per_x_B;
-    S_u(0, 4) = -CD_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    q_rate(0) = omega_CD;
-    q_rate(1) = v_s_B;
+    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
+    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    q_rate(0) = omega_CD;  q_rate(1) = v_s_B;
     q_second_rate(0) = CD_per_x_B * t04 + CD_per_y_B * t05 + CD_per_phi_B * alpha_B
         + inverse * centripetal_across_slide_B;
     q_second_rate(1) = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * alpha_B
@@ -680,22 +538,17 @@ struct Model02 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
-    const Scalar T_m1_re = -d.CD * u.phi_B.sin;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D, T_m1_re = -d.CD * u.phi_B.sin;
     const Scalar T_m1_im = d.CD * u.phi_B.cos;
     const Scalar T_0_re = -Scalar(2) * (d.h_B_BC + DB_x * u.phi_B.sin - DB_y * u.phi_B.cos);
-    T.cosine[0] = T_0_re;
-    T.cosine[1] = Scalar(2) * T_m1_re;
-    T.sine[1] = Scalar(2) * T_m1_im;
+    T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     q.s_B = -d.CD * (q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin)
         - DB_x * u.phi_B.cos - DB_y * u.phi_B.sin;
   }

@@ -94,12 +94,8 @@ struct Model03 {
     Scalar h_C_BC{};  ///< offset of the slide at C on link BC, positive to the left
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BC, h_C_CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BC, h_C_CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BC, h_C_CD); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BC, h_C_CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -110,12 +106,8 @@ struct Model03 {
     Scalar x_D{};  ///< x of external joint D
     Scalar y_D{};  ///< y of external joint D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -124,12 +116,8 @@ struct Model03 {
     Direction<Scalar> theta_BC{};  ///< angle of link BC
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BC
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BC, s_C);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BC, s_C);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BC, s_C); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BC, s_C); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -169,40 +157,29 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
-    const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
-    f(0) = u.x_D + DC_x - u.x_B - BC_x - slide_C_x;
-    f(1) = u.y_D + DC_y - u.y_B - BC_y - slide_C_y;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
+    f(0) = u.x_D + DC_x - u.x_B - BC_x - slide_C_x;  f(1) = u.y_D + DC_y - u.y_B - BC_y - slide_C_y;
   }
 
   /// J = df/dq.
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
-    const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
-    J(0, 0) = BC_y + slide_C_y - DC_y;
-    J(0, 1) = -q.theta_BC.cos;
-    J(1, 0) = DC_x - BC_x - slide_C_x;
-    J(1, 1) = -q.theta_BC.sin;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
+    J(0, 0) = BC_y + slide_C_y - DC_y;  J(0, 1) = -q.theta_BC.cos;
+    J(1, 0) = DC_x - BC_x - slide_C_x;  J(1, 1) = -q.theta_BC.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
   template <typename Scalar>
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
-    F_d(0, 0) = q.theta_BC.sin;
-    F_d(0, 1) = -q.theta_BC.sin;
-    F_d(1, 0) = -q.theta_BC.cos;
-    F_d(1, 1) = q.theta_BC.cos;
+    F_d(0, 0) = q.theta_BC.sin;  F_d(0, 1) = -q.theta_BC.sin;
+    F_d(1, 0) = -q.theta_BC.cos;  F_d(1, 1) = q.theta_BC.cos;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -210,10 +187,8 @@ struct Model03 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -221,12 +196,8 @@ struct Model03 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -236,18 +207,11 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
-    const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
+    const Scalar omega_BC = q_rate(0), v_s_C = q_rate(1), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
     rhs(0) = omega_BC * ((DC_x - BC_x - slide_C_x) * omega_BC - Scalar(2) * q.theta_BC.sin * v_s_C)
         + a_x_B - a_x_D;
     rhs(1) = omega_BC * ((DC_y - BC_y - slide_C_y) * omega_BC + Scalar(2) * q.theta_BC.cos * v_s_C)
@@ -262,24 +226,14 @@ struct Model03 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar alpha_BC = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
-    const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
-    const Scalar t01 = DC_y - BC_y - slide_C_y;
-    const Scalar t02 = q.theta_BC.cos * v_s_C;
-    const Scalar t03 = DC_x - BC_x - slide_C_x;
-    const Scalar t04 = q.theta_BC.sin * v_s_C;
+    const Scalar omega_BC = q_rate(0), alpha_BC = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
+    const Scalar t01 = DC_y - BC_y - slide_C_y, t02 = q.theta_BC.cos * v_s_C;
+    const Scalar t03 = DC_x - BC_x - slide_C_x, t04 = q.theta_BC.sin * v_s_C;
     rhs(0) = j_x_B - omega_BC * (omega_BC * (t01 * omega_BC + Scalar(3) * t02)
         + Scalar(3) * q.theta_BC.sin * a_s_C - Scalar(3) * t03 * alpha_BC) - j_x_D
         - Scalar(3) * alpha_BC * t04;
@@ -294,16 +248,11 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_h_C_BC = d_rate(0);
+    const Scalar omega_BC = q_rate(0), v_s_C = q_rate(1), v_h_C_BC = d_rate(0);
     const Scalar v_h_C_CD = d_rate(1);
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin;
-    const Scalar DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BC.sin;
+    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
     const Scalar t01 = v_h_C_BC - v_h_C_CD;
     rhs(0) = omega_BC * ((DC_x - BC_x - slide_C_x) * omega_BC - Scalar(2) * q.theta_BC.cos * t01
         - Scalar(2) * q.theta_BC.sin * v_s_C);
@@ -315,14 +264,9 @@ struct Model03 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BC.cos;
-    poses[0].direction.sin = q.theta_BC.sin;
-    poses[1].x = u.x_D;
-    poses[1].y = u.y_D;
-    poses[1].direction.cos = q.theta_BC.cos;
-    poses[1].direction.sin = q.theta_BC.sin;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BC.cos;
+    poses[0].direction.sin = q.theta_BC.sin;  poses[1].x = u.x_D;  poses[1].y = u.y_D;
+    poses[1].direction.cos = q.theta_BC.cos;  poses[1].direction.sin = q.theta_BC.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -348,17 +292,10 @@ struct Model03 {
   static void link_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BC = q_rate(0);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
+    const Scalar omega_BC = q_rate(0), v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2);
     const Scalar v_y_D = u_rate(3);
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BC;
-    v(1, 0) = v_x_D;
-    v(1, 1) = v_y_D;
-    v(1, 2) = omega_BC;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BC;
+    v(1, 0) = v_x_D;  v(1, 1) = v_y_D;  v(1, 2) = omega_BC;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -367,17 +304,10 @@ struct Model03 {
       const Configuration<Scalar>&, const Vector<Scalar, unknown_count>&,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_BC = q_second_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BC;
-    a(1, 0) = a_x_D;
-    a(1, 1) = a_y_D;
-    a(1, 2) = alpha_BC;
+    const Scalar alpha_BC = q_second_rate(0), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BC;
+    a(1, 0) = a_x_D;  a(1, 1) = a_y_D;  a(1, 2) = alpha_BC;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -411,8 +341,7 @@ struct Model03 {
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
-    J_inverse(0, 0) = -inverse * q.theta_BC.sin;
-    J_inverse(0, 1) = inverse * q.theta_BC.cos;
+    J_inverse(0, 0) = -inverse * q.theta_BC.sin;  J_inverse(0, 1) = inverse * q.theta_BC.cos;
     J_inverse(1, 0) = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;
     J_inverse(1, 1) = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
   }
@@ -429,17 +358,11 @@ struct Model03 {
     const Scalar s_C_per_x_B = -q.theta_BC.cos - s_C_per_across_slide_C * q.theta_BC.sin;
     const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
     const Scalar s_C_per_y_B = s_C_per_across_slide_C * q.theta_BC.cos - q.theta_BC.sin;
-    S_d(0, 0) = inverse;
-    S_d(0, 1) = -inverse;
-    S_d(1, 0) = s_C_per_across_slide_C;
-    S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = BC_per_x_B;
-    S_u(0, 1) = BC_per_y_B;
-    S_u(0, 2) = -BC_per_x_B;
+    S_d(0, 0) = inverse;  S_d(0, 1) = -inverse;
+    S_d(1, 0) = s_C_per_across_slide_C;  S_d(1, 1) = -s_C_per_across_slide_C;
+    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
     S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
     S_u(1, 3) = -s_C_per_y_B;
   }
 
@@ -448,20 +371,15 @@ struct Model03 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
     const Scalar omega_BC = inverse * velocity_across_slide_C;
     const Scalar v_s_C = -BC_across_slide_C * omega_BC - velocity_along_slide_C;
-    q_rate(0) = omega_BC;
-    q_rate(1) = v_s_C;
+    q_rate(0) = omega_BC;  q_rate(1) = v_s_C;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -470,35 +388,24 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
-    const Scalar omega_BC = inverse * velocity_across_slide_C;
-    const Scalar t03 = BC_across_slide_C * omega_BC;
-    const Scalar v_s_C = -t03 - velocity_along_slide_C;
-    const Scalar t04 = a_x_B - a_x_D;
-    const Scalar t05 = a_y_B - a_y_D;
+    const Scalar omega_BC = inverse * velocity_across_slide_C, t03 = BC_across_slide_C * omega_BC;
+    const Scalar v_s_C = -t03 - velocity_along_slide_C, t04 = a_x_B - a_x_D, t05 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_C = q.theta_BC.cos * t04 + q.theta_BC.sin * t05
         - q.s_C * omega_BC * omega_BC;
     const Scalar acceleration_across_slide_C = q.theta_BC.cos * t05 + omega_BC * (t03
         + Scalar(2) * v_s_C) - q.theta_BC.sin * t04;
     const Scalar alpha_BC = inverse * acceleration_across_slide_C;
     const Scalar a_s_C = -BC_across_slide_C * alpha_BC - acceleration_along_slide_C;
-    q_rate(0) = omega_BC;
-    q_rate(1) = v_s_C;
-    q_second_rate(0) = alpha_BC;
-    q_second_rate(1) = a_s_C;
+    q_rate(0) = omega_BC;  q_rate(1) = v_s_C;
+    q_second_rate(0) = alpha_BC;  q_second_rate(1) = a_s_C;
   }
 
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
@@ -509,14 +416,9 @@ struct Model03 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
     const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
     const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
     const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
@@ -524,29 +426,20 @@ struct Model03 {
     const Scalar s_C_per_x_B = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;
     const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
     const Scalar s_C_per_y_B = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
     const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
     const Scalar centripetal_along_slide_C = -q.s_C * omega_BC * omega_BC;
     const Scalar centripetal_across_slide_C = omega_BC * (BC_across_slide_C * omega_BC
         + Scalar(2) * v_s_C);
-    const Scalar t03 = a_x_B - a_x_D;
-    const Scalar t04 = a_y_B - a_y_D;
-    S_d(0, 0) = inverse;
-    S_d(0, 1) = -inverse;
-    S_d(1, 0) = s_C_per_across_slide_C;
-    S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = BC_per_x_B;
-    S_u(0, 1) = BC_per_y_B;
-    S_u(0, 2) = -BC_per_x_B;
+    const Scalar t03 = a_x_B - a_x_D, t04 = a_y_B - a_y_D;
+    S_d(0, 0) = inverse;  S_d(0, 1) = -inverse;
+    S_d(1, 0) = s_C_per_across_slide_C;  S_d(1, 1) = -s_C_per_across_slide_C;
+    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
     S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
     S_u(1, 3) = -s_C_per_y_B;
-    q_rate(0) = omega_BC;
-    q_rate(1) = v_s_C;
+    q_rate(0) = omega_BC;  q_rate(1) = v_s_C;
     q_second_rate(0) = BC_per_x_B * t03 + BC_per_y_B * t04 + inverse * centripetal_across_slide_C;
     q_second_rate(1) = s_C_per_x_B * t03 + s_C_per_y_B * t04
         + s_C_per_across_slide_C * centripetal_across_slide_C - centripetal_along_slide_C;
@@ -557,20 +450,16 @@ struct Model03 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     const Scalar T_0_re = Scalar(2) * (d.h_C_BC - d.h_C_CD);
-    T.cosine[0] = T_0_re;
-    T.cosine[1] = Scalar(2) * DB_y;
-    T.sine[1] = -Scalar(2) * DB_x;
+    T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * DB_y;  T.sine[1] = -Scalar(2) * DB_x;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     q.s_C = -DB_x * q.theta_BC.cos - DB_y * q.theta_BC.sin;
   }
 };

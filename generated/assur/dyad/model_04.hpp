@@ -94,12 +94,8 @@ struct Model04 {
     Direction<Scalar> psi_C_BC{};  ///< angle of the slide at C on link BC from the x-axis
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BC, h_C_CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BC, h_C_CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BC, h_C_CD); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BC, h_C_CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -111,12 +107,8 @@ struct Model04 {
     Scalar x_D{};  ///< x of external joint D
     Scalar y_D{};  ///< y of external joint D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -125,12 +117,8 @@ struct Model04 {
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BC
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -174,12 +162,9 @@ struct Model04 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     f(0) = u.x_D + DC_x - u.x_B - slide_B_x - slide_C_x;
     f(1) = u.y_D + DC_y - u.y_B - slide_B_y - slide_C_y;
   }
@@ -190,10 +175,8 @@ struct Model04 {
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = -cos_CD;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = -sin_CD;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = -cos_CD;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = -sin_CD;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -202,14 +185,10 @@ struct Model04 {
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD, slide_C_x = q.s_C * cos_CD;
     const Scalar slide_C_y = q.s_C * sin_CD;
-    F_d(0, 0) = slide_C_y - DC_y;
-    F_d(0, 1) = -sin_CD;
-    F_d(1, 0) = DC_x - slide_C_x;
-    F_d(1, 1) = cos_CD;
+    F_d(0, 0) = slide_C_y - DC_y;  F_d(0, 1) = -sin_CD;
+    F_d(1, 0) = DC_x - slide_C_x;  F_d(1, 1) = cos_CD;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -219,18 +198,11 @@ struct Model04 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_B_y + slide_C_y - DC_y;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = DC_x - slide_B_x - slide_C_x;
-    F_u(1, 4) = Scalar(1);
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + slide_C_y - DC_y;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DC_x - slide_B_x - slide_C_x;  F_u(1, 4) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -238,19 +210,13 @@ struct Model04 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     rhs(0) = (DC_y - slide_B_y - slide_C_y) * omega_B + v_x_B - v_x_D;
     rhs(1) = v_y_B - (DC_x - slide_B_x - slide_C_x) * omega_B - v_y_D;
   }
@@ -262,24 +228,15 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = DC_x - slide_B_x - slide_C_x;
-    const Scalar t02 = DC_y - slide_B_y - slide_C_y;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = DC_x - slide_B_x - slide_C_x, t02 = DC_y - slide_B_y - slide_C_y;
     rhs(0) = omega_B * (t01 * omega_B - Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * sin_CD * v_s_C) + t02 * alpha_B + a_x_B - a_x_D;
     rhs(1) = omega_B * (t02 * omega_B + Scalar(2) * u.phi_B.cos * v_s_B
@@ -294,29 +251,17 @@ struct Model04 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = DC_y - slide_B_y - slide_C_y;
-    const Scalar t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C;
-    const Scalar t03 = DC_x - slide_B_x - slide_C_x;
-    const Scalar t04 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = DC_y - slide_B_y - slide_C_y, t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C;
+    const Scalar t03 = DC_x - slide_B_x - slide_C_x, t04 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
     rhs(0) = t01 * jerk_B + j_x_B + omega_B * (Scalar(3) * t03 * alpha_B
         - Scalar(3) * u.phi_B.sin * a_s_B - Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
         + Scalar(3) * t04)) - Scalar(3) * alpha_B * t02 - j_x_D;
@@ -332,24 +277,15 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar omega_C_BC = d_rate(0);
-    const Scalar v_h_C_CD = d_rate(1);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), omega_C_BC = d_rate(0), v_h_C_CD = d_rate(1);
     const Scalar omega_B = u_rate(2);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD;
-    const Scalar DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = DC_x - slide_C_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t04 = DC_y - slide_C_y;
-    const Scalar t05 = t04 * omega_C_BC;
+    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = DC_x - slide_C_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t04 = DC_y - slide_C_y, t05 = t04 * omega_C_BC;
     const Scalar t06 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
     rhs(0) = omega_C_BC * (t02 - Scalar(2) * t03) + omega_B * (Scalar(2) * t02
         - Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * t03 - (slide_B_x - t01) * omega_B);
@@ -363,15 +299,10 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    poses[0].x = u.x_B + slide_B_x;
-    poses[0].y = u.y_B + slide_B_y;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_D;
-    poses[1].y = u.y_D;
-    poses[1].direction.cos = cos_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    poses[0].x = u.x_B + slide_B_x;  poses[0].y = u.y_B + slide_B_y;
+    poses[0].direction.cos = u.phi_B.cos;  poses[0].direction.sin = u.phi_B.sin;
+    poses[1].x = u.x_D;  poses[1].y = u.y_D;  poses[1].direction.cos = cos_CD;
     poses[1].direction.sin = sin_CD;
   }
 
@@ -385,15 +316,12 @@ struct Model04 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_d(5, 0) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
@@ -405,20 +333,12 @@ struct Model04 {
   static void link_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar v_s_B = q_rate(0), v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2);
+    const Scalar v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - slide_B_y * omega_B;
-    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_D;
-    v(1, 1) = v_y_D;
-    v(1, 2) = omega_B;
+    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_D;  v(1, 1) = v_y_D;  v(1, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -427,24 +347,16 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (Scalar(2) * u.phi_B.sin * v_s_B
         + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B)
         + u.phi_B.sin * a_s_B + a_y_B + slide_B_x * alpha_B;
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_D;
-    a(1, 1) = a_y_D;
-    a(1, 2) = alpha_B;
+    a(1, 0) = a_x_D;  a(1, 1) = a_y_D;  a(1, 2) = alpha_B;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -454,11 +366,9 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>&, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B);
   }
@@ -483,8 +393,7 @@ struct Model04 {
     const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
     J_inverse(0, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(0, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    J_inverse(1, 0) = -inverse * u.phi_B.sin;
-    J_inverse(1, 1) = inverse * u.phi_B.cos;
+    J_inverse(1, 0) = -inverse * u.phi_B.sin;  J_inverse(1, 1) = inverse * u.phi_B.cos;
   }
 
   /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
@@ -504,18 +413,12 @@ struct Model04 {
     const Scalar t02 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
     S_d(0, 0) = q.s_C * t02 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
     S_d(0, 1) = -t02;
-    S_d(1, 0) = t01 * inverse;
-    S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
+    S_d(1, 0) = t01 * inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
     S_u(0, 2) = -phi_B_along_slide_B * s_B_per_across_slide_B - phi_B_across_slide_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = -phi_B_along_slide_B * inverse;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -phi_B_along_slide_B * inverse;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -523,24 +426,19 @@ struct Model04 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
     const Scalar v_y_D = u_rate(4);
     const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
         + phi_B_across_slide_B * omega_B;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - u.phi_B.sin * t01
         - phi_B_along_slide_B * omega_B;
     const Scalar v_s_C = inverse * velocity_across_slide_B;
     const Scalar v_s_B = -d.psi_C_BC.cos * v_s_C - velocity_along_slide_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -549,40 +447,27 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
     const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
     const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = phi_B_across_slide_B * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = phi_B_across_slide_B * omega_B;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03;
     const Scalar t04 = phi_B_along_slide_B * omega_B;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - u.phi_B.sin * t01 - t04;
-    const Scalar v_s_C = inverse * velocity_across_slide_B;
-    const Scalar t05 = d.psi_C_BC.cos * v_s_C;
-    const Scalar v_s_B = -t05 - velocity_along_slide_B;
-    const Scalar t06 = a_x_B - a_x_D;
-    const Scalar t07 = a_y_B - a_y_D;
+    const Scalar v_s_C = inverse * velocity_across_slide_B, t05 = d.psi_C_BC.cos * v_s_C;
+    const Scalar v_s_B = -t05 - velocity_along_slide_B, t06 = a_x_B - a_x_D, t07 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_B = u.phi_B.cos * t06 + u.phi_B.sin * t07 + omega_B * (t04
         - Scalar(2) * d.psi_C_BC.sin * v_s_C) + phi_B_across_slide_B * alpha_B;
     const Scalar acceleration_across_slide_B = omega_B * (t03 + Scalar(2) * t05 + Scalar(2) * v_s_B)
         + u.phi_B.cos * t07 - u.phi_B.sin * t06 - phi_B_along_slide_B * alpha_B;
     const Scalar a_s_C = inverse * acceleration_across_slide_B;
     const Scalar a_s_B = -d.psi_C_BC.cos * a_s_C - acceleration_along_slide_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;
   }
 
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
@@ -593,15 +478,9 @@ struct Model04 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
     const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
     const Scalar phi_B_along_slide_B = -q.s_B - t01;
@@ -614,8 +493,7 @@ struct Model04 {
     const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
     const Scalar s_B_per_phi_B = -phi_B_along_slide_B * s_B_per_across_slide_B
         - phi_B_across_slide_B;
-    const Scalar s_C_per_phi_B = -phi_B_along_slide_B * inverse;
-    const Scalar t02 = v_x_B - v_x_D;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_B * inverse, t02 = v_x_B - v_x_D;
     const Scalar t03 = v_y_B - v_y_D;
     const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
@@ -624,24 +502,15 @@ struct Model04 {
     const Scalar centripetal_across_slide_B = omega_B * (Scalar(2) * d.psi_C_BC.cos * v_s_C
         + Scalar(2) * v_s_B + phi_B_across_slide_B * omega_B);
     const Scalar t04 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
-    const Scalar t05 = a_x_B - a_x_D;
-    const Scalar t06 = a_y_B - a_y_D;
+    const Scalar t05 = a_x_B - a_x_D, t06 = a_y_B - a_y_D;
     S_d(0, 0) = q.s_C * t04 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
     S_d(0, 1) = -t04;
-    S_d(1, 0) = t01 * inverse;
-    S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
+    S_d(1, 0) = t01 * inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;
     q_second_rate(0) = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * alpha_B
         + s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
     q_second_rate(1) = s_C_per_x_B * t05 + s_C_per_y_B * t06 + s_C_per_phi_B * alpha_B
@@ -653,21 +522,18 @@ struct Model04 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     const Scalar T_0_re = -Scalar(2) * (d.h_C_CD * d.psi_C_BC.cos + DB_x * u.phi_B.sin
         - DB_y * u.phi_B.cos);
     const Scalar T_1_re = Scalar(2) * d.psi_C_BC.sin;
-    T(0) = T_0_re;
-    T(1) = T_1_re;
+    T(0) = T_0_re;  T(1) = T_1_re;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     q.s_B = -q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin - DB_x * u.phi_B.cos
         - DB_y * u.phi_B.sin;
   }

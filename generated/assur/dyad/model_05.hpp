@@ -94,12 +94,8 @@ struct Model05 {
     Scalar h_B_BC{};  ///< offset of the slide at B on link BC, positive to the left
     Scalar h_D_CD{};  ///< offset of the slide at D on link CD, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BC, h_D_CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BC, h_D_CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BC, h_D_CD); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BC, h_D_CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -112,12 +108,8 @@ struct Model05 {
     Scalar y_D{};  ///< y of a point on the base's slide at D
     Direction<Scalar> phi_D{};  ///< angle of the base's slide at D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -126,12 +118,8 @@ struct Model05 {
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
     Scalar s_D{};  ///< displacement along the slide at D of link CD against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -173,14 +161,10 @@ struct Model05 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     f(0) = u.x_D + slide_D_x + DC_x - u.x_B - slide_B_x - BC_x;
     f(1) = u.y_D + slide_D_y + DC_y - u.y_B - slide_B_y - BC_y;
   }
@@ -189,20 +173,16 @@ struct Model05 {
   template <typename Scalar>
   static void jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = u.phi_D.cos;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = u.phi_D.sin;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = u.phi_D.cos;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = u.phi_D.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
   template <typename Scalar>
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, dimension_count>& F_d) {
-    F_d(0, 0) = -u.phi_B.sin;
-    F_d(0, 1) = u.phi_D.sin;
-    F_d(1, 0) = u.phi_B.cos;
-    F_d(1, 1) = -u.phi_D.cos;
+    F_d(0, 0) = -u.phi_B.sin;  F_d(0, 1) = u.phi_D.sin;
+    F_d(1, 0) = u.phi_B.cos;  F_d(1, 1) = -u.phi_D.cos;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -210,21 +190,13 @@ struct Model05 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_B_y + BC_y;
-    F_u(0, 3) = Scalar(1);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + BC_y;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DC_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -slide_B_x - BC_x;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - BC_x;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DC_x;
   }
 
@@ -233,20 +205,12 @@ struct Model05 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = (slide_D_y + DC_y) * omega_D + v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
     rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - (slide_D_x + DC_x) * omega_D - v_y_D;
   }
@@ -258,27 +222,15 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(1), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
     const Scalar alpha_D = u_second_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_D_x + DC_x;
-    const Scalar t03 = slide_B_y + BC_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_D_x + DC_x, t03 = slide_B_y + BC_y;
     const Scalar t04 = slide_D_y + DC_y;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t04 * alpha_D + a_x_B
         - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) - t03 * alpha_B - a_x_D;
@@ -294,36 +246,18 @@ struct Model05 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar a_s_D = q_second_rate(1);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = slide_B_x + BC_x;
-    const Scalar t04 = slide_D_y + DC_y;
-    const Scalar t05 = u.phi_D.cos * v_s_D;
-    const Scalar t06 = slide_D_x + DC_x;
-    const Scalar t07 = u.phi_D.sin * v_s_D;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_D = q_rate(1);
+    const Scalar a_s_D = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4), omega_D = u_rate(5);
+    const Scalar alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = u.phi_B.cos * v_s_B, t03 = slide_B_x + BC_x;
+    const Scalar t04 = slide_D_y + DC_y, t05 = u.phi_D.cos * v_s_D, t06 = slide_D_x + DC_x;
+    const Scalar t07 = u.phi_D.sin * v_s_D, t08 = u.phi_B.sin * v_s_B;
     rhs(0) = omega_B * (omega_B * (t01 * omega_B - Scalar(3) * t02) - Scalar(3) * t03 * alpha_B
         - Scalar(3) * u.phi_B.sin * a_s_B) + t04 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07
         - omega_D * (omega_D * (t04 * omega_D - Scalar(3) * t05) - Scalar(3) * t06 * alpha_D
@@ -341,20 +275,12 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar v_h_B_BC = d_rate(0);
-    const Scalar v_h_D_CD = d_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(1), v_h_B_BC = d_rate(0), v_h_D_CD = d_rate(1);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     rhs(0) = omega_D * ((slide_D_x + DC_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_CD) - omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BC);
@@ -367,22 +293,14 @@ struct Model05 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    poses[0].x = u.x_B + slide_B_x + BC_x;
-    poses[0].y = u.y_B + slide_B_y + BC_y;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_D + slide_D_x + DC_x;
-    poses[1].y = u.y_D + slide_D_y + DC_y;
-    poses[1].direction.cos = u.phi_D.cos;
-    poses[1].direction.sin = u.phi_D.sin;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    poses[0].x = u.x_B + slide_B_x + BC_x;  poses[0].y = u.y_B + slide_B_y + BC_y;
+    poses[0].direction.cos = u.phi_B.cos;  poses[0].direction.sin = u.phi_B.sin;
+    poses[1].x = u.x_D + slide_D_x + DC_x;  poses[1].y = u.y_D + slide_D_y + DC_y;
+    poses[1].direction.cos = u.phi_D.cos;  poses[1].direction.sin = u.phi_D.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -395,14 +313,10 @@ struct Model05 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 1) = u.phi_D.cos;
@@ -411,15 +325,11 @@ struct Model05 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(3, 1) = u.phi_D.sin;
     P_d(4, 1) = -u.phi_D.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y - BC_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x + BC_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y - BC_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x + BC_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_D_y - DC_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_D_x + DC_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_D_y - DC_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_D_x + DC_x;
     P_u(5, 5) = Scalar(1);
   }
 
@@ -428,28 +338,16 @@ struct Model05 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4), omega_D = u_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 2) = omega_B;
+    v(0, 1) = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DC_y) * omega_D;
-    v(1, 1) = (slide_D_x + DC_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
-    v(1, 2) = omega_D;
+    v(1, 1) = (slide_D_x + DC_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;  v(1, 2) = omega_D;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -458,29 +356,15 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar a_s_D = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
-    const Scalar t03 = slide_D_x + DC_x;
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_D = q_rate(1);
+    const Scalar a_s_D = q_second_rate(1), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y, t03 = slide_D_x + DC_x;
     const Scalar t04 = slide_D_y + DC_y;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (t01 * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B) - t02 * alpha_B;
@@ -501,21 +385,13 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(1);
-    const Scalar v_h_B_BC = d_rate(0);
-    const Scalar v_h_D_CD = d_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(1), v_h_B_BC = d_rate(0), v_h_D_CD = d_rate(1);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     p.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin;
-    const Scalar DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     p(0, 0) = -omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     p(0, 1) = -omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
@@ -550,8 +426,7 @@ struct Model05 {
     const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
     J_inverse(0, 0) = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
     J_inverse(0, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    J_inverse(1, 0) = -u.phi_B.sin * inverse;
-    J_inverse(1, 1) = u.phi_B.cos * inverse;
+    J_inverse(1, 0) = -u.phi_B.sin * inverse;  J_inverse(1, 1) = u.phi_B.cos * inverse;
   }
 
   /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
@@ -574,19 +449,13 @@ struct Model05 {
     const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
     S_d(0, 0) = -s_B_per_across_slide_B;
     S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
-    S_d(1, 0) = -inverse;
-    S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
-    S_u(0, 3) = -s_B_per_x_B;
+    S_d(1, 0) = -inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;  S_u(0, 3) = -s_B_per_x_B;
     S_u(0, 4) = -s_B_per_y_B;
     S_u(0, 5) = -phi_D_along_slide_B * s_B_per_across_slide_B - phi_D_across_slide_B;
-    S_u(1, 0) = s_D_per_x_B;
-    S_u(1, 1) = s_D_per_y_B;
-    S_u(1, 2) = q.s_B * inverse;
-    S_u(1, 3) = -s_D_per_x_B;
-    S_u(1, 4) = -s_D_per_y_B;
+    S_u(1, 0) = s_D_per_x_B;  S_u(1, 1) = s_D_per_y_B;  S_u(1, 2) = q.s_B * inverse;
+    S_u(1, 3) = -s_D_per_x_B;  S_u(1, 4) = -s_D_per_y_B;
     S_u(1, 5) = -phi_D_along_slide_B * inverse;
   }
 
@@ -595,12 +464,8 @@ struct Model05 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
     const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
@@ -609,16 +474,14 @@ struct Model05 {
         - d.h_D_CD * cos_phi_D_minus_phi_B;
     // A zero divisor means sin(phi_B - phi_D) = 0.
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + d.h_B_BC * omega_B
         + phi_D_across_slide_B * omega_D;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01
         - phi_D_along_slide_B * omega_D;
     const Scalar v_s_D = inverse * velocity_across_slide_B;
     const Scalar v_s_B = cos_phi_D_minus_phi_B * v_s_D - velocity_along_slide_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -627,18 +490,10 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
@@ -647,19 +502,13 @@ struct Model05 {
         - d.h_D_CD * cos_phi_D_minus_phi_B;
     // A zero divisor means sin(phi_B - phi_D) = 0.
     const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = d.h_B_BC * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = d.h_B_BC * omega_B;
     const Scalar t04 = phi_D_across_slide_B * omega_D;
     const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + t03 + t04;
-    const Scalar t05 = q.s_B * omega_B;
-    const Scalar t06 = phi_D_along_slide_B * omega_D;
+    const Scalar t05 = q.s_B * omega_B, t06 = phi_D_along_slide_B * omega_D;
     const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + t05 - u.phi_B.sin * t01 - t06;
-    const Scalar v_s_D = inverse * velocity_across_slide_B;
-    const Scalar t07 = cos_phi_D_minus_phi_B * v_s_D;
-    const Scalar v_s_B = t07 - velocity_along_slide_B;
-    const Scalar t08 = a_x_B - a_x_D;
-    const Scalar t09 = a_y_B - a_y_D;
+    const Scalar v_s_D = inverse * velocity_across_slide_B, t07 = cos_phi_D_minus_phi_B * v_s_D;
+    const Scalar v_s_B = t07 - velocity_along_slide_B, t08 = a_x_B - a_x_D, t09 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_B = u.phi_B.cos * t08 + u.phi_B.sin * t09 + omega_D * (t06
         + Scalar(2) * sin_phi_D_minus_phi_B * v_s_D) + d.h_B_BC * alpha_B
         + phi_D_across_slide_B * alpha_D - omega_B * t05;
@@ -668,10 +517,8 @@ struct Model05 {
         - u.phi_B.sin * t08 - phi_D_along_slide_B * alpha_D;
     const Scalar a_s_D = inverse * acceleration_across_slide_B;
     const Scalar a_s_B = cos_phi_D_minus_phi_B * a_s_D - acceleration_along_slide_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_D;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_D;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_D;
   }
 
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
@@ -682,18 +529,10 @@ struct Model05 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
     const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
@@ -711,8 +550,7 @@ struct Model05 {
     const Scalar s_D_per_phi_B = q.s_B * inverse;
     const Scalar s_B_per_phi_D = -phi_D_along_slide_B * s_B_per_across_slide_B
         - phi_D_across_slide_B;
-    const Scalar s_D_per_phi_D = -phi_D_along_slide_B * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
+    const Scalar s_D_per_phi_D = -phi_D_along_slide_B * inverse, t01 = v_x_B - v_x_D;
     const Scalar t02 = v_y_B - v_y_D;
     const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B
         + s_B_per_phi_D * omega_D;
@@ -722,26 +560,15 @@ struct Model05 {
         + phi_D_along_slide_B * omega_D) - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
         - omega_D * (Scalar(2) * cos_phi_D_minus_phi_B * v_s_D - phi_D_across_slide_B * omega_D);
-    const Scalar t03 = a_x_B - a_x_D;
-    const Scalar t04 = a_y_B - a_y_D;
+    const Scalar t03 = a_x_B - a_x_D, t04 = a_y_B - a_y_D;
     S_d(0, 0) = -s_B_per_across_slide_B;
     S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
-    S_d(1, 0) = -inverse;
-    S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = s_B_per_phi_D;
-    S_u(1, 0) = s_D_per_x_B;
-    S_u(1, 1) = s_D_per_y_B;
-    S_u(1, 2) = s_D_per_phi_B;
-    S_u(1, 3) = -s_D_per_x_B;
-    S_u(1, 4) = -s_D_per_y_B;
-    S_u(1, 5) = s_D_per_phi_D;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_D;
+    S_d(1, 0) = -inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_D;
+    S_u(1, 0) = s_D_per_x_B;  S_u(1, 1) = s_D_per_y_B;  S_u(1, 2) = s_D_per_phi_B;
+    S_u(1, 3) = -s_D_per_x_B;  S_u(1, 4) = -s_D_per_y_B;  S_u(1, 5) = s_D_per_phi_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_D;
     q_second_rate(0) = s_B_per_x_B * t03 + s_B_per_y_B * t04 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_D * alpha_D + s_B_per_across_slide_B * centripetal_across_slide_B
         - centripetal_along_slide_B;
@@ -754,21 +581,18 @@ struct Model05 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     const Scalar T_0_re = Scalar(2) * (d.h_D_CD * (u.phi_B.cos * u.phi_D.cos
         + u.phi_B.sin * u.phi_D.sin) + DB_y * u.phi_B.cos - d.h_B_BC - DB_x * u.phi_B.sin);
     const Scalar T_1_re = -Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin);
-    T(0) = T_0_re;
-    T(1) = T_1_re;
+    T(0) = T_0_re;  T(1) = T_1_re;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar DB_x = u.x_B - u.x_D;
-    const Scalar DB_y = u.y_B - u.y_D;
+    const Scalar DB_x = u.x_B - u.x_D, DB_y = u.y_B - u.y_D;
     q.s_B = (q.s_D * u.phi_D.cos + d.h_D_CD * u.phi_D.sin - DB_x) * u.phi_B.cos
         + (q.s_D * u.phi_D.sin - d.h_D_CD * u.phi_D.cos - DB_y) * u.phi_B.sin;
   }

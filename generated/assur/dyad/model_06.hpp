@@ -64,12 +64,8 @@ struct Model06 {
     Direction<Scalar> psi_C_BC{};  ///< angle of the slide at C on link BC from the x-axis
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BC, psi_D_CD);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BC, psi_D_CD);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BC, psi_D_CD); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BC, psi_D_CD); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -82,12 +78,8 @@ struct Model06 {
     Scalar y_D{};  ///< y of a point on the base's slide at D
     Direction<Scalar> phi_D{};  ///< angle of the base's slide at D
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -97,12 +89,8 @@ struct Model06 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BC
     Scalar s_D{};  ///< displacement along the slide at D of link CD against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -147,12 +135,9 @@ struct Model06 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     f(0) = u.x_D + slide_D_x - u.x_B - slide_B_x - slide_C_x;
     f(1) = u.y_D + slide_D_y - u.y_B - slide_B_y - slide_C_y;
   }
@@ -163,12 +148,8 @@ struct Model06 {
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, unknown_count>& J) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = -cos_CD;
-    J(0, 2) = u.phi_D.cos;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = -sin_CD;
-    J(1, 2) = u.phi_D.sin;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = -cos_CD;  J(0, 2) = u.phi_D.cos;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = -sin_CD;  J(1, 2) = u.phi_D.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -178,8 +159,7 @@ struct Model06 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     F_d(0, 0) = slide_C_y;
     F_d(1, 0) = -slide_C_x;
   }
@@ -191,19 +171,12 @@ struct Model06 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_B_y + slide_C_y;
-    F_u(0, 3) = Scalar(1);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + slide_C_y;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -slide_B_x - slide_C_x;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - slide_C_x;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x;
   }
 
@@ -212,20 +185,13 @@ struct Model06 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     rhs(0) = v_x_B + slide_D_y * omega_D - (slide_B_y + slide_C_y) * omega_B - v_x_D;
     rhs(1) = (slide_B_x + slide_C_x) * omega_B + v_y_B - v_y_D - slide_D_x * omega_D;
   }
@@ -237,27 +203,16 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
     const Scalar alpha_D = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = slide_B_x + slide_C_x;
-    const Scalar t02 = slide_B_y + slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = slide_B_x + slide_C_x, t02 = slide_B_y + slide_C_y;
     rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D) + a_x_B
         + slide_D_y * alpha_D - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         + Scalar(2) * sin_CD * v_s_C) - t02 * alpha_B - a_x_D;
@@ -274,35 +229,19 @@ struct Model06 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar j_x_B = u_third_rate(0), j_y_B = u_third_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), jerk_B = u_third_rate(2), j_x_D = u_third_rate(3);
+    const Scalar j_y_D = u_third_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar jerk_D = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = u.phi_D.cos * v_s_D;
-    const Scalar t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C;
-    const Scalar t03 = slide_B_y + slide_C_y;
-    const Scalar t04 = u.phi_D.sin * v_s_D;
-    const Scalar t05 = slide_B_x + slide_C_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = u.phi_D.cos * v_s_D;
+    const Scalar t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C, t03 = slide_B_y + slide_C_y;
+    const Scalar t04 = u.phi_D.sin * v_s_D, t05 = slide_B_x + slide_C_x;
     const Scalar t06 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
     rhs(0) = omega_D * (omega_D * (Scalar(3) * t01 - slide_D_y * omega_D)
         + Scalar(3) * u.phi_D.sin * a_s_D + Scalar(3) * slide_D_x * alpha_D) + j_x_B
@@ -324,24 +263,14 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar omega_C_BC = d_rate(0);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), omega_C_BC = d_rate(0);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = sin_CD * v_s_C;
-    const Scalar t02 = slide_C_x * omega_C_BC;
-    const Scalar t03 = cos_CD * v_s_C;
-    const Scalar t04 = slide_C_y * omega_C_BC;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = sin_CD * v_s_C;
+    const Scalar t02 = slide_C_x * omega_C_BC, t03 = cos_CD * v_s_C, t04 = slide_C_y * omega_C_BC;
     rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D)
         - omega_B * ((slide_B_x + slide_C_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         + Scalar(2) * t01 + Scalar(2) * t02) - omega_C_BC * (Scalar(2) * t01 + t02);
@@ -356,18 +285,12 @@ struct Model06 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    poses[0].x = u.x_B + slide_B_x;
-    poses[0].y = u.y_B + slide_B_y;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_D + slide_D_x;
-    poses[1].y = u.y_D + slide_D_y;
-    poses[1].direction.cos = cos_CD;
-    poses[1].direction.sin = sin_CD;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    poses[0].x = u.x_B + slide_B_x;  poses[0].y = u.y_B + slide_B_y;
+    poses[0].direction.cos = u.phi_B.cos;  poses[0].direction.sin = u.phi_B.sin;
+    poses[1].x = u.x_D + slide_D_x;  poses[1].y = u.y_D + slide_D_y;
+    poses[1].direction.cos = cos_CD;  poses[1].direction.sin = sin_CD;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -380,24 +303,18 @@ struct Model06 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 2) = u.phi_D.cos;
     P_q(4, 2) = u.phi_D.sin;
     P_d(5, 0) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_D_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_D_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_D_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_D_x;
     P_u(5, 2) = Scalar(1);
   }
 
@@ -406,24 +323,14 @@ struct Model06 {
   static void link_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(2), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4), omega_D = u_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     v(0, 0) = u.phi_B.cos * v_s_B + v_x_B - slide_B_y * omega_B;
-    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;
-    v(0, 2) = omega_B;
+    v(0, 1) = u.phi_B.sin * v_s_B + v_y_B + slide_B_x * omega_B;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
-    v(1, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
-    v(1, 2) = omega_B;
+    v(1, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;  v(1, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -432,22 +339,12 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_D = q_rate(2);
+    const Scalar a_s_D = q_second_rate(2), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     a(0, 0) = u.phi_B.cos * a_s_B + a_x_B - omega_B * (Scalar(2) * u.phi_B.sin * v_s_B
         + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B)
@@ -467,15 +364,10 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>&, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(2), omega_B = u_rate(2), omega_D = u_rate(5);
     p.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
     p(0, 0) = -omega_B * (Scalar(2) * u.phi_B.sin * v_s_B + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * u.phi_B.cos * v_s_B - slide_B_y * omega_B);
     p(1, 0) = -omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D);

@@ -103,12 +103,10 @@ struct Model01 {
     Scalar CD{};  ///< distance from C to D on link CD
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(BC, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(BC, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(BC, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, CD,
+        GF); }
+    [[nodiscard]] auto members() const { return std::tie(BC, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF,
+        CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -119,12 +117,8 @@ struct Model01 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -135,12 +129,9 @@ struct Model01 {
     Direction<Scalar> theta_CD{};  ///< angle of link CD
     Direction<Scalar> theta_GF{};  ///< angle of link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, theta_EDF, theta_CD, theta_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, theta_EDF, theta_CD, theta_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, theta_EDF, theta_CD, theta_GF); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, theta_EDF, theta_CD,
+        theta_GF); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -193,24 +184,17 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + EB_x - ED_x;
-    f(1) = BC_y + CD_y + EB_y - ED_y;
-    f(2) = BG_x + GF_x + EB_x - EF_x;
-    f(3) = BG_y + GF_y + EB_y - EF_y;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + EB_x - ED_x;  f(1) = BC_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x;  f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -218,30 +202,18 @@ struct Model01 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    J(0, 0) = -BC_y;
-    J(0, 1) = ED_y;
-    J(0, 2) = -CD_y;
-    J(1, 0) = BC_x;
-    J(1, 1) = -ED_x;
-    J(1, 2) = CD_x;
-    J(2, 0) = -BG_y;
-    J(2, 1) = EF_y;
-    J(2, 3) = -GF_y;
-    J(3, 0) = BG_x;
-    J(3, 1) = -EF_x;
-    J(3, 3) = GF_x;
+    J(0, 0) = -BC_y;  J(0, 1) = ED_y;  J(0, 2) = -CD_y;
+    J(1, 0) = BC_x;  J(1, 1) = -ED_x;  J(1, 2) = CD_x;
+    J(2, 0) = -BG_y;  J(2, 1) = EF_y;  J(2, 3) = -GF_y;
+    J(3, 0) = BG_x;  J(3, 1) = -EF_x;  J(3, 3) = GF_x;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -249,22 +221,12 @@ struct Model01 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = q.theta_BCG.cos;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 6) = q.theta_CD.cos;
-    F_d(1, 0) = q.theta_BCG.sin;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 6) = q.theta_CD.sin;
-    F_d(2, 1) = q.theta_BCG.cos;
-    F_d(2, 2) = -q.theta_BCG.sin;
-    F_d(2, 4) = -q.theta_EDF.cos;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 1) = q.theta_BCG.sin;
-    F_d(3, 2) = q.theta_BCG.cos;
-    F_d(3, 4) = -q.theta_EDF.sin;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = q.theta_BCG.cos;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 6) = q.theta_CD.cos;
+    F_d(1, 0) = q.theta_BCG.sin;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 6) = q.theta_CD.sin;
+    F_d(2, 1) = q.theta_BCG.cos;  F_d(2, 2) = -q.theta_BCG.sin;  F_d(2, 4) = -q.theta_EDF.cos;
+    F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 1) = q.theta_BCG.sin;  F_d(3, 2) = q.theta_BCG.cos;  F_d(3, 4) = -q.theta_EDF.sin;
+    F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -272,14 +234,10 @@ struct Model01 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -287,16 +245,9 @@ struct Model01 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -306,31 +257,19 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
+    const Scalar omega_GF = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG;
-    const Scalar t02 = omega_EDF * omega_EDF;
-    const Scalar t03 = omega_CD * omega_CD;
-    const Scalar t04 = a_x_B - a_x_E;
-    const Scalar t05 = a_y_B - a_y_E;
+    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
+    const Scalar t03 = omega_CD * omega_CD, t04 = a_x_B - a_x_E, t05 = a_y_B - a_y_E;
     const Scalar t06 = omega_GF * omega_GF;
     rhs(0) = BC_x * t01 + CD_x * t03 - ED_x * t02 - t04;
     rhs(1) = BC_y * t01 + CD_y * t03 - ED_y * t02 - t05;
@@ -346,36 +285,20 @@ struct Model01 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar omega_CD = q_rate(2);
-    const Scalar alpha_CD = q_second_rate(2);
-    const Scalar omega_GF = q_rate(3);
-    const Scalar alpha_GF = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1), omega_CD = q_rate(2), alpha_CD = q_second_rate(2);
+    const Scalar omega_GF = q_rate(3), alpha_GF = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = j_x_B - j_x_E;
-    const Scalar t02 = omega_BCG * omega_BCG;
-    const Scalar t03 = omega_EDF * omega_EDF;
-    const Scalar t04 = omega_CD * omega_CD;
-    const Scalar t05 = j_y_B - j_y_E;
-    const Scalar t06 = omega_GF * omega_GF;
+    const Scalar t01 = j_x_B - j_x_E, t02 = omega_BCG * omega_BCG, t03 = omega_EDF * omega_EDF;
+    const Scalar t04 = omega_CD * omega_CD, t05 = j_y_B - j_y_E, t06 = omega_GF * omega_GF;
     rhs(0) = omega_BCG * (Scalar(3) * BC_x * alpha_BCG - BC_y * t02)
         + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t04) - t01
         - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t03);
@@ -397,28 +320,16 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3);
-    const Scalar v_BC = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_ED = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
+    const Scalar omega_GF = q_rate(3), v_BC = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), v_ED = d_rate(3), v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5), v_CD = d_rate(6), v_GF = d_rate(7);
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     rhs(0) = omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + BC_x * omega_BCG)
@@ -443,26 +354,15 @@ struct Model01 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = u.x_B + BC_x;
-    poses[2].y = u.y_B + BC_y;
-    poses[2].direction.cos = q.theta_CD.cos;
-    poses[2].direction.sin = q.theta_CD.sin;
-    poses[3].x = u.x_B + BG_x;
-    poses[3].y = u.y_B + BG_y;
-    poses[3].direction.cos = q.theta_GF.cos;
-    poses[3].direction.sin = q.theta_GF.sin;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = u.x_B + BC_x;  poses[2].y = u.y_B + BC_y;  poses[2].direction.cos = q.theta_CD.cos;
+    poses[2].direction.sin = q.theta_CD.sin;  poses[3].x = u.x_B + BG_x;  poses[3].y = u.y_B + BG_y;
+    poses[3].direction.cos = q.theta_GF.cos;  poses[3].direction.sin = q.theta_GF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -475,8 +375,7 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
@@ -489,10 +388,8 @@ struct Model01 {
     P_q(11, 3) = Scalar(1);
     P_d(6, 0) = q.theta_BCG.cos;
     P_d(7, 0) = q.theta_BCG.sin;
-    P_d(9, 1) = q.theta_BCG.cos;
-    P_d(9, 2) = -q.theta_BCG.sin;
-    P_d(10, 1) = q.theta_BCG.sin;
-    P_d(10, 2) = q.theta_BCG.cos;
+    P_d(9, 1) = q.theta_BCG.cos;  P_d(9, 2) = -q.theta_BCG.sin;
+    P_d(10, 1) = q.theta_BCG.sin;  P_d(10, 2) = q.theta_BCG.cos;
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
     P_u(3, 2) = Scalar(1);
@@ -508,30 +405,16 @@ struct Model01 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
+    const Scalar omega_GF = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
-    v(2, 0) = v_x_B - BC_y * omega_BCG;
-    v(2, 1) = v_y_B + BC_x * omega_BCG;
-    v(2, 2) = omega_CD;
-    v(3, 0) = v_x_B - BG_y * omega_BCG;
-    v(3, 1) = v_y_B + BG_x * omega_BCG;
-    v(3, 2) = omega_GF;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
+    v(2, 0) = v_x_B - BC_y * omega_BCG;  v(2, 1) = v_y_B + BC_x * omega_BCG;  v(2, 2) = omega_CD;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;  v(3, 1) = v_y_B + BG_x * omega_BCG;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -540,32 +423,19 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar alpha_CD = q_second_rate(2);
-    const Scalar alpha_GF = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), alpha_EDF = q_second_rate(1);
+    const Scalar alpha_CD = q_second_rate(2), alpha_GF = q_second_rate(3), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = omega_BCG * omega_BCG;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
     a(2, 0) = a_x_B - BC_y * alpha_BCG - BC_x * t01;
-    a(2, 1) = a_y_B + BC_x * alpha_BCG - BC_y * t01;
-    a(2, 2) = alpha_CD;
+    a(2, 1) = a_y_B + BC_x * alpha_BCG - BC_y * t01;  a(2, 2) = alpha_CD;
     a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t01;
-    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t01;
-    a(3, 2) = alpha_GF;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t01;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -575,13 +445,10 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_BC = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
+    const Scalar omega_BCG = q_rate(0), v_BC = d_rate(0), v_x_G_BCG = d_rate(1);
     const Scalar v_y_G_BCG = d_rate(2);
     p.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     p(2, 0) = -omega_BCG * (Scalar(2) * q.theta_BCG.sin * v_BC + BC_x * omega_BCG);
@@ -599,28 +466,18 @@ struct Model01 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -BC_y;
-    lines(0, 1) = BC_x;
-    lines(1, 0) = -ED_y;
-    lines(1, 1) = ED_x;
-    lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
-    lines(2, 0) = -BG_y;
-    lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;
-    lines(3, 1) = EF_x;
-    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+    lines(0, 0) = -BC_y;  lines(0, 1) = BC_x;
+    lines(1, 0) = -ED_y;  lines(1, 1) = ED_x;  lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
+    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
+    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -630,29 +487,17 @@ struct Model01 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = BC_x * n_CD_BCG_y - BC_y * n_CD_BCG_x;
@@ -670,18 +515,11 @@ struct Model01 {
   static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;
-    v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -692,40 +530,24 @@ struct Model01 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos;
-    const Scalar BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
+    const Scalar omega_GF = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3), S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG;
-    const Scalar t02 = omega_CD * omega_CD;
-    const Scalar t03 = omega_EDF * omega_EDF;
-    const Scalar t04 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - BC_x * t01 - S_CD_x * t02;
-    a(0, 1) = a_y_B - BC_y * t01 - S_CD_y * t02;
+    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_CD * omega_CD;
+    const Scalar t03 = omega_EDF * omega_EDF, t04 = omega_GF * omega_GF;
+    a(0, 0) = a_x_B - BC_x * t01 - S_CD_x * t02;  a(0, 1) = a_y_B - BC_y * t01 - S_CD_y * t02;
     a(1, 0) = a_x_E - (S_CD_x - CD_x) * t02 - ED_x * t03;
     a(1, 1) = a_y_E - (S_CD_y - CD_y) * t02 - ED_y * t03;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t04;
-    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t04;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t04;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t04;
     a(3, 0) = a_x_E - EF_x * t03 - (S_GF_x - GF_x) * t04;
     a(3, 1) = a_y_E - EF_y * t03 - (S_GF_y - GF_y) * t04;
   }
@@ -750,19 +572,14 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
-    const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG);
+    const Scalar t01 = abs(d.x_F_EDF) + abs(d.y_F_EDF), t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG);
     const Scalar t03 = abs(d.GF) + t01 + t02;
-    p(0) = determinant;
-    p(1) = d.GF;
-    p(2) = d.CD;
-    size(0) = Scalar(2) * (abs(d.BC) * t03 + abs(d.ED) * t03 + abs(d.CD) * t03);
-    size(1) = t03;
+    p(0) = determinant;  p(1) = d.GF;  p(2) = d.CD;
+    size(0) = Scalar(2) * (abs(d.BC) * t03 + abs(d.ED) * t03 + abs(d.CD) * t03);  size(1) = t03;
     size(2) = abs(d.BC) + abs(d.ED) + abs(d.CD);
     terms = abs(d.BC) * t01 + abs(d.ED) * t02;
   }
@@ -787,23 +604,18 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
@@ -855,23 +667,18 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
@@ -905,24 +712,21 @@ struct Model01 {
     S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
     S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
     S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -BCG_per_along_CD;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -BCG_per_along_CD;
     S_d(0, 7) = -BCG_per_along_GF;
     S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
     S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
     S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
     S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
     S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -EDF_per_along_CD;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -EDF_per_along_CD;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
     S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
     S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
     S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
     S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = -CD_per_along_CD;
+    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(2, 6) = -CD_per_along_CD;
     S_d(2, 7) = -CD_per_along_GF;
     S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
     S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
@@ -930,23 +734,14 @@ struct Model01 {
     S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
     S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(3, 6) = -GF_per_along_CD;
-    S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 6) = -GF_per_along_CD;  S_d(3, 7) = -GF_per_along_GF;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = CD_per_x_B;
-    S_u(2, 1) = CD_per_y_B;
-    S_u(2, 2) = -CD_per_x_B;
+    S_u(2, 0) = CD_per_x_B;  S_u(2, 1) = CD_per_y_B;  S_u(2, 2) = -CD_per_x_B;
     S_u(2, 3) = -CD_per_y_B;
-    S_u(3, 0) = GF_per_x_B;
-    S_u(3, 1) = GF_per_y_B;
-    S_u(3, 2) = -GF_per_x_B;
+    S_u(3, 0) = GF_per_x_B;  S_u(3, 1) = GF_per_y_B;  S_u(3, 2) = -GF_per_x_B;
     S_u(3, 3) = -GF_per_y_B;
   }
 
@@ -955,10 +750,7 @@ struct Model01 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
         + q.theta_BCG.sin * q.theta_CD.sin;
     const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
@@ -975,24 +767,18 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
-    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02, t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar velocity_along_CD = -q.theta_CD.cos * t03 - q.theta_CD.sin * t04;
     const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
@@ -1006,10 +792,7 @@ struct Model01 {
         - velocity_across_GF);
     const Scalar omega_CD = -inverse_CD * (BCG_along_CD * omega_BCG + EDF_along_CD * omega_EDF
         - velocity_across_CD);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_CD;
-    q_rate(3) = omega_GF;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_CD;  q_rate(3) = omega_GF;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1018,14 +801,9 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
         + q.theta_BCG.sin * q.theta_CD.sin;
     const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
@@ -1042,24 +820,18 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
-    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02, t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     const Scalar velocity_along_CD = -q.theta_CD.cos * t03 - q.theta_CD.sin * t04;
     const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
@@ -1073,9 +845,7 @@ struct Model01 {
         - velocity_across_GF);
     const Scalar omega_CD = -inverse_CD * (BCG_along_CD * omega_BCG + EDF_along_CD * omega_EDF
         - velocity_across_CD);
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
-    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E, t07 = omega_BCG * omega_BCG;
     const Scalar t08 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t07
         + EDF_along_CD * t08 - q.theta_CD.cos * t05 - q.theta_CD.sin * t06;
@@ -1093,13 +863,8 @@ struct Model01 {
         - acceleration_across_GF);
     const Scalar alpha_CD = -inverse_CD * (BCG_along_CD * alpha_BCG + EDF_along_CD * alpha_EDF
         - acceleration_across_CD);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_CD;
-    q_rate(3) = omega_GF;
-    q_second_rate(0) = alpha_BCG;
-    q_second_rate(1) = alpha_EDF;
-    q_second_rate(2) = alpha_CD;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_CD;  q_rate(3) = omega_GF;
+    q_second_rate(0) = alpha_BCG;  q_second_rate(1) = alpha_EDF;  q_second_rate(2) = alpha_CD;
     q_second_rate(3) = alpha_GF;
   }
 
@@ -1111,14 +876,9 @@ struct Model01 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
         + q.theta_BCG.sin * q.theta_CD.sin;
     const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
@@ -1135,23 +895,18 @@ struct Model01 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD;
-    const Scalar BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
     const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
@@ -1180,13 +935,11 @@ struct Model01 {
         - CD_per_along_GF * q.theta_GF.sin;
     const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
         - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar omega_BCG = BCG_per_x_B * t03 + BCG_per_y_B * t04;
     const Scalar omega_EDF = EDF_per_x_B * t03 + EDF_per_y_B * t04;
     const Scalar omega_CD = CD_per_x_B * t03 + CD_per_y_B * t04;
-    const Scalar omega_GF = GF_per_x_B * t03 + GF_per_y_B * t04;
-    const Scalar t05 = omega_BCG * omega_BCG;
+    const Scalar omega_GF = GF_per_x_B * t03 + GF_per_y_B * t04, t05 = omega_BCG * omega_BCG;
     const Scalar t06 = omega_EDF * omega_EDF;
     const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t05
         + EDF_along_CD * t06;
@@ -1194,31 +947,27 @@ struct Model01 {
     const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t05
         + EDF_along_GF * t06;
     const Scalar centripetal_across_GF = BCG_across_GF * t05 + EDF_across_GF * t06;
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar t07 = a_x_B - a_x_E, t08 = a_y_B - a_y_E;
     S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
     S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
     S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
     S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
     S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -BCG_per_along_CD;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -BCG_per_along_CD;
     S_d(0, 7) = -BCG_per_along_GF;
     S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
     S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
     S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
     S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
     S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -EDF_per_along_CD;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -EDF_per_along_CD;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
     S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
     S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
     S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
     S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = -CD_per_along_CD;
+    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(2, 6) = -CD_per_along_CD;
     S_d(2, 7) = -CD_per_along_GF;
     S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
     S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
@@ -1226,28 +975,16 @@ struct Model01 {
     S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
     S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(3, 6) = -GF_per_along_CD;
-    S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 6) = -GF_per_along_CD;  S_d(3, 7) = -GF_per_along_GF;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = CD_per_x_B;
-    S_u(2, 1) = CD_per_y_B;
-    S_u(2, 2) = -CD_per_x_B;
+    S_u(2, 0) = CD_per_x_B;  S_u(2, 1) = CD_per_y_B;  S_u(2, 2) = -CD_per_x_B;
     S_u(2, 3) = -CD_per_y_B;
-    S_u(3, 0) = GF_per_x_B;
-    S_u(3, 1) = GF_per_y_B;
-    S_u(3, 2) = -GF_per_x_B;
+    S_u(3, 0) = GF_per_x_B;  S_u(3, 1) = GF_per_y_B;  S_u(3, 2) = -GF_per_x_B;
     S_u(3, 3) = -GF_per_y_B;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_CD;
-    q_rate(3) = omega_GF;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_CD;  q_rate(3) = omega_GF;
     q_second_rate(0) = BCG_per_x_B * t07 + BCG_per_y_B * t08
         + BCG_per_along_CD * centripetal_along_CD + BCG_per_along_GF * centripetal_along_GF;
     q_second_rate(1) = EDF_per_x_B * t07 + EDF_per_y_B * t08
@@ -1263,29 +1000,21 @@ struct Model01 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar P1_m1_re = -Scalar(2) * d.BC * d.ED;
-    const Scalar P1_0_re = -Scalar(2) * d.ED * EB_x;
-    const Scalar P1_0_im = Scalar(2) * d.ED * EB_y;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, P1_m1_re = -Scalar(2) * d.BC * d.ED;
+    const Scalar P1_0_re = -Scalar(2) * d.ED * EB_x, P1_0_im = Scalar(2) * d.ED * EB_y;
     const Scalar P2_m1_re = -Scalar(2) * (d.x_G_BCG * d.x_F_EDF + d.y_G_BCG * d.y_F_EDF);
     const Scalar P2_m1_im = -Scalar(2) * (d.x_G_BCG * d.y_F_EDF - d.x_F_EDF * d.y_G_BCG);
     const Scalar P2_0_re = -Scalar(2) * (EB_x * d.x_F_EDF + EB_y * d.y_F_EDF);
     const Scalar P2_0_im = Scalar(2) * (EB_y * d.x_F_EDF - EB_x * d.y_F_EDF);
-    const Scalar C1_m1_re = d.BC * EB_x;
-    const Scalar C1_m1_im = d.BC * EB_y;
-    const Scalar t01 = EB_x * EB_x + EB_y * EB_y;
+    const Scalar C1_m1_re = d.BC * EB_x, C1_m1_im = d.BC * EB_y, t01 = EB_x * EB_x + EB_y * EB_y;
     const Scalar C1_0_re = d.BC * d.BC + d.ED * d.ED + t01 - d.CD * d.CD;
     const Scalar C2_m1_re = EB_x * d.x_G_BCG + EB_y * d.y_G_BCG;
     const Scalar C2_m1_im = EB_y * d.x_G_BCG - EB_x * d.y_G_BCG;
     const Scalar C2_0_re = d.x_G_BCG * d.x_G_BCG + d.y_G_BCG * d.y_G_BCG + d.x_F_EDF * d.x_F_EDF
         + d.y_F_EDF * d.y_F_EDF + t01 - d.GF * d.GF;
-    const Scalar t02 = P2_m1_im * C1_m1_im;
-    const Scalar t03 = P1_m1_re * C2_m1_re - P2_m1_re * C1_m1_re;
-    const Scalar U_m2_re = t02 + t03;
-    const Scalar t04 = C1_m1_re * P2_m1_im;
-    const Scalar t05 = P1_m1_re * C2_m1_im - P2_m1_re * C1_m1_im;
-    const Scalar U_m2_im = t05 - t04;
+    const Scalar t02 = P2_m1_im * C1_m1_im, t03 = P1_m1_re * C2_m1_re - P2_m1_re * C1_m1_re;
+    const Scalar U_m2_re = t02 + t03, t04 = C1_m1_re * P2_m1_im;
+    const Scalar t05 = P1_m1_re * C2_m1_im - P2_m1_re * C1_m1_im, U_m2_im = t05 - t04;
     const Scalar t06 = C2_m1_re * P1_0_re - C1_m1_re * P2_0_re;
     const Scalar t07 = C2_m1_im * P1_0_im - C1_m1_im * P2_0_im;
     const Scalar U_m1_re = P1_m1_re * C2_0_re + t06 - P2_m1_re * C1_0_re - t07;
@@ -1293,16 +1022,14 @@ struct Model01 {
     const Scalar t09 = C2_m1_re * P1_0_im - C1_m1_re * P2_0_im;
     const Scalar U_m1_im = t08 + t09 - P2_m1_im * C1_0_re;
     const Scalar U_0_re = C2_0_re * P1_0_re + t03 - t02 - C1_0_re * P2_0_re;
-    const Scalar U_0_im = C2_0_re * P1_0_im - t04 - C1_0_re * P2_0_im - t05;
-    const Scalar U_1_re = t06 + t07;
+    const Scalar U_0_im = C2_0_re * P1_0_im - t04 - C1_0_re * P2_0_im - t05, U_1_re = t06 + t07;
     const Scalar U_1_im = t09 - t08;
     const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
     const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
-    const Scalar t10 = V_m1_re * V_m1_re;
-    const Scalar t11 = V_m1_im * V_m1_im;
+    const Scalar t10 = V_m1_re * V_m1_re, t11 = V_m1_im * V_m1_im;
     T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
         + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t10
         - Scalar(2) * t11 - V_0_re * V_0_re;
@@ -1324,8 +1051,7 @@ struct Model01 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
     const Scalar t02 = EB_x * EB_x + EB_y * EB_y;
     const Scalar t03 = EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
@@ -1344,8 +1070,7 @@ struct Model01 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_CD has no length.
     const Scalar inverse_theta_CD = Scalar(1) / d.CD;
     // A zero divisor means that the link that turns by theta_GF has no length.

@@ -102,12 +102,10 @@ struct Model02 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, h_C_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, h_C_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF,
+        h_C_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF,
+        y_F_EDF, h_C_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -118,12 +116,8 @@ struct Model02 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -134,12 +128,8 @@ struct Model02 {
     Direction<Scalar> theta_GF{};  ///< angle of link GF
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, theta_EDF, theta_GF, s_C);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, theta_EDF, theta_GF, s_C);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, theta_EDF, theta_GF, s_C); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, theta_EDF, theta_GF, s_C); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -195,26 +185,18 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
-    f(2) = BG_x + GF_x + EB_x - EF_x;
-    f(3) = BG_y + GF_y + EB_y - EF_y;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;  f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x;  f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -222,32 +204,19 @@ struct Model02 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    J(0, 0) = -BC_y - slide_C_y - CD_y;
-    J(0, 1) = ED_y;
-    J(0, 3) = q.theta_BCG.cos;
-    J(1, 0) = BC_x + slide_C_x + CD_x;
-    J(1, 1) = -ED_x;
-    J(1, 3) = q.theta_BCG.sin;
-    J(2, 0) = -BG_y;
-    J(2, 1) = EF_y;
-    J(2, 2) = -GF_y;
-    J(3, 0) = BG_x;
-    J(3, 1) = -EF_x;
-    J(3, 2) = GF_x;
+    J(0, 0) = -BC_y - slide_C_y - CD_y;  J(0, 1) = ED_y;  J(0, 3) = q.theta_BCG.cos;
+    J(1, 0) = BC_x + slide_C_x + CD_x;  J(1, 1) = -ED_x;  J(1, 3) = q.theta_BCG.sin;
+    J(2, 0) = -BG_y;  J(2, 1) = EF_y;  J(2, 2) = -GF_y;
+    J(3, 0) = BG_x;  J(3, 1) = -EF_x;  J(3, 2) = GF_x;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -255,22 +224,12 @@ struct Model02 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_BCG.sin;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 6) = q.theta_BCG.sin;
-    F_d(1, 0) = q.theta_BCG.cos;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 6) = -q.theta_BCG.cos;
-    F_d(2, 1) = q.theta_BCG.cos;
-    F_d(2, 2) = -q.theta_BCG.sin;
-    F_d(2, 4) = -q.theta_EDF.cos;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 1) = q.theta_BCG.sin;
-    F_d(3, 2) = q.theta_BCG.cos;
-    F_d(3, 4) = -q.theta_EDF.sin;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = -q.theta_BCG.sin;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 6) = q.theta_BCG.sin;
+    F_d(1, 0) = q.theta_BCG.cos;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 6) = -q.theta_BCG.cos;
+    F_d(2, 1) = q.theta_BCG.cos;  F_d(2, 2) = -q.theta_BCG.sin;  F_d(2, 4) = -q.theta_EDF.cos;
+    F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 1) = q.theta_BCG.sin;  F_d(3, 2) = q.theta_BCG.cos;  F_d(3, 4) = -q.theta_EDF.sin;
+    F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -278,14 +237,10 @@ struct Model02 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -293,16 +248,9 @@ struct Model02 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -312,33 +260,20 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_EDF * omega_EDF;
-    const Scalar t02 = a_x_B - a_x_E;
-    const Scalar t03 = a_y_B - a_y_E;
-    const Scalar t04 = omega_BCG * omega_BCG;
-    const Scalar t05 = omega_GF * omega_GF;
+    const Scalar t01 = omega_EDF * omega_EDF, t02 = a_x_B - a_x_E, t03 = a_y_B - a_y_E;
+    const Scalar t04 = omega_BCG * omega_BCG, t05 = omega_GF * omega_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
     rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
@@ -355,40 +290,22 @@ struct Model02 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar alpha_GF = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1), omega_GF = q_rate(2), alpha_GF = q_second_rate(2);
+    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = BC_y + slide_C_y + CD_y;
-    const Scalar t02 = q.theta_BCG.cos * v_s_C;
-    const Scalar t03 = BC_x + slide_C_x + CD_x;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = q.theta_BCG.sin * v_s_C;
-    const Scalar t07 = j_y_B - j_y_E;
-    const Scalar t08 = omega_BCG * omega_BCG;
+    const Scalar t01 = BC_y + slide_C_y + CD_y, t02 = q.theta_BCG.cos * v_s_C;
+    const Scalar t03 = BC_x + slide_C_x + CD_x, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = q.theta_BCG.sin * v_s_C, t07 = j_y_B - j_y_E, t08 = omega_BCG * omega_BCG;
     const Scalar t09 = omega_GF * omega_GF;
     rhs(0) = Scalar(3) * alpha_BCG * t06 - omega_BCG * (omega_BCG * (t01 * omega_BCG
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
@@ -411,30 +328,17 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_ED = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_C = q_rate(3), v_h_C_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), v_ED = d_rate(3), v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5), v_h_C_CD = d_rate(6), v_GF = d_rate(7);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
@@ -460,29 +364,17 @@ struct Model02 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = u.x_B + BC_x + slide_C_x + CD_x;
-    poses[2].y = u.y_B + BC_y + slide_C_y + CD_y;
-    poses[2].direction.cos = q.theta_BCG.cos;
-    poses[2].direction.sin = q.theta_BCG.sin;
-    poses[3].x = u.x_B + BG_x;
-    poses[3].y = u.y_B + BG_y;
-    poses[3].direction.cos = q.theta_GF.cos;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = u.x_B + BC_x + slide_C_x + CD_x;  poses[2].y = u.y_B + BC_y + slide_C_y + CD_y;
+    poses[2].direction.cos = q.theta_BCG.cos;  poses[2].direction.sin = q.theta_BCG.sin;
+    poses[3].x = u.x_B + BG_x;  poses[3].y = u.y_B + BG_y;  poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
 
@@ -496,32 +388,23 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
-    P_q(6, 0) = -BC_y - slide_C_y - CD_y;
-    P_q(6, 3) = q.theta_BCG.cos;
-    P_q(7, 0) = BC_x + slide_C_x + CD_x;
-    P_q(7, 3) = q.theta_BCG.sin;
+    P_q(6, 0) = -BC_y - slide_C_y - CD_y;  P_q(6, 3) = q.theta_BCG.cos;
+    P_q(7, 0) = BC_x + slide_C_x + CD_x;  P_q(7, 3) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
     P_q(9, 0) = -BG_y;
     P_q(10, 0) = BG_x;
     P_q(11, 2) = Scalar(1);
-    P_d(6, 0) = -q.theta_BCG.sin;
-    P_d(6, 6) = q.theta_BCG.sin;
-    P_d(7, 0) = q.theta_BCG.cos;
-    P_d(7, 6) = -q.theta_BCG.cos;
-    P_d(9, 1) = q.theta_BCG.cos;
-    P_d(9, 2) = -q.theta_BCG.sin;
-    P_d(10, 1) = q.theta_BCG.sin;
-    P_d(10, 2) = q.theta_BCG.cos;
+    P_d(6, 0) = -q.theta_BCG.sin;  P_d(6, 6) = q.theta_BCG.sin;
+    P_d(7, 0) = q.theta_BCG.cos;  P_d(7, 6) = -q.theta_BCG.cos;
+    P_d(9, 1) = q.theta_BCG.cos;  P_d(9, 2) = -q.theta_BCG.sin;
+    P_d(10, 1) = q.theta_BCG.sin;  P_d(10, 2) = q.theta_BCG.cos;
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
     P_u(3, 2) = Scalar(1);
@@ -537,34 +420,20 @@ struct Model02 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_C = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2);
     const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
     v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y + CD_y) * omega_BCG;
     v(2, 1) = v_y_B + (BC_x + slide_C_x + CD_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - BG_y * omega_BCG;
-    v(3, 1) = v_y_B + BG_x * omega_BCG;
-    v(3, 2) = omega_GF;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;  v(3, 1) = v_y_B + BG_x * omega_BCG;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -573,41 +442,26 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar alpha_GF = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), alpha_EDF = q_second_rate(1);
+    const Scalar alpha_GF = q_second_rate(2), v_s_C = q_rate(3), a_s_C = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = BC_x + slide_C_x + CD_x;
-    const Scalar t02 = BC_y + slide_C_y + CD_y;
+    const Scalar t01 = BC_x + slide_C_x + CD_x, t02 = BC_y + slide_C_y + CD_y;
     const Scalar t03 = omega_BCG * omega_BCG;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
     a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
     a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
-    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
-    a(3, 2) = alpha_GF;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -617,19 +471,12 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(3), v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2), v_h_C_CD = d_rate(6);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
@@ -650,31 +497,21 @@ struct Model02 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -q.theta_BCG.cos;
-    lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
     lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
         + CD_y) * q.theta_BCG.sin;
-    lines(1, 0) = ED_y;
-    lines(1, 1) = -ED_x;
-    lines(2, 0) = -BG_y;
-    lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;
-    lines(3, 1) = EF_x;
-    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+    lines(1, 0) = ED_y;  lines(1, 1) = -ED_x;
+    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
+    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -684,31 +521,18 @@ struct Model02 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
@@ -727,18 +551,11 @@ struct Model02 {
   static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;
-    v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -749,43 +566,27 @@ struct Model02 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3), S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG;
-    const Scalar t02 = omega_EDF * omega_EDF;
+    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
     const Scalar t03 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
     a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
-    a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t03;
-    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t03;
+    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;  a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t03;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t03;
     a(3, 0) = a_x_E - EF_x * t02 - (S_GF_x - GF_x) * t03;
     a(3, 1) = a_y_E - EF_y * t02 - (S_GF_y - GF_y) * t03;
   }
@@ -815,8 +616,7 @@ struct Model02 {
     const Scalar t01 = abs(d.x_G_BCG) + abs(d.y_G_BCG);
     const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF) + t01;
     const Scalar t03 = abs(q.s_C) + abs(d.h_C_BCG) + abs(d.h_C_CD);
-    p(0) = determinant;
-    p(1) = d.GF;
+    p(0) = determinant;  p(1) = d.GF;
     size(0) = Scalar(2) * (abs(q.s_C) * t02 + abs(d.h_C_BCG) * t02 + abs(d.ED) * t02
         + abs(d.h_C_CD) * t02);
     size(1) = t02;
@@ -850,8 +650,7 @@ struct Model02 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
@@ -910,8 +709,7 @@ struct Model02 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
@@ -940,21 +738,17 @@ struct Model02 {
         - GF_per_along_GF * q.theta_GF.sin;
     const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
         - q.theta_GF.sin * s_C_per_along_GF;
-    S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
     S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
     S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
     S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
     S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -GF_per_across_slide_C;
     S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
@@ -962,31 +756,20 @@ struct Model02 {
     S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = GF_per_across_slide_C;
-    S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -s_C_per_across_slide_C;
-    S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = GF_per_across_slide_C;  S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -s_C_per_across_slide_C;  S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
     S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
     S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;  S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = GF_per_x_B;
-    S_u(2, 1) = GF_per_y_B;
-    S_u(2, 2) = -GF_per_x_B;
+    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = -GF_per_x_B;
     S_u(2, 3) = -GF_per_y_B;
-    S_u(3, 0) = s_C_per_x_B;
-    S_u(3, 1) = s_C_per_y_B;
-    S_u(3, 2) = -s_C_per_x_B;
+    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = -s_C_per_x_B;
     S_u(3, 3) = -s_C_per_y_B;
   }
 
@@ -995,10 +778,7 @@ struct Model02 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1022,10 +802,8 @@ struct Model02 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
@@ -1038,10 +816,7 @@ struct Model02 {
         + velocity_along_slide_C;
     const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
         - velocity_across_GF);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_C;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_GF;  q_rate(3) = v_s_C;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1050,14 +825,9 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1081,10 +851,8 @@ struct Model02 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
@@ -1097,9 +865,7 @@ struct Model02 {
     const Scalar v_s_C = t03 + EDF_across_slide_C * omega_EDF + velocity_along_slide_C;
     const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
         - velocity_across_GF);
-    const Scalar t04 = a_x_B - a_x_E;
-    const Scalar t05 = a_y_B - a_y_E;
-    const Scalar t06 = omega_EDF * omega_EDF;
+    const Scalar t04 = a_x_B - a_x_E, t05 = a_y_B - a_y_E, t06 = omega_EDF * omega_EDF;
     const Scalar t07 = omega_BCG * omega_BCG;
     const Scalar acceleration_along_slide_C = EDF_along_slide_C * t06 + q.s_C * t07
         - q.theta_BCG.cos * t04 - q.theta_BCG.sin * t05;
@@ -1117,13 +883,8 @@ struct Model02 {
         + acceleration_along_slide_C;
     const Scalar alpha_GF = -inverse_GF * (BCG_along_GF * alpha_BCG + EDF_along_GF * alpha_EDF
         - acceleration_across_GF);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_C;
-    q_second_rate(0) = alpha_BCG;
-    q_second_rate(1) = alpha_EDF;
-    q_second_rate(2) = alpha_GF;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_GF;  q_rate(3) = v_s_C;
+    q_second_rate(0) = alpha_BCG;  q_second_rate(1) = alpha_EDF;  q_second_rate(2) = alpha_GF;
     q_second_rate(3) = a_s_C;
   }
 
@@ -1135,14 +896,9 @@ struct Model02 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1166,8 +922,7 @@ struct Model02 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
     const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
     const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
@@ -1196,13 +951,11 @@ struct Model02 {
         - GF_per_along_GF * q.theta_GF.sin;
     const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
         - q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
     const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
     const Scalar omega_GF = GF_per_x_B * t01 + GF_per_y_B * t02;
-    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
-    const Scalar t03 = omega_EDF * omega_EDF;
+    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02, t03 = omega_EDF * omega_EDF;
     const Scalar t04 = omega_BCG * omega_BCG;
     const Scalar centripetal_along_slide_C = EDF_along_slide_C * t03 + q.s_C * t04;
     const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
@@ -1210,23 +963,18 @@ struct Model02 {
     const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t03
         + BCG_along_GF * t04;
     const Scalar centripetal_across_GF = EDF_across_GF * t03 + BCG_across_GF * t04;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+    const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
     S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
     S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = BCG_per_across_slide_C;
+    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = BCG_per_across_slide_C;
     S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
     S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
     S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = EDF_per_across_slide_C;
+    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = EDF_per_across_slide_C;
     S_d(1, 7) = -EDF_per_along_GF;
     S_d(2, 0) = -GF_per_across_slide_C;
     S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
@@ -1234,36 +982,22 @@ struct Model02 {
     S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
     S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = GF_per_across_slide_C;
-    S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -s_C_per_across_slide_C;
-    S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 6) = GF_per_across_slide_C;  S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -s_C_per_across_slide_C;  S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
     S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
     S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 6) = s_C_per_across_slide_C;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;  S_d(3, 6) = s_C_per_across_slide_C;
     S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = GF_per_x_B;
-    S_u(2, 1) = GF_per_y_B;
-    S_u(2, 2) = -GF_per_x_B;
+    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = -GF_per_x_B;
     S_u(2, 3) = -GF_per_y_B;
-    S_u(3, 0) = s_C_per_x_B;
-    S_u(3, 1) = s_C_per_y_B;
-    S_u(3, 2) = -s_C_per_x_B;
+    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = -s_C_per_x_B;
     S_u(3, 3) = -s_C_per_y_B;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_C;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_GF;  q_rate(3) = v_s_C;
     q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
         + BCG_per_across_slide_C * centripetal_across_slide_C
         + BCG_per_along_GF * centripetal_along_GF;
@@ -1283,9 +1017,7 @@ struct Model02 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar P1_m1_im = Scalar(2) * d.ED;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, P1_m1_im = Scalar(2) * d.ED;
     const Scalar P2_m1_re = -Scalar(2) * (d.x_G_BCG * d.x_F_EDF + d.y_G_BCG * d.y_F_EDF);
     const Scalar P2_m1_im = -Scalar(2) * (d.x_G_BCG * d.y_F_EDF - d.x_F_EDF * d.y_G_BCG);
     const Scalar P2_0_re = -Scalar(2) * (d.x_F_EDF * EB_x + d.y_F_EDF * EB_y);
@@ -1295,27 +1027,18 @@ struct Model02 {
     const Scalar C2_m1_im = d.x_G_BCG * EB_y - d.y_G_BCG * EB_x;
     const Scalar C2_0_re = d.x_G_BCG * d.x_G_BCG + d.y_G_BCG * d.y_G_BCG + d.x_F_EDF * d.x_F_EDF
         + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
-    const Scalar t01 = EB_y * P2_m1_re;
-    const Scalar t02 = EB_x * P2_m1_im + P1_m1_im * C2_m1_im;
-    const Scalar U_m2_re = -t01 - t02;
-    const Scalar t03 = EB_x * P2_m1_re;
-    const Scalar t04 = EB_y * P2_m1_im - P1_m1_im * C2_m1_re;
-    const Scalar U_m2_im = t03 - t04;
-    const Scalar t05 = EB_x * P2_0_im;
-    const Scalar t06 = EB_y * P2_0_re;
-    const Scalar U_m1_re = -t05 - t06 - P2_m1_re * C1_0_re;
-    const Scalar t07 = EB_x * P2_0_re;
+    const Scalar t01 = EB_y * P2_m1_re, t02 = EB_x * P2_m1_im + P1_m1_im * C2_m1_im;
+    const Scalar U_m2_re = -t01 - t02, t03 = EB_x * P2_m1_re;
+    const Scalar t04 = EB_y * P2_m1_im - P1_m1_im * C2_m1_re, U_m2_im = t03 - t04;
+    const Scalar t05 = EB_x * P2_0_im, t06 = EB_y * P2_0_re;
+    const Scalar U_m1_re = -t05 - t06 - P2_m1_re * C1_0_re, t07 = EB_x * P2_0_re;
     const Scalar t08 = EB_y * P2_0_im;
     const Scalar U_m1_im = t07 + P1_m1_im * C2_0_re - t08 - P2_m1_im * C1_0_re;
-    const Scalar U_0_re = t02 - t01 - P2_0_re * C1_0_re;
-    const Scalar U_0_im = -t03 - P2_0_im * C1_0_re - t04;
-    const Scalar U_1_re = t05 - t06;
-    const Scalar U_1_im = -t07 - t08;
+    const Scalar U_0_re = t02 - t01 - P2_0_re * C1_0_re, U_0_im = -t03 - P2_0_im * C1_0_re - t04;
+    const Scalar U_1_re = t05 - t06, U_1_im = -t07 - t08;
     const Scalar V_m1_re = Scalar(0.5) * P1_m1_im * P2_0_re;
-    const Scalar V_m1_im = -Scalar(0.5) * P1_m1_im * P2_0_im;
-    const Scalar V_0_re = P2_m1_re * P1_m1_im;
-    const Scalar t09 = V_m1_re * V_m1_re;
-    const Scalar t10 = V_m1_im * V_m1_im;
+    const Scalar V_m1_im = -Scalar(0.5) * P1_m1_im * P2_0_im, V_0_re = P2_m1_re * P1_m1_im;
+    const Scalar t09 = V_m1_re * V_m1_re, t10 = V_m1_im * V_m1_im;
     T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
         + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t09
         - Scalar(2) * t10 - V_0_re * V_0_re;
@@ -1337,13 +1060,11 @@ struct Model02 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
     const Scalar t02 = EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar t03 = EB_y + d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    e(0, 0) = Scalar(2) * d.ED * q.theta_BCG.sin;
-    e(0, 1) = -Scalar(2) * d.ED * q.theta_BCG.cos;
+    e(0, 0) = Scalar(2) * d.ED * q.theta_BCG.sin;  e(0, 1) = -Scalar(2) * d.ED * q.theta_BCG.cos;
     e(0, 2) = Scalar(2) * (d.h_C_BCG + t01 - d.h_C_CD);
     e(1, 0) = -Scalar(2) * (t02 * d.x_F_EDF + t03 * d.y_F_EDF);
     e(1, 1) = -Scalar(2) * (d.x_F_EDF * t03 - t02 * d.y_F_EDF);
@@ -1356,8 +1077,7 @@ struct Model02 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     q.s_C = (d.ED * q.theta_EDF.cos - EB_x) * q.theta_BCG.cos + (d.ED * q.theta_EDF.sin

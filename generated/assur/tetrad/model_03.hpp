@@ -101,12 +101,10 @@ struct Model03 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar h_F_GF{};  ///< offset of the slide at F on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, x_D_EDF, y_D_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, x_D_EDF, y_D_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, x_D_EDF, y_D_EDF,
+        h_F_EDF, h_C_CD, h_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, x_D_EDF,
+        y_D_EDF, h_F_EDF, h_C_CD, h_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -117,12 +115,8 @@ struct Model03 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -133,12 +127,8 @@ struct Model03 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, theta_EDF, s_C, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, theta_EDF, s_C, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, theta_EDF, s_C, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, theta_EDF, s_C, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -192,28 +182,19 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
-    f(2) = BG_x + GF_x + EB_x - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + EB_y - EF_y - slide_F_y;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + EB_x - ED_x;  f(1) = BC_y + slide_C_y + CD_y + EB_y - ED_y;
+    f(2) = BG_x + GF_x + EB_x - EF_x - slide_F_x;  f(3) = BG_y + GF_y + EB_y - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -221,34 +202,20 @@ struct Model03 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    J(0, 0) = -BC_y - slide_C_y - CD_y;
-    J(0, 1) = ED_y;
-    J(0, 2) = q.theta_BCG.cos;
-    J(1, 0) = BC_x + slide_C_x + CD_x;
-    J(1, 1) = -ED_x;
-    J(1, 2) = q.theta_BCG.sin;
-    J(2, 0) = -BG_y;
-    J(2, 1) = EF_y + slide_F_y - GF_y;
-    J(2, 3) = -q.theta_EDF.cos;
-    J(3, 0) = BG_x;
-    J(3, 1) = GF_x - EF_x - slide_F_x;
-    J(3, 3) = -q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    J(0, 0) = -BC_y - slide_C_y - CD_y;  J(0, 1) = ED_y;  J(0, 2) = q.theta_BCG.cos;
+    J(1, 0) = BC_x + slide_C_x + CD_x;  J(1, 1) = -ED_x;  J(1, 2) = q.theta_BCG.sin;
+    J(2, 0) = -BG_y;  J(2, 1) = EF_y + slide_F_y - GF_y;  J(2, 3) = -q.theta_EDF.cos;
+    J(3, 0) = BG_x;  J(3, 1) = GF_x - EF_x - slide_F_x;  J(3, 3) = -q.theta_EDF.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -256,21 +223,13 @@ struct Model03 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_BCG.sin;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 4) = q.theta_EDF.sin;
+    F_d(0, 0) = -q.theta_BCG.sin;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 4) = q.theta_EDF.sin;
     F_d(0, 6) = q.theta_BCG.sin;
-    F_d(1, 0) = q.theta_BCG.cos;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 4) = -q.theta_EDF.cos;
+    F_d(1, 0) = q.theta_BCG.cos;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 4) = -q.theta_EDF.cos;
     F_d(1, 6) = -q.theta_BCG.cos;
-    F_d(2, 1) = q.theta_BCG.cos;
-    F_d(2, 2) = -q.theta_BCG.sin;
-    F_d(2, 5) = q.theta_EDF.sin;
+    F_d(2, 1) = q.theta_BCG.cos;  F_d(2, 2) = -q.theta_BCG.sin;  F_d(2, 5) = q.theta_EDF.sin;
     F_d(2, 7) = -q.theta_EDF.sin;
-    F_d(3, 1) = q.theta_BCG.sin;
-    F_d(3, 2) = q.theta_BCG.cos;
-    F_d(3, 5) = -q.theta_EDF.cos;
+    F_d(3, 1) = q.theta_BCG.sin;  F_d(3, 2) = q.theta_BCG.cos;  F_d(3, 5) = -q.theta_EDF.cos;
     F_d(3, 7) = q.theta_EDF.cos;
   }
 
@@ -279,14 +238,10 @@ struct Model03 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -294,16 +249,9 @@ struct Model03 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -313,33 +261,20 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = omega_EDF * omega_EDF;
-    const Scalar t02 = a_x_B - a_x_E;
-    const Scalar t03 = a_y_B - a_y_E;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = omega_EDF * omega_EDF, t02 = a_x_B - a_x_E, t03 = a_y_B - a_y_E;
     const Scalar t04 = omega_BCG * omega_BCG;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
@@ -359,45 +294,25 @@ struct Model03 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
+    const Scalar alpha_EDF = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = BC_y + slide_C_y + CD_y;
-    const Scalar t02 = q.theta_BCG.cos * v_s_C;
-    const Scalar t03 = BC_x + slide_C_x + CD_x;
-    const Scalar t04 = q.theta_BCG.sin * v_s_C;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = j_y_B - j_y_E;
-    const Scalar t08 = GF_y - EF_y - slide_F_y;
-    const Scalar t09 = q.theta_EDF.cos * v_s_F;
-    const Scalar t10 = GF_x - EF_x - slide_F_x;
-    const Scalar t11 = q.theta_EDF.sin * v_s_F;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = BC_y + slide_C_y + CD_y, t02 = q.theta_BCG.cos * v_s_C;
+    const Scalar t03 = BC_x + slide_C_x + CD_x, t04 = q.theta_BCG.sin * v_s_C;
+    const Scalar t05 = omega_EDF * omega_EDF, t06 = j_x_B - j_x_E, t07 = j_y_B - j_y_E;
+    const Scalar t08 = GF_y - EF_y - slide_F_y, t09 = q.theta_EDF.cos * v_s_F;
+    const Scalar t10 = GF_x - EF_x - slide_F_x, t11 = q.theta_EDF.sin * v_s_F;
     const Scalar t12 = omega_BCG * omega_BCG;
     rhs(0) = Scalar(3) * alpha_BCG * t04 - omega_BCG * (omega_BCG * (t01 * omega_BCG
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
@@ -423,36 +338,21 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_x_D_EDF = d_rate(3);
-    const Scalar v_y_D_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_F_GF = d_rate(7);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0), v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
+    const Scalar v_x_D_EDF = d_rate(3), v_y_D_EDF = d_rate(4), v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_h_F_GF = d_rate(7);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t02 = v_h_F_EDF - v_h_F_GF;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = v_h_C_BCG - v_h_C_CD, t02 = v_h_F_EDF - v_h_F_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * t01
         + Scalar(2) * q.theta_BCG.sin * v_s_C)
         - omega_EDF * (Scalar(2) * q.theta_EDF.cos * v_y_D_EDF
@@ -475,30 +375,18 @@ struct Model03 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = u.x_B + BC_x + slide_C_x + CD_x;
-    poses[2].y = u.y_B + BC_y + slide_C_y + CD_y;
-    poses[2].direction.cos = q.theta_BCG.cos;
-    poses[2].direction.sin = q.theta_BCG.sin;
-    poses[3].x = u.x_B + BG_x;
-    poses[3].y = u.y_B + BG_y;
-    poses[3].direction.cos = q.theta_EDF.cos;
-    poses[3].direction.sin = q.theta_EDF.sin;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = u.x_B + BC_x + slide_C_x + CD_x;  poses[2].y = u.y_B + BC_y + slide_C_y + CD_y;
+    poses[2].direction.cos = q.theta_BCG.cos;  poses[2].direction.sin = q.theta_BCG.sin;
+    poses[3].x = u.x_B + BG_x;  poses[3].y = u.y_B + BG_y;
+    poses[3].direction.cos = q.theta_EDF.cos;  poses[3].direction.sin = q.theta_EDF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -511,32 +399,23 @@ struct Model03 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 1) = Scalar(1);
-    P_q(6, 0) = -BC_y - slide_C_y - CD_y;
-    P_q(6, 2) = q.theta_BCG.cos;
-    P_q(7, 0) = BC_x + slide_C_x + CD_x;
-    P_q(7, 2) = q.theta_BCG.sin;
+    P_q(6, 0) = -BC_y - slide_C_y - CD_y;  P_q(6, 2) = q.theta_BCG.cos;
+    P_q(7, 0) = BC_x + slide_C_x + CD_x;  P_q(7, 2) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
     P_q(9, 0) = -BG_y;
     P_q(10, 0) = BG_x;
     P_q(11, 1) = Scalar(1);
-    P_d(6, 0) = -q.theta_BCG.sin;
-    P_d(6, 6) = q.theta_BCG.sin;
-    P_d(7, 0) = q.theta_BCG.cos;
-    P_d(7, 6) = -q.theta_BCG.cos;
-    P_d(9, 1) = q.theta_BCG.cos;
-    P_d(9, 2) = -q.theta_BCG.sin;
-    P_d(10, 1) = q.theta_BCG.sin;
-    P_d(10, 2) = q.theta_BCG.cos;
+    P_d(6, 0) = -q.theta_BCG.sin;  P_d(6, 6) = q.theta_BCG.sin;
+    P_d(7, 0) = q.theta_BCG.cos;  P_d(7, 6) = -q.theta_BCG.cos;
+    P_d(9, 1) = q.theta_BCG.cos;  P_d(9, 2) = -q.theta_BCG.sin;
+    P_d(10, 1) = q.theta_BCG.sin;  P_d(10, 2) = q.theta_BCG.cos;
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
     P_u(3, 2) = Scalar(1);
@@ -552,33 +431,19 @@ struct Model03 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
     v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y + CD_y) * omega_BCG;
     v(2, 1) = v_y_B + (BC_x + slide_C_x + CD_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - BG_y * omega_BCG;
-    v(3, 1) = v_y_B + BG_x * omega_BCG;
-    v(3, 2) = omega_EDF;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;  v(3, 1) = v_y_B + BG_x * omega_BCG;  v(3, 2) = omega_EDF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -587,40 +452,25 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar alpha_EDF = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), alpha_EDF = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = BC_x + slide_C_x + CD_x;
-    const Scalar t02 = BC_y + slide_C_y + CD_y;
+    const Scalar t01 = BC_x + slide_C_x + CD_x, t02 = BC_y + slide_C_y + CD_y;
     const Scalar t03 = omega_BCG * omega_BCG;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
     a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
     a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
-    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
-    a(3, 2) = alpha_EDF;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;  a(3, 2) = alpha_EDF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -630,19 +480,12 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(2), v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2), v_h_C_CD = d_rate(6);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     const Scalar t01 = v_h_C_BCG - v_h_C_CD;
@@ -663,32 +506,22 @@ struct Model03 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    lines(0, 0) = -q.theta_BCG.cos;
-    lines(0, 1) = -q.theta_BCG.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
     lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
         + CD_y) * q.theta_BCG.sin;
-    lines(1, 0) = ED_y;
-    lines(1, 1) = -ED_x;
-    lines(2, 0) = -BG_y;
-    lines(2, 1) = BG_x;
-    lines(3, 0) = -q.theta_EDF.cos;
-    lines(3, 1) = -q.theta_EDF.sin;
+    lines(1, 0) = ED_y;  lines(1, 1) = -ED_x;
+    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
+    lines(3, 0) = -q.theta_EDF.cos;  lines(3, 1) = -q.theta_EDF.sin;
     lines(3, 2) = -(GF_x - EF_x - slide_F_x) * q.theta_EDF.cos - (GF_y - EF_y
         - slide_F_y) * q.theta_EDF.sin;
   }
@@ -700,35 +533,21 @@ struct Model03 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
     L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
         + S_CD_y) * n_CD_BCG_x;
     L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
@@ -746,18 +565,11 @@ struct Model03 {
   static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;
-    v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -768,44 +580,27 @@ struct Model03 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_EDF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
+    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
+    const Scalar a_y_E = u_second_rate(3), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin;
-    const Scalar CD_y = -d.h_C_CD * q.theta_BCG.cos;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG;
-    const Scalar t02 = omega_EDF * omega_EDF;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
     a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;
-    a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
-    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
+    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;  a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
     a(3, 0) = a_x_E - omega_EDF * ((S_GF_x + EF_x + slide_F_x - GF_x) * omega_EDF
         + Scalar(2) * q.theta_EDF.sin * v_s_F);
     a(3, 1) = a_y_E - omega_EDF * ((S_GF_y + EF_y + slide_F_y - GF_y) * omega_EDF
@@ -828,8 +623,7 @@ struct Model03 {
     const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar t01 = abs(d.h_F_GF) + abs(q.s_F) + abs(d.h_F_EDF);
-    const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + t01;
-    const Scalar t03 = abs(d.x_D_EDF) + abs(d.y_D_EDF);
+    const Scalar t02 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + t01, t03 = abs(d.x_D_EDF) + abs(d.y_D_EDF);
     p(0) = determinant;
     size(0) = Scalar(2) * (abs(q.s_C) * t02 + abs(d.h_C_BCG) * t02 + abs(d.x_D_EDF) * t02
         + abs(d.y_D_EDF) * t02 + abs(d.h_C_CD) * t02);
@@ -930,53 +724,35 @@ struct Model03 {
         - q.theta_EDF.cos * s_C_per_across_slide_F;
     const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
         - q.theta_EDF.cos * s_F_per_across_slide_F;
-    S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
     S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
     S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;
-    S_d(0, 5) = BCG_per_across_slide_F;
-    S_d(0, 6) = BCG_per_across_slide_C;
-    S_d(0, 7) = -BCG_per_across_slide_F;
-    S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;  S_d(0, 5) = BCG_per_across_slide_F;
+    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = -BCG_per_across_slide_F;
+    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
     S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
     S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;
-    S_d(1, 5) = EDF_per_across_slide_F;
-    S_d(1, 6) = EDF_per_across_slide_C;
-    S_d(1, 7) = -EDF_per_across_slide_F;
-    S_d(2, 0) = -s_C_per_across_slide_C;
-    S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;  S_d(1, 5) = EDF_per_across_slide_F;
+    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = -EDF_per_across_slide_F;
+    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
     S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
     S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;
-    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = -s_C_per_across_slide_F;
     S_d(3, 0) = -s_F_per_across_slide_C;
     S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
     S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
     S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
     S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -s_F_per_x_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = -s_F_per_x_B;
     S_u(3, 3) = -s_F_per_y_B;
   }
 
@@ -985,10 +761,7 @@ struct Model03 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1002,8 +775,7 @@ struct Model03 {
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
@@ -1016,10 +788,7 @@ struct Model03 {
         - velocity_along_slide_F;
     const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
         + velocity_along_slide_C;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1028,14 +797,9 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1049,8 +813,7 @@ struct Model03 {
     const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
     const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
     const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
@@ -1063,9 +826,7 @@ struct Model03 {
     const Scalar v_s_F = -BCG_across_slide_F * omega_BCG - t03 - velocity_along_slide_F;
     const Scalar t04 = BCG_across_slide_C * omega_BCG;
     const Scalar v_s_C = t04 + EDF_across_slide_C * omega_EDF + velocity_along_slide_C;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
-    const Scalar t07 = omega_BCG * omega_BCG;
+    const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E, t07 = omega_BCG * omega_BCG;
     const Scalar t08 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_slide_C = q.s_C * t07 + EDF_along_slide_C * t08
         - q.theta_BCG.cos * t05 - q.theta_BCG.sin * t06;
@@ -1083,13 +844,8 @@ struct Model03 {
         - acceleration_along_slide_F;
     const Scalar a_s_C = BCG_across_slide_C * alpha_BCG + EDF_across_slide_C * alpha_EDF
         + acceleration_along_slide_C;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = alpha_BCG;
-    q_second_rate(1) = alpha_EDF;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_BCG;  q_second_rate(1) = alpha_EDF;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1101,14 +857,9 @@ struct Model03 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
         + q.theta_BCG.sin * q.theta_EDF.sin;
     const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
@@ -1150,13 +901,11 @@ struct Model03 {
         - q.theta_EDF.cos * s_C_per_across_slide_F;
     const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
         - q.theta_EDF.cos * s_F_per_across_slide_F;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
     const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
     const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
-    const Scalar v_s_F = s_F_per_x_B * t01 + s_F_per_y_B * t02;
-    const Scalar t03 = omega_BCG * omega_BCG;
+    const Scalar v_s_F = s_F_per_x_B * t01 + s_F_per_y_B * t02, t03 = omega_BCG * omega_BCG;
     const Scalar t04 = omega_EDF * omega_EDF;
     const Scalar centripetal_along_slide_C = q.s_C * t03 + EDF_along_slide_C * t04;
     const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
@@ -1164,60 +913,38 @@ struct Model03 {
     const Scalar centripetal_along_slide_F = BCG_along_slide_F * t03 - q.s_F * t04;
     const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
         + Scalar(2) * v_s_F) + BCG_across_slide_F * t03;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_across_slide_C;
-    S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
+    const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
+    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
     S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
     S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;
-    S_d(0, 5) = BCG_per_across_slide_F;
-    S_d(0, 6) = BCG_per_across_slide_C;
-    S_d(0, 7) = -BCG_per_across_slide_F;
-    S_d(1, 0) = -EDF_per_across_slide_C;
-    S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
+    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;  S_d(0, 5) = BCG_per_across_slide_F;
+    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = -BCG_per_across_slide_F;
+    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
     S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
     S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;
-    S_d(1, 5) = EDF_per_across_slide_F;
-    S_d(1, 6) = EDF_per_across_slide_C;
-    S_d(1, 7) = -EDF_per_across_slide_F;
-    S_d(2, 0) = -s_C_per_across_slide_C;
-    S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
+    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;  S_d(1, 5) = EDF_per_across_slide_F;
+    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = -EDF_per_across_slide_F;
+    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
     S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
     S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;
-    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = -s_C_per_across_slide_F;
     S_d(3, 0) = -s_F_per_across_slide_C;
     S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
     S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
     S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;
-    S_u(1, 1) = EDF_per_y_B;
-    S_u(1, 2) = -EDF_per_x_B;
+    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
     S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
     S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -s_F_per_x_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = -s_F_per_x_B;
     S_u(3, 3) = -s_F_per_y_B;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_EDF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
     q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
         + BCG_per_across_slide_C * centripetal_across_slide_C
         + BCG_per_across_slide_F * centripetal_across_slide_F;
@@ -1237,36 +964,22 @@ struct Model03 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar P1_m1_re = -Scalar(2) * d.y_D_EDF;
-    const Scalar P1_m1_im = Scalar(2) * d.x_D_EDF;
-    const Scalar P2_m1_re = -Scalar(2) * d.y_G_BCG;
-    const Scalar P2_m1_im = -Scalar(2) * d.x_G_BCG;
-    const Scalar P2_0_re = -Scalar(2) * EB_y;
-    const Scalar P2_0_im = -Scalar(2) * EB_x;
-    const Scalar C1_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD);
-    const Scalar C2_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
-    const Scalar t01 = EB_x * P2_m1_im;
-    const Scalar t02 = EB_y * P2_m1_re;
-    const Scalar U_m2_re = -t01 - t02;
-    const Scalar t03 = EB_x * P2_m1_re;
-    const Scalar t04 = EB_y * P2_m1_im;
-    const Scalar U_m2_im = t03 - t04;
-    const Scalar t05 = EB_x * P2_0_im;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, P1_m1_re = -Scalar(2) * d.y_D_EDF;
+    const Scalar P1_m1_im = Scalar(2) * d.x_D_EDF, P2_m1_re = -Scalar(2) * d.y_G_BCG;
+    const Scalar P2_m1_im = -Scalar(2) * d.x_G_BCG, P2_0_re = -Scalar(2) * EB_y;
+    const Scalar P2_0_im = -Scalar(2) * EB_x, C1_0_re = Scalar(2) * (d.h_C_BCG - d.h_C_CD);
+    const Scalar C2_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF), t01 = EB_x * P2_m1_im;
+    const Scalar t02 = EB_y * P2_m1_re, U_m2_re = -t01 - t02, t03 = EB_x * P2_m1_re;
+    const Scalar t04 = EB_y * P2_m1_im, U_m2_im = t03 - t04, t05 = EB_x * P2_0_im;
     const Scalar t06 = EB_y * P2_0_re;
     const Scalar U_m1_re = P1_m1_re * C2_0_re - t05 - t06 - P2_m1_re * C1_0_re;
-    const Scalar t07 = EB_x * P2_0_re;
-    const Scalar t08 = EB_y * P2_0_im;
+    const Scalar t07 = EB_x * P2_0_re, t08 = EB_y * P2_0_im;
     const Scalar U_m1_im = t07 + C2_0_re * P1_m1_im - t08 - P2_m1_im * C1_0_re;
-    const Scalar U_0_re = t01 - t02 - P2_0_re * C1_0_re;
-    const Scalar U_0_im = -t03 - t04 - P2_0_im * C1_0_re;
-    const Scalar U_1_re = t05 - t06;
-    const Scalar U_1_im = -t07 - t08;
+    const Scalar U_0_re = t01 - t02 - P2_0_re * C1_0_re, U_0_im = -t03 - t04 - P2_0_im * C1_0_re;
+    const Scalar U_1_re = t05 - t06, U_1_im = -t07 - t08;
     const Scalar V_m1_re = -Scalar(0.5) * (P2_0_im * P1_m1_re - P2_0_re * P1_m1_im);
     const Scalar V_m1_im = -Scalar(0.5) * (P2_0_re * P1_m1_re + P2_0_im * P1_m1_im);
-    const Scalar V_0_re = P2_m1_re * P1_m1_im - P2_m1_im * P1_m1_re;
-    const Scalar t09 = V_m1_re * V_m1_re;
+    const Scalar V_0_re = P2_m1_re * P1_m1_im - P2_m1_im * P1_m1_re, t09 = V_m1_re * V_m1_re;
     const Scalar t10 = V_m1_im * V_m1_im;
     T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
         + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t09
@@ -1289,8 +1002,7 @@ struct Model03 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     e(0, 0) = -Scalar(2) * (d.y_D_EDF * q.theta_BCG.cos - d.x_D_EDF * q.theta_BCG.sin);
     e(0, 1) = -Scalar(2) * (d.x_D_EDF * q.theta_BCG.cos + d.y_D_EDF * q.theta_BCG.sin);
     e(0, 2) = Scalar(2) * (EB_y * q.theta_BCG.cos + d.h_C_BCG - EB_x * q.theta_BCG.sin - d.h_C_CD);
@@ -1303,8 +1015,7 @@ struct Model03 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     q.s_C = (d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin - EB_x) * q.theta_BCG.cos
         + (d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin - EB_y) * q.theta_BCG.sin;
     q.s_F = (EB_x + d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin) * q.theta_EDF.cos

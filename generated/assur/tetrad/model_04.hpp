@@ -111,12 +111,10 @@ struct Model04 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF,
+        y_F_EDF, psi_D_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BCG, x_G_BCG, y_G_BCG, h_D_EDF,
+        x_F_EDF, y_F_EDF, psi_D_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -127,12 +125,8 @@ struct Model04 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -143,12 +137,8 @@ struct Model04 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, theta_GF, s_C, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, theta_GF, s_C, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, theta_GF, s_C, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, theta_GF, s_C, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -204,25 +194,18 @@ struct Model04 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     f(0) = BC_x + slide_C_x + EB_x - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + EB_y - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + EB_x - EF_x;
+    f(1) = BC_y + slide_C_y + EB_y - ED_y - slide_D_y;  f(2) = BG_x + GF_x + EB_x - EF_x;
     f(3) = BG_y + GF_y + EB_y - EF_y;
   }
 
@@ -233,30 +216,19 @@ struct Model04 {
     J.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
-    J(0, 2) = q.theta_BCG.cos;
-    J(0, 3) = -cos_EDF;
-    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;
-    J(1, 2) = q.theta_BCG.sin;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = EF_y - BG_y;
-    J(2, 1) = -GF_y;
-    J(3, 0) = BG_x - EF_x;
-    J(3, 1) = GF_x;
+    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;  J(0, 2) = q.theta_BCG.cos;  J(0, 3) = -cos_EDF;
+    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;  J(1, 2) = q.theta_BCG.sin;  J(1, 3) = -sin_EDF;
+    J(2, 0) = EF_y - BG_y;  J(2, 1) = -GF_y;
+    J(3, 0) = BG_x - EF_x;  J(3, 1) = GF_x;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -266,30 +238,16 @@ struct Model04 {
     F_d.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    F_d(0, 0) = -q.theta_BCG.sin;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = ED_y + slide_D_y;
-    F_d(1, 0) = q.theta_BCG.cos;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -ED_x - slide_D_x;
-    F_d(2, 1) = q.theta_BCG.cos;
-    F_d(2, 2) = -q.theta_BCG.sin;
-    F_d(2, 4) = -cos_EDF;
-    F_d(2, 5) = sin_EDF;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 1) = q.theta_BCG.sin;
-    F_d(3, 2) = q.theta_BCG.cos;
-    F_d(3, 4) = -sin_EDF;
-    F_d(3, 5) = -cos_EDF;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = -q.theta_BCG.sin;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = ED_y + slide_D_y;
+    F_d(1, 0) = q.theta_BCG.cos;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -ED_x - slide_D_x;
+    F_d(2, 1) = q.theta_BCG.cos;  F_d(2, 2) = -q.theta_BCG.sin;  F_d(2, 4) = -cos_EDF;
+    F_d(2, 5) = sin_EDF;  F_d(2, 6) = EF_y;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 1) = q.theta_BCG.sin;  F_d(3, 2) = q.theta_BCG.cos;  F_d(3, 4) = -sin_EDF;
+    F_d(3, 5) = -cos_EDF;  F_d(3, 6) = -EF_x;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -297,14 +255,10 @@ struct Model04 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -312,16 +266,9 @@ struct Model04 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -331,34 +278,21 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = a_x_B - a_x_E;
-    const Scalar t02 = a_y_B - a_y_E;
-    const Scalar t03 = omega_BCG * omega_BCG;
-    const Scalar t04 = omega_GF * omega_GF;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = a_x_B - a_x_E;
+    const Scalar t02 = a_y_B - a_y_E, t03 = omega_BCG * omega_BCG, t04 = omega_GF * omega_GF;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
     rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
@@ -375,43 +309,26 @@ struct Model04 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
-    const Scalar t02 = j_x_B - j_x_E;
+    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t02 = j_x_B - j_x_E;
     const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
     const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
-    const Scalar t06 = j_y_B - j_y_E;
-    const Scalar t07 = BG_x - EF_x;
-    const Scalar t08 = BG_y - EF_y;
-    const Scalar t09 = omega_BCG * omega_BCG;
+    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t06 = j_y_B - j_y_E;
+    const Scalar t07 = BG_x - EF_x, t08 = BG_y - EF_y, t09 = omega_BCG * omega_BCG;
     const Scalar t10 = omega_GF * omega_GF;
     rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
         + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
@@ -432,43 +349,25 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
+    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0), v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6), v_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = ED_x + slide_D_x;
-    const Scalar t02 = t01 * omega_D_CD;
-    const Scalar t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t04 = ED_y + slide_D_y;
-    const Scalar t05 = t04 * omega_D_CD;
-    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t07 = EF_x * omega_D_CD;
-    const Scalar t08 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t09 = EF_y * omega_D_CD;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = ED_x + slide_D_x;
+    const Scalar t02 = t01 * omega_D_CD, t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t04 = ED_y + slide_D_y, t05 = t04 * omega_D_CD;
+    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF, t07 = EF_x * omega_D_CD;
+    const Scalar t08 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF, t09 = EF_y * omega_D_CD;
     const Scalar t10 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
     rhs(0) = -omega_D_CD * (t02 + Scalar(2) * t03) - omega_BCG * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
@@ -492,27 +391,16 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = u.x_B + BC_x + slide_C_x;
-    poses[2].y = u.y_B + BC_y + slide_C_y;
-    poses[2].direction.cos = q.theta_BCG.cos;
-    poses[2].direction.sin = q.theta_BCG.sin;
-    poses[3].x = u.x_B + BG_x;
-    poses[3].y = u.y_B + BG_y;
-    poses[3].direction.cos = q.theta_GF.cos;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = u.x_B + BC_x + slide_C_x;  poses[2].y = u.y_B + BC_y + slide_C_y;
+    poses[2].direction.cos = q.theta_BCG.cos;  poses[2].direction.sin = q.theta_BCG.sin;
+    poses[3].x = u.x_B + BG_x;  poses[3].y = u.y_B + BG_y;  poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
 
@@ -526,18 +414,14 @@ struct Model04 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
-    P_q(6, 0) = -BC_y - slide_C_y;
-    P_q(6, 2) = q.theta_BCG.cos;
-    P_q(7, 0) = BC_x + slide_C_x;
-    P_q(7, 2) = q.theta_BCG.sin;
+    P_q(6, 0) = -BC_y - slide_C_y;  P_q(6, 2) = q.theta_BCG.cos;
+    P_q(7, 0) = BC_x + slide_C_x;  P_q(7, 2) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
     P_q(9, 0) = -BG_y;
     P_q(10, 0) = BG_x;
@@ -545,10 +429,8 @@ struct Model04 {
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
-    P_d(9, 1) = q.theta_BCG.cos;
-    P_d(9, 2) = -q.theta_BCG.sin;
-    P_d(10, 1) = q.theta_BCG.sin;
-    P_d(10, 2) = q.theta_BCG.cos;
+    P_d(9, 1) = q.theta_BCG.cos;  P_d(9, 2) = -q.theta_BCG.sin;
+    P_d(10, 1) = q.theta_BCG.sin;  P_d(10, 2) = q.theta_BCG.cos;
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
     P_u(3, 2) = Scalar(1);
@@ -564,31 +446,18 @@ struct Model04 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_BCG;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_BCG;
     v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
     v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
-    v(3, 0) = v_x_B - BG_y * omega_BCG;
-    v(3, 1) = v_y_B + BG_x * omega_BCG;
-    v(3, 2) = omega_GF;
+    v(3, 0) = v_x_B - BG_y * omega_BCG;  v(3, 1) = v_y_B + BG_x * omega_BCG;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -597,38 +466,23 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), alpha_GF = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar t01 = BC_x + slide_C_x;
-    const Scalar t02 = BC_y + slide_C_y;
-    const Scalar t03 = omega_BCG * omega_BCG;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_BCG;
+    const Scalar t01 = BC_x + slide_C_x, t02 = BC_y + slide_C_y, t03 = omega_BCG * omega_BCG;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_BCG;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
     a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
         - Scalar(2) * q.theta_BCG.cos * v_s_C);
     a(2, 2) = alpha_BCG;
     a(3, 0) = a_x_B - BG_y * alpha_BCG - BG_x * t03;
-    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;
-    a(3, 2) = alpha_GF;
+    a(3, 1) = a_y_B + BG_x * alpha_BCG - BG_y * t03;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -638,16 +492,11 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(2), v_h_C_BCG = d_rate(0);
+    const Scalar v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
@@ -669,31 +518,21 @@ struct Model04 {
     lines.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    lines(0, 0) = -q.theta_BCG.cos;
-    lines(0, 1) = -q.theta_BCG.sin;
+    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
     lines(0, 2) = (BC_x + slide_C_x) * q.theta_BCG.cos + (BC_y + slide_C_y) * q.theta_BCG.sin;
-    lines(1, 0) = -cos_EDF;
-    lines(1, 1) = -sin_EDF;
+    lines(1, 0) = -cos_EDF;  lines(1, 1) = -sin_EDF;
     lines(1, 2) = (ED_x + slide_D_x) * cos_EDF + (ED_y + slide_D_y) * sin_EDF;
-    lines(2, 0) = -BG_y;
-    lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;
-    lines(3, 1) = EF_x;
-    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
+    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -703,33 +542,20 @@ struct Model04 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
     L(0, 0) = (BC_x + slide_C_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + S_CD_y) * n_CD_BCG_x;
@@ -747,18 +573,11 @@ struct Model04 {
   static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;
-    v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -769,35 +588,21 @@ struct Model04 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
+    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
+    const Scalar a_y_E = u_second_rate(3), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
     const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = omega_BCG * omega_BCG;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = omega_BCG * omega_BCG;
     const Scalar t02 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + S_CD_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
@@ -807,8 +612,7 @@ struct Model04 {
         + Scalar(2) * sin_EDF * v_s_D);
     a(1, 1) = a_y_E - omega_BCG * ((S_CD_y + ED_y + slide_D_y) * omega_BCG
         - Scalar(2) * cos_EDF * v_s_D);
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;
-    a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
+    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
     a(3, 0) = a_x_E - EF_x * t01 - (S_GF_x - GF_x) * t02;
     a(3, 1) = a_y_E - EF_y * t01 - (S_GF_y - GF_y) * t02;
   }
@@ -835,12 +639,8 @@ struct Model04 {
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t01 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF);
     const Scalar t02 = abs(d.GF) + t01;
-    p(0) = -BCG_across_GF;
-    p(1) = -d.psi_D_CD.sin;
-    p(2) = d.GF;
-    size(0) = t02;
-    size(1) = Scalar(1);
-    size(2) = t02;
+    p(0) = -BCG_across_GF;  p(1) = -d.psi_D_CD.sin;  p(2) = d.GF;
+    size(0) = t02;  size(1) = Scalar(1);  size(2) = t02;
     terms = t01;
   }
 
@@ -867,14 +667,11 @@ struct Model04 {
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t01 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t01;
     // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t01;
-    const Scalar t02 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
+    const Scalar inverse_BCG_across_GF = -inverse * t01, t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02, inverse_GF = t02 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
         inverse_sin_psi_D_CD;
@@ -921,14 +718,11 @@ struct Model04 {
     const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
         + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
-    const Scalar t03 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = BCG_across_GF * t03;
+    const Scalar t03 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t03;
     // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t03;
-    const Scalar t04 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
-    const Scalar inverse_GF = t04 * d.psi_D_CD.sin;
+    const Scalar inverse_BCG_across_GF = -inverse * t03, t04 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t04, inverse_GF = t04 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
         inverse_sin_psi_D_CD;
@@ -956,46 +750,30 @@ struct Model04 {
     S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
     S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
     S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 6) = -inverse_BCG_across_GF * t02;
-    S_d(0, 7) = -inverse_BCG_across_GF;
+    S_d(0, 6) = -inverse_BCG_across_GF * t02;  S_d(0, 7) = -inverse_BCG_across_GF;
     S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
     S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(1, 4) = t05;
-    S_d(1, 5) = t06;
-    S_d(1, 6) = d.x_F_EDF * t06 - d.y_F_EDF * t05;
+    S_d(1, 4) = t05;  S_d(1, 5) = t06;  S_d(1, 6) = d.x_F_EDF * t06 - d.y_F_EDF * t05;
     S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -s_C_per_across_slide_C;
-    S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 3) = -t07;
+    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;  S_d(2, 3) = -t07;
     S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 6) = -q.s_D * t07 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
     S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;
-    S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;
-    S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;  S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
-    S_u(1, 2) = -GF_per_x_B;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = -GF_per_x_B;
     S_u(1, 3) = -GF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
     S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
     S_u(3, 3) = -s_D_per_y_B;
   }
 
@@ -1004,10 +782,7 @@ struct Model04 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
@@ -1026,16 +801,12 @@ struct Model04 {
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t01 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t01;
     // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t01;
-    const Scalar t02 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar inverse_BCG_across_GF = -inverse * t01, t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02, inverse_GF = t02 * d.psi_D_CD.sin;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t03 - q.theta_BCG.cos * t04;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
@@ -1046,10 +817,7 @@ struct Model04 {
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
         + velocity_along_slide_C;
     const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG - velocity_across_GF);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_GF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1058,14 +826,9 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
@@ -1084,16 +847,12 @@ struct Model04 {
         - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
         - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t01 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = BCG_across_GF * t01;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t01;
     // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t01;
-    const Scalar t02 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t02;
-    const Scalar inverse_GF = t02 * d.psi_D_CD.sin;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar inverse_BCG_across_GF = -inverse * t01, t02 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t02, inverse_GF = t02 * d.psi_D_CD.sin;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t03 - q.theta_BCG.cos * t04;
     const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
@@ -1101,12 +860,10 @@ struct Model04 {
     const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
     const Scalar t05 = BCG_along_slide_C * omega_BCG;
     const Scalar v_s_D = -inverse_sin_psi_D_CD * (t05 - velocity_across_slide_C);
-    const Scalar t06 = d.psi_D_CD.cos * v_s_D;
-    const Scalar t07 = BCG_across_slide_C * omega_BCG;
+    const Scalar t06 = d.psi_D_CD.cos * v_s_D, t07 = BCG_across_slide_C * omega_BCG;
     const Scalar v_s_C = t06 + t07 + velocity_along_slide_C;
     const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG - velocity_across_GF);
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = a_y_B - a_y_E;
+    const Scalar t08 = a_x_B - a_x_E, t09 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_BCG * (t05 - Scalar(2) * d.psi_D_CD.sin * v_s_D)
         - q.theta_BCG.cos * t08 - q.theta_BCG.sin * t09;
     const Scalar acceleration_across_slide_C = omega_BCG * (Scalar(2) * t06 + t07
@@ -1122,13 +879,8 @@ struct Model04 {
     const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + BCG_across_slide_C * alpha_BCG
         + acceleration_along_slide_C;
     const Scalar alpha_GF = -inverse_GF * (BCG_along_GF * alpha_BCG - acceleration_across_GF);
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = alpha_BCG;
-    q_second_rate(1) = alpha_GF;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_GF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_BCG;  q_second_rate(1) = alpha_GF;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1140,14 +892,9 @@ struct Model04 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     S_d.setZero();
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
@@ -1169,14 +916,11 @@ struct Model04 {
     const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
         + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
     const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
-    const Scalar t03 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = BCG_across_GF * t03;
+    const Scalar t03 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t03;
     // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t03;
-    const Scalar t04 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t04;
-    const Scalar inverse_GF = t04 * d.psi_D_CD.sin;
+    const Scalar inverse_BCG_across_GF = -inverse * t03, t04 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t04, inverse_GF = t04 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
         inverse_sin_psi_D_CD;
@@ -1195,8 +939,7 @@ struct Model04 {
         - q.theta_GF.sin * s_C_per_along_GF;
     const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
         - q.theta_GF.sin * s_D_per_along_GF;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     const Scalar omega_BCG = BCG_per_x_B * t05 + BCG_per_y_B * t06;
     const Scalar omega_GF = GF_per_x_B * t05 + GF_per_y_B * t06;
     const Scalar v_s_C = s_C_per_x_B * t05 + s_C_per_y_B * t06;
@@ -1213,57 +956,37 @@ struct Model04 {
     const Scalar t09 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
         - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
     const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t11 = a_x_B - a_x_E;
-    const Scalar t12 = a_y_B - a_y_E;
+    const Scalar t11 = a_x_B - a_x_E, t12 = a_y_B - a_y_E;
     S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
     S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
     S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
     S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 6) = -inverse_BCG_across_GF * t02;
-    S_d(0, 7) = -inverse_BCG_across_GF;
+    S_d(0, 6) = -inverse_BCG_across_GF * t02;  S_d(0, 7) = -inverse_BCG_across_GF;
     S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
     S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(1, 4) = t08;
-    S_d(1, 5) = t09;
-    S_d(1, 6) = d.x_F_EDF * t09 - d.y_F_EDF * t08;
+    S_d(1, 4) = t08;  S_d(1, 5) = t09;  S_d(1, 6) = d.x_F_EDF * t09 - d.y_F_EDF * t08;
     S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -s_C_per_across_slide_C;
-    S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 3) = -t10;
+    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;  S_d(2, 3) = -t10;
     S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
     S_d(2, 6) = -q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
     S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;
-    S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
+    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;
-    S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;  S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
-    S_u(1, 2) = -GF_per_x_B;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = -GF_per_x_B;
     S_u(1, 3) = -GF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = -s_C_per_x_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
     S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
     S_u(3, 3) = -s_D_per_y_B;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_BCG;  q_rate(1) = omega_GF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
     q_second_rate(0) = BCG_per_x_B * t11 + BCG_per_y_B * t12
         + inverse_BCG_across_GF * centripetal_along_GF;
     q_second_rate(1) = GF_per_x_B * t11 + GF_per_y_B * t12 + inverse_GF * centripetal_across_GF
@@ -1281,28 +1004,23 @@ struct Model04 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
     const Scalar t02 = d.x_G_BCG - t01;
     const Scalar t03 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
-    const Scalar t04 = d.y_G_BCG - t03;
-    const Scalar T_m1_re = EB_x * t02 + EB_y * t04;
+    const Scalar t04 = d.y_G_BCG - t03, T_m1_re = EB_x * t02 + EB_y * t04;
     const Scalar T_m1_im = EB_y * t02 - EB_x * t04;
     const Scalar T_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
         + d.x_G_BCG * (d.x_G_BCG - Scalar(2) * t01) + d.y_G_BCG * (d.y_G_BCG - Scalar(2) * t03)
         - d.GF * d.GF;
-    T.cosine[0] = T_0_re;
-    T.cosine[1] = Scalar(2) * T_m1_re;
-    T.sine[1] = Scalar(2) * T_m1_im;
+    T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     // A zero divisor means that the link that turns by theta_GF has no length.

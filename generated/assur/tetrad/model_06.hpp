@@ -106,12 +106,10 @@ struct Model06 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar h_G_GF{};  ///< offset of the slide at G on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF,
+        y_F_EDF, psi_D_CD, h_G_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF,
+        x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -122,12 +120,8 @@ struct Model06 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -138,12 +132,8 @@ struct Model06 {
     Scalar s_G{};  ///< displacement along the slide at G of link GF against link BCG
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, s_C, s_G, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, s_C, s_G, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, s_C, s_G, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, s_C, s_G, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -203,28 +193,18 @@ struct Model06 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar EB_x = u.x_B - u.x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, EB_x = u.x_B - u.x_E;
     const Scalar EB_y = u.y_B - u.y_E;
     f(0) = BC_x + slide_C_x + EB_x - ED_x - slide_D_x;
     f(1) = BC_y + slide_C_y + EB_y - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + GF_x + EB_x - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + EB_y - EF_y;
+    f(2) = BG_x + slide_G_x + GF_x + EB_x - EF_x;  f(3) = BG_y + slide_G_y + GF_y + EB_y - EF_y;
   }
 
   /// J = df/dq.
@@ -236,32 +216,18 @@ struct Model06 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
-    J(0, 1) = q.theta_BCG.cos;
-    J(0, 3) = -cos_EDF;
-    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;
-    J(1, 1) = q.theta_BCG.sin;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = EF_y - BG_y - slide_G_y - GF_y;
-    J(2, 2) = cos_GF;
-    J(3, 0) = BG_x + slide_G_x + GF_x - EF_x;
-    J(3, 2) = sin_GF;
+    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;  J(0, 1) = q.theta_BCG.cos;  J(0, 3) = -cos_EDF;
+    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;  J(1, 1) = q.theta_BCG.sin;  J(1, 3) = -sin_EDF;
+    J(2, 0) = EF_y - BG_y - slide_G_y - GF_y;  J(2, 2) = cos_GF;
+    J(3, 0) = BG_x + slide_G_x + GF_x - EF_x;  J(3, 2) = sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -273,36 +239,18 @@ struct Model06 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    F_d(0, 0) = -q.theta_BCG.sin;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = ED_y + slide_D_y;
-    F_d(1, 0) = q.theta_BCG.cos;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -ED_x - slide_D_x;
-    F_d(2, 1) = -BG_y - slide_G_y - GF_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = -cos_EDF;
-    F_d(2, 5) = sin_EDF;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = sin_GF;
-    F_d(3, 1) = BG_x + slide_G_x + GF_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -sin_EDF;
-    F_d(3, 5) = -cos_EDF;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = -cos_GF;
+    F_d(0, 0) = -q.theta_BCG.sin;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = ED_y + slide_D_y;
+    F_d(1, 0) = q.theta_BCG.cos;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -ED_x - slide_D_x;
+    F_d(2, 1) = -BG_y - slide_G_y - GF_y;  F_d(2, 2) = -sin_GF;  F_d(2, 4) = -cos_EDF;
+    F_d(2, 5) = sin_EDF;  F_d(2, 6) = EF_y;  F_d(2, 7) = sin_GF;
+    F_d(3, 1) = BG_x + slide_G_x + GF_x;  F_d(3, 2) = cos_GF;  F_d(3, 4) = -sin_EDF;
+    F_d(3, 5) = -cos_EDF;  F_d(3, 6) = -EF_x;  F_d(3, 7) = -cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -310,14 +258,10 @@ struct Model06 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -325,16 +269,9 @@ struct Model06 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -344,35 +281,21 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = a_x_B - a_x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = a_x_B - a_x_E;
     const Scalar t02 = a_y_B - a_y_E;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
@@ -392,48 +315,28 @@ struct Model06 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
-    const Scalar t02 = j_x_B - j_x_E;
+    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t02 = j_x_B - j_x_E;
     const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
     const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
-    const Scalar t06 = j_y_B - j_y_E;
-    const Scalar t07 = BG_y + slide_G_y + GF_y - EF_y;
-    const Scalar t08 = cos_GF * v_s_G;
-    const Scalar t09 = BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t10 = sin_GF * v_s_G;
+    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t06 = j_y_B - j_y_E;
+    const Scalar t07 = BG_y + slide_G_y + GF_y - EF_y, t08 = cos_GF * v_s_G;
+    const Scalar t09 = BG_x + slide_G_x + GF_x - EF_x, t10 = sin_GF * v_s_G;
     rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
         + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
         - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
@@ -454,54 +357,30 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_h_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6), v_h_G_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = ED_x + slide_D_x;
-    const Scalar t02 = t01 * omega_D_CD;
-    const Scalar t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t04 = ED_y + slide_D_y;
-    const Scalar t05 = t04 * omega_D_CD;
-    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t07 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G;
-    const Scalar t09 = GF_x + BG_x + slide_G_x;
-    const Scalar t10 = t09 * omega_G_BCG;
-    const Scalar t11 = EF_x * omega_D_CD;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = ED_x + slide_D_x;
+    const Scalar t02 = t01 * omega_D_CD, t03 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t04 = ED_y + slide_D_y, t05 = t04 * omega_D_CD;
+    const Scalar t06 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF, t07 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G, t09 = GF_x + BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG, t11 = EF_x * omega_D_CD;
     const Scalar t12 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t13 = sin_GF * t07 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
-    const Scalar t15 = t14 * omega_G_BCG;
-    const Scalar t16 = EF_y * omega_D_CD;
+    const Scalar t13 = sin_GF * t07 - cos_GF * v_s_G, t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t15 = t14 * omega_G_BCG, t16 = EF_y * omega_D_CD;
     const Scalar t17 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
     rhs(0) = -omega_D_CD * (t02 + Scalar(2) * t03) - omega_BCG * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
@@ -525,32 +404,17 @@ struct Model06 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = u.x_B + BC_x + slide_C_x;
-    poses[2].y = u.y_B + BC_y + slide_C_y;
-    poses[2].direction.cos = q.theta_BCG.cos;
-    poses[2].direction.sin = q.theta_BCG.sin;
-    poses[3].x = u.x_B + BG_x + slide_G_x + GF_x;
-    poses[3].y = u.y_B + BG_y + slide_G_y + GF_y;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = u.x_B + BC_x + slide_C_x;  poses[2].y = u.y_B + BC_y + slide_C_y;
+    poses[2].direction.cos = q.theta_BCG.cos;  poses[2].direction.sin = q.theta_BCG.sin;
+    poses[3].x = u.x_B + BG_x + slide_G_x + GF_x;  poses[3].y = u.y_B + BG_y + slide_G_y + GF_y;
+    poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -565,39 +429,24 @@ struct Model06 {
     P_u.setZero();
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = BG_y + slide_G_y + GF_y;
-    const Scalar t02 = BG_x + slide_G_x + GF_x;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BG_y + slide_G_y + GF_y, t02 = BG_x + slide_G_x + GF_x;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
-    P_q(6, 0) = -BC_y - slide_C_y;
-    P_q(6, 1) = q.theta_BCG.cos;
-    P_q(7, 0) = BC_x + slide_C_x;
-    P_q(7, 1) = q.theta_BCG.sin;
+    P_q(6, 0) = -BC_y - slide_C_y;  P_q(6, 1) = q.theta_BCG.cos;
+    P_q(7, 0) = BC_x + slide_C_x;  P_q(7, 1) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
-    P_q(9, 0) = -t01;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = t02;
-    P_q(10, 2) = sin_GF;
+    P_q(9, 0) = -t01;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = t02;  P_q(10, 2) = sin_GF;
     P_q(11, 0) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
-    P_d(9, 1) = -t01;
-    P_d(9, 2) = -sin_GF;
-    P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t02;
-    P_d(10, 2) = cos_GF;
-    P_d(10, 7) = -cos_GF;
+    P_d(9, 1) = -t01;  P_d(9, 2) = -sin_GF;  P_d(9, 7) = sin_GF;
+    P_d(10, 1) = t02;  P_d(10, 2) = cos_GF;  P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
@@ -614,37 +463,21 @@ struct Model06 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_BCG;
     v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
     v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
     v(3, 0) = v_x_B + cos_GF * v_s_G - (BG_y + slide_G_y + GF_y) * omega_BCG;
-    v(3, 1) = v_y_B + (BG_x + slide_G_x + GF_x) * omega_BCG + sin_GF * v_s_G;
-    v(3, 2) = omega_BCG;
+    v(3, 1) = v_y_B + (BG_x + slide_G_x + GF_x) * omega_BCG + sin_GF * v_s_G;  v(3, 2) = omega_BCG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -653,38 +486,20 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = BC_x + slide_C_x;
-    const Scalar t02 = BC_y + slide_C_y;
-    const Scalar t03 = BG_x + slide_G_x + GF_x;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BC_x + slide_C_x, t02 = BC_y + slide_C_y, t03 = BG_x + slide_G_x + GF_x;
     const Scalar t04 = BG_y + slide_G_y + GF_y;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_BCG;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_BCG;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
     a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
@@ -704,33 +519,18 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2), v_h_G_GF = d_rate(7);
     p.setZero();
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = BG_x + slide_G_x + GF_x;
-    const Scalar t02 = t01 * omega_G_BCG;
-    const Scalar t03 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t04 = cos_GF * t03 + sin_GF * v_s_G;
-    const Scalar t05 = BG_y + slide_G_y + GF_y;
-    const Scalar t06 = t05 * omega_G_BCG;
-    const Scalar t07 = sin_GF * t03 - cos_GF * v_s_G;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = BG_x + slide_G_x + GF_x, t02 = t01 * omega_G_BCG, t03 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t04 = cos_GF * t03 + sin_GF * v_s_G, t05 = BG_y + slide_G_y + GF_y;
+    const Scalar t06 = t05 * omega_G_BCG, t07 = sin_GF * t03 - cos_GF * v_s_G;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
     p(2, 1) = -omega_BCG * ((BC_y + slide_C_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG
@@ -757,10 +557,8 @@ struct Model06 {
         - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar t01 = abs(q.s_G) + abs(d.h_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF)
         + abs(d.h_G_GF);
-    p(0) = BCG_along_slide_G;
-    p(1) = -d.psi_D_CD.sin;
-    size(0) = t01;
-    size(1) = Scalar(1);
+    p(0) = BCG_along_slide_G;  p(1) = -d.psi_D_CD.sin;
+    size(0) = t01;  size(1) = Scalar(1);
     terms = t01;
   }
 
@@ -825,8 +623,7 @@ struct Model06 {
         - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
-    const Scalar BCG_along_slide_G = q.s_G - t02;
-    const Scalar t03 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_along_slide_G = q.s_G - t02, t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
@@ -857,50 +654,33 @@ struct Model06 {
         + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
     const Scalar t06 = sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
-    S_d(0, 2) = -inverse_BCG_along_slide_G;
+    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;  S_d(0, 2) = -inverse_BCG_along_slide_G;
     S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
     S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 6) = inverse_BCG_along_slide_G * t02;
-    S_d(0, 7) = inverse_BCG_along_slide_G;
-    S_d(1, 0) = -s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t04;
+    S_d(0, 6) = inverse_BCG_along_slide_G * t02;  S_d(0, 7) = inverse_BCG_along_slide_G;
+    S_d(1, 0) = -s_C_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;  S_d(1, 3) = -t04;
     S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t04 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t05;
-    S_d(2, 5) = -t06;
-    S_d(2, 6) = -d.x_F_EDF * t06 - d.y_F_EDF * t05;
+    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t05;  S_d(2, 5) = -t06;  S_d(2, 6) = -d.x_F_EDF * t06 - d.y_F_EDF * t05;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;
-    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
     S_u(1, 3) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = -s_G_per_x_B;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = -s_G_per_x_B;
     S_u(2, 3) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
     S_u(3, 3) = -s_D_per_y_B;
   }
 
@@ -909,10 +689,7 @@ struct Model06 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
     const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
@@ -930,8 +707,7 @@ struct Model06 {
     // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
-    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse, t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
@@ -943,10 +719,7 @@ struct Model06 {
     const Scalar v_s_G = BCG_across_slide_G * omega_BCG + velocity_along_slide_G;
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
         + velocity_along_slide_C;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_BCG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -955,14 +728,9 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
     const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
@@ -980,8 +748,7 @@ struct Model06 {
     // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
-    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse, t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
@@ -990,12 +757,9 @@ struct Model06 {
     const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
     const Scalar t03 = BCG_along_slide_C * omega_BCG;
     const Scalar v_s_D = -inverse_sin_psi_D_CD * (t03 - velocity_across_slide_C);
-    const Scalar t04 = BCG_across_slide_G * omega_BCG;
-    const Scalar v_s_G = t04 + velocity_along_slide_G;
-    const Scalar t05 = d.psi_D_CD.cos * v_s_D;
-    const Scalar t06 = BCG_across_slide_C * omega_BCG;
-    const Scalar v_s_C = t05 + t06 + velocity_along_slide_C;
-    const Scalar t07 = a_x_B - a_x_E;
+    const Scalar t04 = BCG_across_slide_G * omega_BCG, v_s_G = t04 + velocity_along_slide_G;
+    const Scalar t05 = d.psi_D_CD.cos * v_s_D, t06 = BCG_across_slide_C * omega_BCG;
+    const Scalar v_s_C = t05 + t06 + velocity_along_slide_C, t07 = a_x_B - a_x_E;
     const Scalar t08 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_BCG * (t03 - Scalar(2) * d.psi_D_CD.sin * v_s_D)
         - q.theta_BCG.cos * t07 - q.theta_BCG.sin * t08;
@@ -1011,13 +775,8 @@ struct Model06 {
     const Scalar a_s_G = BCG_across_slide_G * alpha_BCG + acceleration_along_slide_G;
     const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + BCG_across_slide_C * alpha_BCG
         + acceleration_along_slide_C;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = alpha_BCG;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_G;
+    q_rate(0) = omega_BCG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_BCG;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_G;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1029,14 +788,9 @@ struct Model06 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
+    const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
     S_d.setZero();
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
@@ -1050,8 +804,7 @@ struct Model06 {
         - d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
-    const Scalar BCG_along_slide_G = q.s_G - t02;
-    const Scalar t03 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_along_slide_G = q.s_G - t02, t03 = d.h_G_BCG - d.h_G_GF;
     const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
         - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
     const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
@@ -1077,8 +830,7 @@ struct Model06 {
     const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
     const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
         - s_D_per_across_slide_G * cos_GF;
-    const Scalar t04 = v_x_B - v_x_E;
-    const Scalar t05 = v_y_B - v_y_E;
+    const Scalar t04 = v_x_B - v_x_E, t05 = v_y_B - v_y_E;
     const Scalar omega_BCG = BCG_per_x_B * t04 + BCG_per_y_B * t05;
     const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05;
     const Scalar v_s_G = s_G_per_x_B * t04 + s_G_per_y_B * t05;
@@ -1095,57 +847,36 @@ struct Model06 {
         + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
     const Scalar t08 = sin_psi_D_CD_minus_psi_G_BCG
         - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t09 = a_x_B - a_x_E;
-    const Scalar t10 = a_y_B - a_y_E;
-    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;
-    S_d(0, 2) = -inverse_BCG_along_slide_G;
+    const Scalar t09 = a_x_B - a_x_E, t10 = a_y_B - a_y_E;
+    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;  S_d(0, 2) = -inverse_BCG_along_slide_G;
     S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
     S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 6) = inverse_BCG_along_slide_G * t02;
-    S_d(0, 7) = inverse_BCG_along_slide_G;
-    S_d(1, 0) = -s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t06;
+    S_d(0, 6) = inverse_BCG_along_slide_G * t02;  S_d(0, 7) = inverse_BCG_along_slide_G;
+    S_d(1, 0) = -s_C_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = -s_C_per_across_slide_G;  S_d(1, 3) = -t06;
     S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t06 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t07;
-    S_d(2, 5) = -t08;
-    S_d(2, 6) = -d.x_F_EDF * t08 - d.y_F_EDF * t07;
+    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
+    S_d(2, 4) = t07;  S_d(2, 5) = -t08;  S_d(2, 6) = -d.x_F_EDF * t08 - d.y_F_EDF * t07;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;
-    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
     S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;
-    S_u(0, 1) = BCG_per_y_B;
-    S_u(0, 2) = -BCG_per_x_B;
+    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
     S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = -s_C_per_x_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
     S_u(1, 3) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = -s_G_per_x_B;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = -s_G_per_x_B;
     S_u(2, 3) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = -s_D_per_x_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
     S_u(3, 3) = -s_D_per_y_B;
-    q_rate(0) = omega_BCG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_BCG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
     q_second_rate(0) = BCG_per_x_B * t09 + BCG_per_y_B * t10
         + inverse_BCG_along_slide_G * centripetal_across_slide_G;
     q_second_rate(1) = s_C_per_x_B * t09 + s_C_per_y_B * t10
@@ -1163,29 +894,24 @@ struct Model06 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar T_m1_re = EB_y * d.psi_G_BCG.cos - EB_x * d.psi_G_BCG.sin;
     const Scalar T_m1_im = -EB_x * d.psi_G_BCG.cos - EB_y * d.psi_G_BCG.sin;
     const Scalar T_0_re = -Scalar(2) * ((d.x_F_EDF * d.psi_D_CD.sin
         + d.y_F_EDF * d.psi_D_CD.cos) * d.psi_G_BCG.cos + d.h_G_GF - (d.x_F_EDF * d.psi_D_CD.cos
         - d.y_F_EDF * d.psi_D_CD.sin) * d.psi_G_BCG.sin - d.h_G_BCG);
-    T.cosine[0] = T_0_re;
-    T.cosine[1] = Scalar(2) * T_m1_re;
-    T.sine[1] = Scalar(2) * T_m1_im;
+    T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_x * q.theta_BCG.cos + EB_y * q.theta_BCG.sin;
-    const Scalar t02 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin;
-    const Scalar t03 = d.h_C_BCG + t02;
+    const Scalar t02 = EB_y * q.theta_BCG.cos - EB_x * q.theta_BCG.sin, t03 = d.h_C_BCG + t02;
     q.s_C = (t01 * d.psi_D_CD.sin + d.h_D_EDF - t03 * d.psi_D_CD.cos) * inverse_s_C;
     q.s_D = (d.h_D_EDF * d.psi_D_CD.cos - t03) * inverse_s_C;
     q.s_G = (d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos - t02) * d.psi_G_BCG.sin - (t01

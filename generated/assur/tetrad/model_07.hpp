@@ -73,12 +73,10 @@ struct Model07 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Direction<Scalar> psi_F_GF{};  ///< angle of the slide at F on link GF from the x-axis
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, psi_F_EDF,
+        h_F_EDF, psi_D_CD, psi_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -89,12 +87,8 @@ struct Model07 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -106,12 +100,8 @@ struct Model07 {
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_BCG, s_C, s_G, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_BCG, s_C, s_G, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_BCG, s_C, s_G, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(theta_BCG, s_C, s_G, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -169,17 +159,11 @@ struct Model07 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -187,10 +171,8 @@ struct Model07 {
     const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t03 = u.x_B - u.x_E;
-    const Scalar t04 = u.y_B - u.y_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t03 = u.x_B - u.x_E, t04 = u.y_B - u.y_E;
     f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
     f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
     f(2) = BG_x + slide_G_x + t03 - EF_x - slide_F_x;
@@ -206,17 +188,11 @@ struct Model07 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -224,20 +200,11 @@ struct Model07 {
     const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;
-    J(0, 1) = q.theta_BCG.cos;
-    J(0, 3) = -cos_EDF;
-    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;
-    J(1, 1) = q.theta_BCG.sin;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = EF_y + slide_F_y - BG_y - slide_G_y;
-    J(2, 2) = cos_GF;
-    J(2, 4) = -cos_slide_F;
-    J(3, 0) = BG_x + slide_G_x - EF_x - slide_F_x;
-    J(3, 2) = sin_GF;
-    J(3, 4) = -sin_slide_F;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    J(0, 0) = ED_y + slide_D_y - BC_y - slide_C_y;  J(0, 1) = q.theta_BCG.cos;  J(0, 3) = -cos_EDF;
+    J(1, 0) = BC_x + slide_C_x - ED_x - slide_D_x;  J(1, 1) = q.theta_BCG.sin;  J(1, 3) = -sin_EDF;
+    J(2, 0) = EF_y + slide_F_y - BG_y - slide_G_y;  J(2, 2) = cos_GF;  J(2, 4) = -cos_slide_F;
+    J(3, 0) = BG_x + slide_G_x - EF_x - slide_F_x;  J(3, 2) = sin_GF;  J(3, 4) = -sin_slide_F;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -249,13 +216,9 @@ struct Model07 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar t01 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
     const Scalar EF_x = -d.h_F_EDF * t01;
@@ -265,26 +228,13 @@ struct Model07 {
     const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
     const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    F_d(0, 0) = -q.theta_BCG.sin;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = ED_y + slide_D_y;
-    F_d(1, 0) = q.theta_BCG.cos;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -ED_x - slide_D_x;
-    F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = EF_y;
-    F_d(2, 5) = t01;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = slide_F_y;
-    F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t02;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = -slide_F_x;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    F_d(0, 0) = -q.theta_BCG.sin;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = ED_y + slide_D_y;
+    F_d(1, 0) = q.theta_BCG.cos;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -ED_x - slide_D_x;
+    F_d(2, 1) = slide_F_y - BG_y - slide_G_y;  F_d(2, 2) = -sin_GF;  F_d(2, 4) = EF_y;
+    F_d(2, 5) = t01;  F_d(2, 6) = EF_y;  F_d(2, 7) = slide_F_y;
+    F_d(3, 1) = BG_x + slide_G_x - slide_F_x;  F_d(3, 2) = cos_GF;  F_d(3, 4) = -EF_x;
+    F_d(3, 5) = -t02;  F_d(3, 6) = -EF_x;  F_d(3, 7) = -slide_F_x;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -292,14 +242,10 @@ struct Model07 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 3) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -307,16 +253,9 @@ struct Model07 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;
-    rhs(1) = -t02;
-    rhs(2) = -t01;
-    rhs(3) = -t02;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
+    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -326,30 +265,18 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -357,10 +284,8 @@ struct Model07 {
     const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t03 = a_x_B - a_x_E;
-    const Scalar t04 = a_y_B - a_y_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t03 = a_x_B - a_x_E, t04 = a_y_B - a_y_E;
     rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t03;
     rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
@@ -379,35 +304,20 @@ struct Model07 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar a_s_F = q_second_rate(4);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2);
-    const Scalar j_y_E = u_third_rate(3);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_F = q_rate(4);
+    const Scalar a_s_F = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -415,14 +325,11 @@ struct Model07 {
     const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
     const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D;
-    const Scalar t04 = j_x_B - j_x_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t04 = j_x_B - j_x_E;
     const Scalar t05 = BC_x + slide_C_x - ED_x - slide_D_x;
     const Scalar t06 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D;
-    const Scalar t08 = j_y_B - j_y_E;
+    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t08 = j_y_B - j_y_E;
     const Scalar t09 = sin_GF * v_s_G - sin_slide_F * v_s_F;
     const Scalar t10 = BG_x + slide_G_x - EF_x - slide_F_x;
     const Scalar t11 = BG_y + slide_G_y - EF_y - slide_F_y;
@@ -448,34 +355,19 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar omega_F_GF = d_rate(7);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4), v_h_C_BCG = d_rate(0), omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2), v_h_D_EDF = d_rate(3), omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5), omega_D_CD = d_rate(6), omega_F_GF = d_rate(7);
     const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar t01 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
     const Scalar EF_x = -d.h_F_EDF * t01;
@@ -485,28 +377,17 @@ struct Model07 {
     const Scalar t04 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
     const Scalar cos_slide_F = q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
     const Scalar sin_slide_F = q.theta_BCG.cos * t04 + q.theta_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = ED_x + slide_D_x;
-    const Scalar t06 = t05 * omega_D_CD;
-    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t08 = ED_y + slide_D_y;
-    const Scalar t09 = t08 * omega_D_CD;
-    const Scalar t10 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t11 = t02 * v_h_F_EDF;
-    const Scalar t12 = Scalar(2) * omega_D_CD + omega_F_EDF;
-    const Scalar t13 = sin_slide_F * v_s_F;
-    const Scalar t14 = slide_F_x * omega_F_GF;
-    const Scalar t15 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t16 = t15 * omega_G_BCG;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = ED_x + slide_D_x, t06 = t05 * omega_D_CD;
+    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF, t08 = ED_y + slide_D_y;
+    const Scalar t09 = t08 * omega_D_CD, t10 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t11 = t02 * v_h_F_EDF, t12 = Scalar(2) * omega_D_CD + omega_F_EDF;
+    const Scalar t13 = sin_slide_F * v_s_F, t14 = slide_F_x * omega_F_GF;
+    const Scalar t15 = slide_F_x - BG_x - slide_G_x, t16 = t15 * omega_G_BCG;
     const Scalar t17 = sin_GF * v_s_G - t13 + cos_GF * v_h_G_BCG - t14;
-    const Scalar t18 = omega_D_CD + omega_F_EDF;
-    const Scalar t19 = t01 * v_h_F_EDF;
-    const Scalar t20 = cos_slide_F * v_s_F;
-    const Scalar t21 = slide_F_y * omega_F_GF;
-    const Scalar t22 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t23 = t22 * omega_G_BCG;
-    const Scalar t24 = cos_GF * v_s_G - t20 + t21 - sin_GF * v_h_G_BCG;
+    const Scalar t18 = omega_D_CD + omega_F_EDF, t19 = t01 * v_h_F_EDF, t20 = cos_slide_F * v_s_F;
+    const Scalar t21 = slide_F_y * omega_F_GF, t22 = slide_F_y - BG_y - slide_G_y;
+    const Scalar t23 = t22 * omega_G_BCG, t24 = cos_GF * v_s_G - t20 + t21 - sin_GF * v_h_G_BCG;
     rhs(0) = -omega_D_CD * (t06 + Scalar(2) * t07) - omega_BCG * (Scalar(2) * t06 + Scalar(2) * t07
         - Scalar(2) * q.theta_BCG.cos * v_h_C_BCG - Scalar(2) * q.theta_BCG.sin * v_s_C - (BC_x
         + slide_C_x - t05) * omega_BCG);
@@ -531,30 +412,17 @@ struct Model07 {
     const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    poses[0].x = u.x_B;
-    poses[0].y = u.y_B;
-    poses[0].direction.cos = q.theta_BCG.cos;
-    poses[0].direction.sin = q.theta_BCG.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = u.x_B + BC_x + slide_C_x;
-    poses[2].y = u.y_B + BC_y + slide_C_y;
-    poses[2].direction.cos = q.theta_BCG.cos;
-    poses[2].direction.sin = q.theta_BCG.sin;
-    poses[3].x = u.x_B + BG_x + slide_G_x;
-    poses[3].y = u.y_B + BG_y + slide_G_y;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    poses[0].x = u.x_B;  poses[0].y = u.y_B;  poses[0].direction.cos = q.theta_BCG.cos;
+    poses[0].direction.sin = q.theta_BCG.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = u.x_B + BC_x + slide_C_x;  poses[2].y = u.y_B + BC_y + slide_C_y;
+    poses[2].direction.cos = q.theta_BCG.cos;  poses[2].direction.sin = q.theta_BCG.sin;
+    poses[3].x = u.x_B + BG_x + slide_G_x;  poses[3].y = u.y_B + BG_y + slide_G_y;
+    poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -569,35 +437,23 @@ struct Model07 {
     P_u.setZero();
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = BG_y + slide_G_y;
-    const Scalar t02 = BG_x + slide_G_x;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = BG_y + slide_G_y, t02 = BG_x + slide_G_x;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
-    P_q(6, 0) = -BC_y - slide_C_y;
-    P_q(6, 1) = q.theta_BCG.cos;
-    P_q(7, 0) = BC_x + slide_C_x;
-    P_q(7, 1) = q.theta_BCG.sin;
+    P_q(6, 0) = -BC_y - slide_C_y;  P_q(6, 1) = q.theta_BCG.cos;
+    P_q(7, 0) = BC_x + slide_C_x;  P_q(7, 1) = q.theta_BCG.sin;
     P_q(8, 0) = Scalar(1);
-    P_q(9, 0) = -t01;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = t02;
-    P_q(10, 2) = sin_GF;
+    P_q(9, 0) = -t01;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = t02;  P_q(10, 2) = sin_GF;
     P_q(11, 0) = Scalar(1);
     P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -q.theta_BCG.sin;
     P_d(7, 0) = q.theta_BCG.cos;
-    P_d(9, 1) = -t01;
-    P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t02;
-    P_d(10, 2) = cos_GF;
+    P_d(9, 1) = -t01;  P_d(9, 2) = -sin_GF;
+    P_d(10, 1) = t02;  P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
@@ -614,35 +470,21 @@ struct Model07 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_E = u_rate(2);
-    const Scalar v_y_E = u_rate(3);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
-    v(0, 0) = v_x_B;
-    v(0, 1) = v_y_B;
-    v(0, 2) = omega_BCG;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_BCG;
+    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;  v(0, 2) = omega_BCG;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_BCG;
     v(2, 0) = v_x_B + q.theta_BCG.cos * v_s_C - (BC_y + slide_C_y) * omega_BCG;
     v(2, 1) = v_y_B + (BC_x + slide_C_x) * omega_BCG + q.theta_BCG.sin * v_s_C;
     v(2, 2) = omega_BCG;
     v(3, 0) = v_x_B + cos_GF * v_s_G - (BG_y + slide_G_y) * omega_BCG;
-    v(3, 1) = v_y_B + (BG_x + slide_G_x) * omega_BCG + sin_GF * v_s_G;
-    v(3, 2) = omega_BCG;
+    v(3, 1) = v_y_B + (BG_x + slide_G_x) * omega_BCG + sin_GF * v_s_G;  v(3, 2) = omega_BCG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -651,36 +493,19 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar alpha_BCG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2);
+    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
     const Scalar a_y_E = u_second_rate(3);
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = BC_x + slide_C_x;
-    const Scalar t02 = BC_y + slide_C_y;
-    const Scalar t03 = BG_x + slide_G_x;
-    const Scalar t04 = BG_y + slide_G_y;
-    a(0, 0) = a_x_B;
-    a(0, 1) = a_y_B;
-    a(0, 2) = alpha_BCG;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = BC_x + slide_C_x, t02 = BC_y + slide_C_y;
+    const Scalar t03 = BG_x + slide_G_x, t04 = BG_y + slide_G_y;
+    a(0, 0) = a_x_B;  a(0, 1) = a_y_B;  a(0, 2) = alpha_BCG;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_BCG;
     a(2, 0) = a_x_B + q.theta_BCG.cos * a_s_C - omega_BCG * (t01 * omega_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C) - t02 * alpha_BCG;
     a(2, 1) = a_y_B + t01 * alpha_BCG + q.theta_BCG.sin * a_s_C - omega_BCG * (t02 * omega_BCG
@@ -700,29 +525,17 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BCG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_h_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
+    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_h_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
     p.setZero();
     const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin;
-    const Scalar BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = BG_x + slide_G_x;
-    const Scalar t02 = t01 * omega_G_BCG;
-    const Scalar t03 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t04 = BG_y + slide_G_y;
-    const Scalar t05 = t04 * omega_G_BCG;
-    const Scalar t06 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = BG_x + slide_G_x, t02 = t01 * omega_G_BCG;
+    const Scalar t03 = sin_GF * v_s_G + cos_GF * v_h_G_BCG, t04 = BG_y + slide_G_y;
+    const Scalar t05 = t04 * omega_G_BCG, t06 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
     p(2, 0) = -omega_BCG * ((BC_x + slide_C_x) * omega_BCG + Scalar(2) * q.theta_BCG.cos * v_h_C_BCG
         + Scalar(2) * q.theta_BCG.sin * v_s_C);
     p(2, 1) = -omega_BCG * ((BC_y + slide_C_y) * omega_BCG + Scalar(2) * q.theta_BCG.sin * v_h_C_BCG

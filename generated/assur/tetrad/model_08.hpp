@@ -103,12 +103,10 @@ struct Model08 {
     Scalar CD{};  ///< distance from C to D on link CD
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF, CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF, y_F_EDF,
+        CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, ED, x_F_EDF,
+        y_F_EDF, CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -120,12 +118,8 @@ struct Model08 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -136,12 +130,8 @@ struct Model08 {
     Direction<Scalar> theta_GF{};  ///< angle of link GF
     Scalar s_B{};  ///< displacement along the slide at B of link BCG against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_EDF, theta_CD, theta_GF, s_B);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_EDF, theta_CD, theta_GF, s_B);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_EDF, theta_CD, theta_GF, s_B); }
+    [[nodiscard]] auto members() const { return std::tie(theta_EDF, theta_CD, theta_GF, s_B); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -196,27 +186,18 @@ struct Model08 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t03 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + t02 - ED_x;
-    f(1) = BC_y + CD_y + t03 - ED_y;
-    f(2) = BG_x + GF_x + t02 - EF_x;
-    f(3) = BG_y + GF_y + t03 - EF_y;
+    const Scalar t02 = slide_B_x + u.x_B - u.x_E, t03 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + t02 - ED_x;  f(1) = BC_y + CD_y + t03 - ED_y;
+    f(2) = BG_x + GF_x + t02 - EF_x;  f(3) = BG_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -224,26 +205,15 @@ struct Model08 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    J(0, 0) = ED_y;
-    J(0, 1) = -CD_y;
-    J(0, 3) = u.phi_B.cos;
-    J(1, 0) = -ED_x;
-    J(1, 1) = CD_x;
-    J(1, 3) = u.phi_B.sin;
-    J(2, 0) = EF_y;
-    J(2, 2) = -GF_y;
-    J(2, 3) = u.phi_B.cos;
-    J(3, 0) = -EF_x;
-    J(3, 2) = GF_x;
-    J(3, 3) = u.phi_B.sin;
+    J(0, 0) = ED_y;  J(0, 1) = -CD_y;  J(0, 3) = u.phi_B.cos;
+    J(1, 0) = -ED_x;  J(1, 1) = CD_x;  J(1, 3) = u.phi_B.sin;
+    J(2, 0) = EF_y;  J(2, 2) = -GF_y;  J(2, 3) = u.phi_B.cos;
+    J(3, 0) = -EF_x;  J(3, 2) = GF_x;  J(3, 3) = u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -251,24 +221,12 @@ struct Model08 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 6) = q.theta_CD.cos;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 6) = q.theta_CD.sin;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = u.phi_B.cos;
-    F_d(2, 2) = -u.phi_B.sin;
-    F_d(2, 4) = -q.theta_EDF.cos;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = u.phi_B.sin;
-    F_d(3, 2) = u.phi_B.cos;
-    F_d(3, 4) = -q.theta_EDF.sin;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 6) = q.theta_CD.cos;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 6) = q.theta_CD.sin;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = u.phi_B.cos;  F_d(2, 2) = -u.phi_B.sin;
+    F_d(2, 4) = -q.theta_EDF.cos;  F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = u.phi_B.sin;  F_d(3, 2) = u.phi_B.cos;
+    F_d(3, 4) = -q.theta_EDF.sin;  F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -276,25 +234,14 @@ struct Model08 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y;  F_u(0, 3) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x;  F_u(1, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -302,24 +249,15 @@ struct Model08 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
-    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
+    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;  rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;  rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -329,42 +267,23 @@ struct Model08 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
+    const Scalar omega_EDF = q_rate(0), omega_CD = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_B = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = omega_CD * omega_CD;
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = a_y_B - a_y_E;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
-    const Scalar t12 = omega_GF * omega_GF;
+    const Scalar t02 = slide_B_x + BC_x, t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
+    const Scalar t05 = omega_EDF * omega_EDF, t06 = omega_CD * omega_CD, t07 = a_x_B - a_x_E;
+    const Scalar t08 = u.phi_B.cos * v_s_B, t09 = a_y_B - a_y_E, t10 = slide_B_x + BG_x;
+    const Scalar t11 = slide_B_y + BG_y, t12 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B + CD_x * t06 - ED_x * t05
         - t07;
     rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t08) + CD_y * t06 - t02 * alpha_B - ED_y * t05
@@ -383,51 +302,25 @@ struct Model08 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar alpha_CD = q_second_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar alpha_GF = q_second_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_s_B = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), omega_CD = q_rate(1);
+    const Scalar alpha_CD = q_second_rate(1), omega_GF = q_rate(2), alpha_GF = q_second_rate(2);
+    const Scalar v_s_B = q_rate(3), a_s_B = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_y + BC_y;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = slide_B_x + BC_x;
-    const Scalar t05 = u.phi_B.sin * a_s_B;
-    const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = alpha_B * t07;
-    const Scalar t09 = omega_CD * omega_CD;
-    const Scalar t10 = j_x_B - j_x_E;
-    const Scalar t11 = u.phi_B.cos * a_s_B;
-    const Scalar t12 = t03 * alpha_B;
-    const Scalar t13 = j_y_B - j_y_E;
-    const Scalar t14 = slide_B_y + BG_y;
-    const Scalar t15 = slide_B_x + BG_x;
-    const Scalar t16 = omega_GF * omega_GF;
+    const Scalar t02 = slide_B_y + BC_y, t03 = u.phi_B.cos * v_s_B, t04 = slide_B_x + BC_x;
+    const Scalar t05 = u.phi_B.sin * a_s_B, t06 = omega_EDF * omega_EDF, t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = alpha_B * t07, t09 = omega_CD * omega_CD, t10 = j_x_B - j_x_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B, t12 = t03 * alpha_B, t13 = j_y_B - j_y_E;
+    const Scalar t14 = slide_B_y + BG_y, t15 = slide_B_x + BG_x, t16 = omega_GF * omega_GF;
     rhs(0) = t02 * jerk_B + Scalar(3) * t08 + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t09)
         - omega_B * (omega_B * (t02 * omega_B - Scalar(3) * t03) - Scalar(3) * t04 * alpha_B
         - Scalar(3) * t05) - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t06) - t10;
@@ -450,36 +343,20 @@ struct Model08 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_ED = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), omega_CD = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_B = q_rate(3), v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), v_ED = d_rate(3), v_x_F_EDF = d_rate(4);
+    const Scalar v_y_F_EDF = d_rate(5), v_CD = d_rate(6), v_GF = d_rate(7), omega_B = u_rate(2);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t03 = v_s_B + v_x_G_BCG;
+    const Scalar t02 = v_h_B_BCG - v_y_G_BCG, t03 = v_s_B + v_x_G_BCG;
     rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
         + CD_x * omega_CD) - omega_EDF * (Scalar(2) * q.theta_EDF.sin * v_ED + ED_x * omega_EDF);
@@ -500,33 +377,17 @@ struct Model08 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.x_B + slide_B_x;
-    const Scalar t03 = BC_x + t02;
-    const Scalar t04 = u.y_B + slide_B_y;
-    const Scalar t05 = BC_y + t04;
-    poses[0].x = t03;
-    poses[0].y = t05;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = t03;
-    poses[2].y = t05;
-    poses[2].direction.cos = q.theta_CD.cos;
-    poses[2].direction.sin = q.theta_CD.sin;
-    poses[3].x = BG_x + t02;
-    poses[3].y = BG_y + t04;
-    poses[3].direction.cos = q.theta_GF.cos;
-    poses[3].direction.sin = q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = u.x_B + slide_B_x;
+    const Scalar t03 = BC_x + t02, t04 = u.y_B + slide_B_y, t05 = BC_y + t04;
+    poses[0].x = t03;  poses[0].y = t05;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = t03;  poses[2].y = t05;  poses[2].direction.cos = q.theta_CD.cos;
+    poses[2].direction.sin = q.theta_CD.sin;  poses[3].x = BG_x + t02;  poses[3].y = BG_y + t04;
+    poses[3].direction.cos = q.theta_GF.cos;  poses[3].direction.sin = q.theta_GF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -539,14 +400,10 @@ struct Model08 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 3) = u.phi_B.cos;
     P_q(1, 3) = u.phi_B.sin;
@@ -561,27 +418,17 @@ struct Model08 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(6, 0) = u.phi_B.sin;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(9, 0) = u.phi_B.sin;
-    P_d(9, 1) = u.phi_B.cos;
-    P_d(9, 2) = -u.phi_B.sin;
-    P_d(10, 0) = -u.phi_B.cos;
-    P_d(10, 1) = u.phi_B.sin;
-    P_d(10, 2) = u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t02;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t03;
+    P_d(9, 0) = u.phi_B.sin;  P_d(9, 1) = u.phi_B.cos;  P_d(9, 2) = -u.phi_B.sin;
+    P_d(10, 0) = -u.phi_B.cos;  P_d(10, 1) = u.phi_B.sin;  P_d(10, 2) = u.phi_B.cos;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t02;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t03;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t02;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t03;
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - BG_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + BG_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t02;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t03;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - BG_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + BG_x;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -589,37 +436,19 @@ struct Model08 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar omega_EDF = q_rate(0), omega_CD = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_B = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2);
+    const Scalar v_x_E = u_rate(3), v_y_E = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
-    v(0, 0) = -t03;
-    v(0, 1) = t05;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
-    v(2, 0) = -t03;
-    v(2, 1) = t05;
-    v(2, 2) = omega_CD;
-    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
-    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B, t03 = (slide_B_y + BC_y) * omega_B - t02;
+    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B, t05 = (slide_B_x + BC_x) * omega_B + t04;
+    v(0, 0) = -t03;  v(0, 1) = t05;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
+    v(2, 0) = -t03;  v(2, 1) = t05;  v(2, 2) = omega_CD;
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;  v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -629,43 +458,23 @@ struct Model08 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar alpha_CD = q_second_rate(1);
-    const Scalar alpha_GF = q_second_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_s_B = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar alpha_EDF = q_second_rate(0), alpha_CD = q_second_rate(1);
+    const Scalar alpha_GF = q_second_rate(2), v_s_B = q_rate(3), a_s_B = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
     const Scalar t05 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
-    a(0, 0) = -t06;
-    a(0, 1) = -t09;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
-    a(2, 0) = -t06;
-    a(2, 1) = -t09;
-    a(2, 2) = alpha_CD;
+    const Scalar t10 = slide_B_x + BG_x, t11 = slide_B_y + BG_y;
+    a(0, 0) = -t06;  a(0, 1) = -t09;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
+    a(2, 0) = -t06;  a(2, 1) = -t09;  a(2, 2) = alpha_CD;
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_GF;
@@ -678,29 +487,20 @@ struct Model08 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(3), v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
     const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t05 = v_s_B + v_x_G_BCG;
-    p(0, 0) = -t02;
-    p(0, 1) = -t03;
-    p(2, 0) = -t02;
-    p(2, 1) = -t03;
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG, t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;  p(0, 1) = -t03;
+    p(2, 0) = -t02;  p(2, 1) = -t03;
     p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
         + BG_x) * omega_B);
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
@@ -714,24 +514,15 @@ struct Model08 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -u.phi_B.cos;
-    lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -ED_y;
-    lines(1, 1) = ED_x;
-    lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
-    lines(2, 0) = -u.phi_B.cos;
-    lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -EF_y;
-    lines(3, 1) = EF_x;
-    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -ED_y;  lines(1, 1) = ED_x;  lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
+    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -741,25 +532,14 @@ struct Model08 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 1) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
@@ -777,26 +557,16 @@ struct Model08 {
   static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
-    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -807,44 +577,23 @@ struct Model08 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_CD = q_rate(1);
-    const Scalar omega_GF = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
+    const Scalar omega_EDF = q_rate(0), omega_CD = q_rate(1), omega_GF = q_rate(2);
+    const Scalar v_s_B = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
     const Scalar S_GF_y = S(1, 1);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = omega_CD * omega_CD;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = omega_EDF * omega_EDF;
-    const Scalar t08 = slide_B_x + BG_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    const Scalar t10 = omega_GF * omega_GF;
+    const Scalar t02 = slide_B_x + BC_x, t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
+    const Scalar t05 = omega_CD * omega_CD, t06 = u.phi_B.cos * v_s_B, t07 = omega_EDF * omega_EDF;
+    const Scalar t08 = slide_B_x + BG_x, t09 = slide_B_y + BG_y, t10 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
     a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
     a(1, 0) = a_x_E - (S_CD_x - CD_x) * t05 - ED_x * t07;
@@ -875,16 +624,11 @@ struct Model08 {
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
-    const Scalar t02 = abs(d.ED) + abs(d.CD);
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG), t02 = abs(d.ED) + abs(d.CD);
     const Scalar t03 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
     const Scalar t04 = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.GF) + t03;
-    p(0) = determinant;
-    p(1) = d.GF;
-    p(2) = d.CD;
-    size(0) = Scalar(2) * t01 + t02 + t04;
-    size(1) = t01 + t04;
-    size(2) = t01 + t02;
+    p(0) = determinant;  p(1) = d.GF;  p(2) = d.CD;
+    size(0) = Scalar(2) * t01 + t02 + t04;  size(1) = t01 + t04;  size(2) = t01 + t02;
     terms = abs(d.ED) + t03;
   }
 
@@ -904,20 +648,16 @@ struct Model08 {
         + q.theta_EDF.sin * q.theta_GF.sin;
     const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
         - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02;
-    const Scalar inverse_CD = d.GF * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
     const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
@@ -967,24 +707,19 @@ struct Model08 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t03 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t03;
+    const Scalar t03 = d.CD * d.GF, pivot_product = determinant * t03;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t03;
-    const Scalar t04 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t04;
-    const Scalar inverse_CD = d.GF * t04;
+    const Scalar inverse_determinant = inverse * t03, t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04, inverse_CD = d.GF * t04;
     const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
@@ -1017,59 +752,42 @@ struct Model08 {
     const Scalar t08 = CD_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t09 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
     S_d(0, 0) = -EDF_per_along_CD * sin_phi_B_minus_CD - t07;
-    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t07;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t07;
     S_d(0, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
     S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -EDF_per_along_CD;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -EDF_per_along_CD;
     S_d(0, 7) = -EDF_per_along_GF;
     S_d(1, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t08;
-    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
-    S_d(1, 2) = t08;
+    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(1, 2) = t08;
     S_d(1, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
     S_d(1, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -CD_per_along_CD;
+    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -CD_per_along_CD;
     S_d(1, 7) = -CD_per_along_GF;
     S_d(2, 0) = t09 - GF_per_along_CD * sin_phi_B_minus_CD;
     S_d(2, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(2, 2) = -t09;
-    S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(2, 2) = -t09;  S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
     S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = -GF_per_along_CD;
-    S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -t05 - t06;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(3, 2) = t06;
+    S_d(2, 6) = -GF_per_along_CD;  S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -t05 - t06;  S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(3, 2) = t06;
     S_d(3, 3) = cos_EDF_minus_CD * s_B_per_along_CD;
     S_d(3, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
-    S_d(3, 6) = -s_B_per_along_CD;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;  S_d(3, 6) = -s_B_per_along_CD;
     S_d(3, 7) = -s_B_per_along_GF;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = EDF_per_along_CD * phi_B_across_CD + EDF_per_along_GF * phi_B_across_GF;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = CD_per_x_B;
-    S_u(1, 1) = CD_per_y_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;
     S_u(1, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
         - inverse_CD * phi_B_along_CD;
-    S_u(1, 3) = -CD_per_x_B;
-    S_u(1, 4) = -CD_per_y_B;
-    S_u(2, 0) = GF_per_x_B;
-    S_u(2, 1) = GF_per_y_B;
+    S_u(1, 3) = -CD_per_x_B;  S_u(1, 4) = -CD_per_y_B;
+    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;
     S_u(2, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
         - inverse_GF * phi_B_along_GF;
-    S_u(2, 3) = -GF_per_x_B;
-    S_u(2, 4) = -GF_per_y_B;
-    S_u(3, 0) = s_B_per_x_B;
-    S_u(3, 1) = s_B_per_y_B;
+    S_u(2, 3) = -GF_per_x_B;  S_u(2, 4) = -GF_per_y_B;
+    S_u(3, 0) = s_B_per_x_B;  S_u(3, 1) = s_B_per_y_B;
     S_u(3, 2) = phi_B_across_CD * s_B_per_along_CD + phi_B_across_GF * s_B_per_along_GF;
-    S_u(3, 3) = -s_B_per_x_B;
-    S_u(3, 4) = -s_B_per_y_B;
+    S_u(3, 3) = -s_B_per_x_B;  S_u(3, 4) = -s_B_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1077,10 +795,7 @@ struct Model08 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
@@ -1096,25 +811,19 @@ struct Model08 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t03 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t03;
+    const Scalar t03 = d.CD * d.GF, pivot_product = determinant * t03;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t03;
-    const Scalar t04 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t04;
-    const Scalar inverse_CD = d.GF * t04;
-    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar inverse_determinant = inverse * t03, t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04, inverse_CD = d.GF * t04, t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
     const Scalar velocity_along_CD = phi_B_across_CD * omega_B - q.theta_CD.cos * t05
         - q.theta_CD.sin * t06;
@@ -1132,10 +841,7 @@ struct Model08 {
         - velocity_across_GF);
     const Scalar omega_CD = -inverse_CD * (EDF_along_CD * omega_EDF + sin_phi_B_minus_CD * v_s_B
         - velocity_across_CD);
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_CD;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_CD;  q_rate(2) = omega_GF;  q_rate(3) = v_s_B;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1144,15 +850,9 @@ struct Model08 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
@@ -1168,27 +868,20 @@ struct Model08 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t03 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t03;
+    const Scalar t03 = d.CD * d.GF, pivot_product = determinant * t03;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t03;
-    const Scalar t04 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t04;
-    const Scalar inverse_CD = d.GF * t04;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = phi_B_across_CD * omega_B;
+    const Scalar inverse_determinant = inverse * t03, t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04, inverse_CD = d.GF * t04, t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E, t07 = phi_B_across_CD * omega_B;
     const Scalar velocity_along_CD = t07 - q.theta_CD.cos * t05 - q.theta_CD.sin * t06;
     const Scalar t08 = phi_B_along_CD * omega_B;
     const Scalar velocity_across_CD = q.theta_CD.sin * t05 - q.theta_CD.cos * t06 - t08;
@@ -1204,9 +897,7 @@ struct Model08 {
     const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + t11 - velocity_across_GF);
     const Scalar t12 = sin_phi_B_minus_CD * v_s_B;
     const Scalar omega_CD = -inverse_CD * (EDF_along_CD * omega_EDF + t12 - velocity_across_CD);
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = a_y_B - a_y_E;
-    const Scalar t15 = omega_EDF * omega_EDF;
+    const Scalar t13 = a_x_B - a_x_E, t14 = a_y_B - a_y_E, t15 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_CD = omega_B * (t08 + Scalar(2) * t12)
         + d.CD * omega_CD * omega_CD + phi_B_across_CD * alpha_B + EDF_along_CD * t15
         - q.theta_CD.cos * t13 - q.theta_CD.sin * t14;
@@ -1227,13 +918,8 @@ struct Model08 {
         - acceleration_across_GF);
     const Scalar alpha_CD = -inverse_CD * (EDF_along_CD * alpha_EDF + sin_phi_B_minus_CD * a_s_B
         - acceleration_across_CD);
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_CD;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_B;
-    q_second_rate(0) = alpha_EDF;
-    q_second_rate(1) = alpha_CD;
-    q_second_rate(2) = alpha_GF;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_CD;  q_rate(2) = omega_GF;  q_rate(3) = v_s_B;
+    q_second_rate(0) = alpha_EDF;  q_second_rate(1) = alpha_CD;  q_second_rate(2) = alpha_GF;
     q_second_rate(3) = a_s_B;
   }
 
@@ -1245,15 +931,9 @@ struct Model08 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
@@ -1269,24 +949,19 @@ struct Model08 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD;
-    const Scalar EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
     const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * cos_phi_B_minus_CD
         - EDF_across_CD * cos_phi_B_minus_GF;
-    const Scalar t03 = d.CD * d.GF;
-    const Scalar pivot_product = determinant * t03;
+    const Scalar t03 = d.CD * d.GF, pivot_product = determinant * t03;
     // A zero divisor means a dead centre, or GF = 0, or CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t03;
-    const Scalar t04 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t04;
-    const Scalar inverse_CD = d.GF * t04;
+    const Scalar inverse_determinant = inverse * t03, t04 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t04, inverse_CD = d.GF * t04;
     const Scalar EDF_per_along_CD = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_along_CD = EDF_across_GF * inverse_determinant;
     const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
@@ -1323,8 +998,7 @@ struct Model08 {
         + GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
     const Scalar s_B_per_phi_B = phi_B_across_CD * s_B_per_along_CD
         + phi_B_across_GF * s_B_per_along_GF;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
+    const Scalar t07 = v_x_B - v_x_E, t08 = v_y_B - v_y_E;
     const Scalar omega_EDF = EDF_per_x_B * t07 + EDF_per_y_B * t08 + EDF_per_phi_B * omega_B;
     const Scalar omega_CD = CD_per_x_B * t07 + CD_per_y_B * t08 + CD_per_phi_B * omega_B;
     const Scalar omega_GF = GF_per_x_B * t07 + GF_per_y_B * t08 + GF_per_phi_B * omega_B;
@@ -1341,64 +1015,39 @@ struct Model08 {
     const Scalar t10 = EDF_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t11 = CD_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t12 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = a_y_B - a_y_E;
+    const Scalar t13 = a_x_B - a_x_E, t14 = a_y_B - a_y_E;
     S_d(0, 0) = -EDF_per_along_CD * sin_phi_B_minus_CD - t10;
-    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t10;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t10;
     S_d(0, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
     S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -EDF_per_along_CD;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -EDF_per_along_CD;
     S_d(0, 7) = -EDF_per_along_GF;
     S_d(1, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t11;
-    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
-    S_d(1, 2) = t11;
+    S_d(1, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(1, 2) = t11;
     S_d(1, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
     S_d(1, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -CD_per_along_CD;
+    S_d(1, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -CD_per_along_CD;
     S_d(1, 7) = -CD_per_along_GF;
     S_d(2, 0) = t12 - GF_per_along_CD * sin_phi_B_minus_CD;
     S_d(2, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(2, 2) = -t12;
-    S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+    S_d(2, 2) = -t12;  S_d(2, 3) = GF_per_along_CD * cos_EDF_minus_CD;
     S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = -GF_per_along_CD;
-    S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -t05 - t06;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(3, 2) = t06;
+    S_d(2, 6) = -GF_per_along_CD;  S_d(2, 7) = -GF_per_along_GF;
+    S_d(3, 0) = -t05 - t06;  S_d(3, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(3, 2) = t06;
     S_d(3, 3) = cos_EDF_minus_CD * s_B_per_along_CD;
     S_d(3, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
-    S_d(3, 6) = -s_B_per_along_CD;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;  S_d(3, 6) = -s_B_per_along_CD;
     S_d(3, 7) = -s_B_per_along_GF;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = CD_per_x_B;
-    S_u(1, 1) = CD_per_y_B;
-    S_u(1, 2) = CD_per_phi_B;
-    S_u(1, 3) = -CD_per_x_B;
-    S_u(1, 4) = -CD_per_y_B;
-    S_u(2, 0) = GF_per_x_B;
-    S_u(2, 1) = GF_per_y_B;
-    S_u(2, 2) = GF_per_phi_B;
-    S_u(2, 3) = -GF_per_x_B;
-    S_u(2, 4) = -GF_per_y_B;
-    S_u(3, 0) = s_B_per_x_B;
-    S_u(3, 1) = s_B_per_y_B;
-    S_u(3, 2) = s_B_per_phi_B;
-    S_u(3, 3) = -s_B_per_x_B;
-    S_u(3, 4) = -s_B_per_y_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_CD;
-    q_rate(2) = omega_GF;
-    q_rate(3) = v_s_B;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = CD_per_phi_B;
+    S_u(1, 3) = -CD_per_x_B;  S_u(1, 4) = -CD_per_y_B;
+    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = GF_per_phi_B;
+    S_u(2, 3) = -GF_per_x_B;  S_u(2, 4) = -GF_per_y_B;
+    S_u(3, 0) = s_B_per_x_B;  S_u(3, 1) = s_B_per_y_B;  S_u(3, 2) = s_B_per_phi_B;
+    S_u(3, 3) = -s_B_per_x_B;  S_u(3, 4) = -s_B_per_y_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_CD;  q_rate(2) = omega_GF;  q_rate(3) = v_s_B;
     q_second_rate(0) = EDF_per_x_B * t13 + EDF_per_y_B * t14 + EDF_per_phi_B * alpha_B
         + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
     q_second_rate(1) = CD_per_x_B * t13 + CD_per_y_B * t14 + CD_per_phi_B * alpha_B
@@ -1416,22 +1065,16 @@ struct Model08 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar b_m1_re = -d.ED * u.phi_B.cos;
-    const Scalar b_m1_im = -d.ED * u.phi_B.sin;
-    const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
-    const Scalar b_0_re = Scalar(2) * t01;
-    const Scalar c_m1_re = -d.ED * (EB_x + d.h_B_BCG * u.phi_B.sin);
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, b_m1_re = -d.ED * u.phi_B.cos;
+    const Scalar b_m1_im = -d.ED * u.phi_B.sin, t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
+    const Scalar b_0_re = Scalar(2) * t01, c_m1_re = -d.ED * (EB_x + d.h_B_BCG * u.phi_B.sin);
     const Scalar c_m1_im = -d.ED * (EB_y - d.h_B_BCG * u.phi_B.cos);
-    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
-    const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin, t03 = d.h_B_BCG - Scalar(2) * t02;
     const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
     const Scalar c_0_re = d.ED * d.ED + d.h_B_BCG * t03 + t04 - d.CD * d.CD;
     const Scalar e_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
     const Scalar e_m1_im = d.y_F_EDF * u.phi_B.cos - d.x_F_EDF * u.phi_B.sin;
-    const Scalar e_0_re = Scalar(2) * (t01 + d.x_G_BCG);
-    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar e_0_re = Scalar(2) * (t01 + d.x_G_BCG), t05 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t06 = EB_x + t05 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar t07 = EB_y + d.x_G_BCG * u.phi_B.sin - t05 * u.phi_B.cos;
     const Scalar f_m1_re = -d.x_F_EDF * t06 - d.y_F_EDF * t07;
@@ -1439,15 +1082,10 @@ struct Model08 {
     const Scalar f_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF
         + d.x_G_BCG * (Scalar(2) * t01 + d.x_G_BCG) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t02)
         + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
-    const Scalar M_m1_re = f_m1_re - c_m1_re;
-    const Scalar M_m1_im = f_m1_im - c_m1_im;
-    const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar N_m1_re = e_m1_re - b_m1_re;
-    const Scalar N_m1_im = e_m1_im - b_m1_im;
-    const Scalar N_0_re = e_0_re - b_0_re;
+    const Scalar M_m1_re = f_m1_re - c_m1_re, M_m1_im = f_m1_im - c_m1_im, M_0_re = f_0_re - c_0_re;
+    const Scalar N_m1_re = e_m1_re - b_m1_re, N_m1_im = e_m1_im - b_m1_im, N_0_re = e_0_re - b_0_re;
     const Scalar t08 = f_m1_re * b_m1_re - c_m1_re * e_m1_re;
-    const Scalar t09 = f_m1_im * b_m1_im - c_m1_im * e_m1_im;
-    const Scalar O_m2_re = t08 - t09;
+    const Scalar t09 = f_m1_im * b_m1_im - c_m1_im * e_m1_im, O_m2_re = t08 - t09;
     const Scalar O_m2_im = f_m1_im * b_m1_re + f_m1_re * b_m1_im - c_m1_re * e_m1_im
         - c_m1_im * e_m1_re;
     const Scalar O_m1_re = f_0_re * b_m1_re + f_m1_re * b_0_re - c_m1_re * e_0_re
@@ -1456,8 +1094,7 @@ struct Model08 {
         - c_0_re * e_m1_im;
     const Scalar O_0_re = f_0_re * b_0_re + Scalar(2) * t08 + Scalar(2) * t09 - c_0_re * e_0_re;
     const Scalar t10 = M_m1_re * M_m1_re - N_m1_re * O_m1_re;
-    const Scalar t11 = M_m1_im * M_m1_im - N_m1_im * O_m1_im;
-    const Scalar t12 = N_m1_im * O_m2_im;
+    const Scalar t11 = M_m1_im * M_m1_im - N_m1_im * O_m1_im, t12 = N_m1_im * O_m2_im;
     const Scalar t13 = N_m1_re * O_m2_im;
     T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t10 + Scalar(2) * t11 - N_0_re * O_0_re;
     T.cosine[1] = -Scalar(2) * (N_m1_re * (O_0_re + O_m2_re) + t12 + O_m1_re * N_0_re
@@ -1477,13 +1114,10 @@ struct Model08 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
-    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
-    const Scalar t03 = d.h_B_BCG - Scalar(2) * t02;
-    const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
-    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin, t03 = d.h_B_BCG - Scalar(2) * t02;
+    const Scalar t04 = EB_x * EB_x + EB_y * EB_y, t05 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t06 = EB_x + t05 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar t07 = EB_y + d.x_G_BCG * u.phi_B.sin - t05 * u.phi_B.cos;
     e(0, 0) = Scalar(1);
@@ -1508,14 +1142,12 @@ struct Model08 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_CD has no length.
     const Scalar inverse_theta_CD = Scalar(1) / d.CD;
     // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     q.theta_CD.cos = (d.ED * q.theta_EDF.cos - q.s_B * u.phi_B.cos - d.h_B_BCG * u.phi_B.sin
         - EB_x) * inverse_theta_CD;
     q.theta_CD.sin = inverse_theta_CD * (d.ED * q.theta_EDF.sin + d.h_B_BCG * u.phi_B.cos

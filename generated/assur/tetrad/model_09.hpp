@@ -102,12 +102,10 @@ struct Model09 {
     Scalar h_D_CD{};  ///< offset of the slide at D on link CD, positive to the left
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, h_D_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, h_D_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, x_F_EDF,
+        y_F_EDF, h_D_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF,
+        x_F_EDF, y_F_EDF, h_D_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -119,12 +117,8 @@ struct Model09 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -135,12 +129,8 @@ struct Model09 {
     Scalar s_B{};  ///< displacement along the slide at B of link BCG against the base
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_EDF, theta_GF, s_B, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_EDF, theta_GF, s_B, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_EDF, theta_GF, s_B, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_EDF, theta_GF, s_B, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -197,29 +187,19 @@ struct Model09 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t03 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;
-    f(1) = BC_y + CD_y + t03 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t02 - EF_x;
-    f(3) = BG_y + GF_y + t03 - EF_y;
+    const Scalar t02 = slide_B_x + u.x_B - u.x_E, t03 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;  f(1) = BC_y + CD_y + t03 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t02 - EF_x;  f(3) = BG_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -227,28 +207,16 @@ struct Model09 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    J(0, 0) = ED_y + slide_D_y - CD_y;
-    J(0, 2) = u.phi_B.cos;
-    J(0, 3) = -q.theta_EDF.cos;
-    J(1, 0) = CD_x - ED_x - slide_D_x;
-    J(1, 2) = u.phi_B.sin;
-    J(1, 3) = -q.theta_EDF.sin;
-    J(2, 0) = EF_y;
-    J(2, 1) = -GF_y;
-    J(2, 2) = u.phi_B.cos;
-    J(3, 0) = -EF_x;
-    J(3, 1) = GF_x;
-    J(3, 2) = u.phi_B.sin;
+    J(0, 0) = ED_y + slide_D_y - CD_y;  J(0, 2) = u.phi_B.cos;  J(0, 3) = -q.theta_EDF.cos;
+    J(1, 0) = CD_x - ED_x - slide_D_x;  J(1, 2) = u.phi_B.sin;  J(1, 3) = -q.theta_EDF.sin;
+    J(2, 0) = EF_y;  J(2, 1) = -GF_y;  J(2, 2) = u.phi_B.cos;
+    J(3, 0) = -EF_x;  J(3, 1) = GF_x;  J(3, 2) = u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -256,24 +224,12 @@ struct Model09 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 3) = q.theta_EDF.sin;
-    F_d(0, 6) = -q.theta_EDF.sin;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 3) = -q.theta_EDF.cos;
-    F_d(1, 6) = q.theta_EDF.cos;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = u.phi_B.cos;
-    F_d(2, 2) = -u.phi_B.sin;
-    F_d(2, 4) = -q.theta_EDF.cos;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = u.phi_B.sin;
-    F_d(3, 2) = u.phi_B.cos;
-    F_d(3, 4) = -q.theta_EDF.sin;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 3) = q.theta_EDF.sin;  F_d(0, 6) = -q.theta_EDF.sin;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 3) = -q.theta_EDF.cos;  F_d(1, 6) = q.theta_EDF.cos;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = u.phi_B.cos;  F_d(2, 2) = -u.phi_B.sin;
+    F_d(2, 4) = -q.theta_EDF.cos;  F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = u.phi_B.sin;  F_d(3, 2) = u.phi_B.cos;
+    F_d(3, 4) = -q.theta_EDF.sin;  F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -281,25 +237,14 @@ struct Model09 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y;  F_u(0, 3) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x;  F_u(1, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -307,24 +252,15 @@ struct Model09 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
-    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
+    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;  rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;  rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -334,42 +270,22 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = a_y_B - a_y_E;
-    const Scalar t08 = slide_B_x + BG_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    const Scalar t10 = omega_EDF * omega_EDF;
+    const Scalar t02 = slide_B_x + BC_x, t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
+    const Scalar t05 = a_x_B - a_x_E, t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E;
+    const Scalar t08 = slide_B_x + BG_x, t09 = slide_B_y + BG_y, t10 = omega_EDF * omega_EDF;
     const Scalar t11 = omega_GF * omega_GF;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t02 * omega_B + Scalar(2) * t03)
@@ -391,55 +307,27 @@ struct Model09 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = CD_y - ED_y - slide_D_y;
-    const Scalar t03 = q.theta_EDF.cos * v_s_D;
-    const Scalar t04 = CD_x - ED_x - slide_D_x;
-    const Scalar t05 = slide_B_y + BC_y;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BC_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = alpha_B * t09;
-    const Scalar t11 = q.theta_EDF.sin * v_s_D;
-    const Scalar t12 = j_x_B - j_x_E;
-    const Scalar t13 = u.phi_B.cos * a_s_B;
-    const Scalar t14 = t06 * alpha_B;
-    const Scalar t15 = j_y_B - j_y_E;
-    const Scalar t16 = slide_B_y + BG_y;
-    const Scalar t17 = slide_B_x + BG_x;
-    const Scalar t18 = omega_EDF * omega_EDF;
+    const Scalar t02 = CD_y - ED_y - slide_D_y, t03 = q.theta_EDF.cos * v_s_D;
+    const Scalar t04 = CD_x - ED_x - slide_D_x, t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BC_x, t08 = u.phi_B.sin * a_s_B, t09 = u.phi_B.sin * v_s_B;
+    const Scalar t10 = alpha_B * t09, t11 = q.theta_EDF.sin * v_s_D, t12 = j_x_B - j_x_E;
+    const Scalar t13 = u.phi_B.cos * a_s_B, t14 = t06 * alpha_B, t15 = j_y_B - j_y_E;
+    const Scalar t16 = slide_B_y + BG_y, t17 = slide_B_x + BG_x, t18 = omega_EDF * omega_EDF;
     const Scalar t19 = omega_GF * omega_GF;
     rhs(0) = t05 * jerk_B + Scalar(3) * t10 - omega_EDF * (omega_EDF * (t02 * omega_EDF
         + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
@@ -465,39 +353,21 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_h_D_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar v_h_D_CD = d_rate(6), v_GF = d_rate(7), omega_B = u_rate(2);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = v_h_D_EDF - v_h_D_CD;
-    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t04 = v_s_B + v_x_G_BCG;
+    const Scalar t02 = v_h_D_EDF - v_h_D_CD, t03 = v_h_B_BCG - v_y_G_BCG, t04 = v_s_B + v_x_G_BCG;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
@@ -519,33 +389,17 @@ struct Model09 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.x_B + slide_B_x;
-    const Scalar t03 = BC_x + t02;
-    const Scalar t04 = u.y_B + slide_B_y;
-    const Scalar t05 = BC_y + t04;
-    poses[0].x = t03;
-    poses[0].y = t05;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = t03;
-    poses[2].y = t05;
-    poses[2].direction.cos = q.theta_EDF.cos;
-    poses[2].direction.sin = q.theta_EDF.sin;
-    poses[3].x = BG_x + t02;
-    poses[3].y = BG_y + t04;
-    poses[3].direction.cos = q.theta_GF.cos;
-    poses[3].direction.sin = q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = u.x_B + slide_B_x;
+    const Scalar t03 = BC_x + t02, t04 = u.y_B + slide_B_y, t05 = BC_y + t04;
+    poses[0].x = t03;  poses[0].y = t05;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = t03;  poses[2].y = t05;  poses[2].direction.cos = q.theta_EDF.cos;
+    poses[2].direction.sin = q.theta_EDF.sin;  poses[3].x = BG_x + t02;  poses[3].y = BG_y + t04;
+    poses[3].direction.cos = q.theta_GF.cos;  poses[3].direction.sin = q.theta_GF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -558,14 +412,10 @@ struct Model09 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
     P_q(1, 2) = u.phi_B.sin;
@@ -580,27 +430,17 @@ struct Model09 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(6, 0) = u.phi_B.sin;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(9, 0) = u.phi_B.sin;
-    P_d(9, 1) = u.phi_B.cos;
-    P_d(9, 2) = -u.phi_B.sin;
-    P_d(10, 0) = -u.phi_B.cos;
-    P_d(10, 1) = u.phi_B.sin;
-    P_d(10, 2) = u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t02;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t03;
+    P_d(9, 0) = u.phi_B.sin;  P_d(9, 1) = u.phi_B.cos;  P_d(9, 2) = -u.phi_B.sin;
+    P_d(10, 0) = -u.phi_B.cos;  P_d(10, 1) = u.phi_B.sin;  P_d(10, 2) = u.phi_B.cos;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t02;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t03;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t02;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t03;
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - BG_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + BG_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t02;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t03;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - BG_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + BG_x;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -608,36 +448,18 @@ struct Model09 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar omega_EDF = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
-    v(0, 0) = -t03;
-    v(0, 1) = t05;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
-    v(2, 0) = -t03;
-    v(2, 1) = t05;
-    v(2, 2) = omega_EDF;
-    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
-    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B, t03 = (slide_B_y + BC_y) * omega_B - t02;
+    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B, t05 = (slide_B_x + BC_x) * omega_B + t04;
+    v(0, 0) = -t03;  v(0, 1) = t05;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
+    v(2, 0) = -t03;  v(2, 1) = t05;  v(2, 2) = omega_EDF;
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;  v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -647,42 +469,23 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
+    const Scalar alpha_EDF = q_second_rate(0), alpha_GF = q_second_rate(1), v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
     const Scalar t05 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
-    a(0, 0) = -t06;
-    a(0, 1) = -t09;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
-    a(2, 0) = -t06;
-    a(2, 1) = -t09;
-    a(2, 2) = alpha_EDF;
+    const Scalar t10 = slide_B_x + BG_x, t11 = slide_B_y + BG_y;
+    a(0, 0) = -t06;  a(0, 1) = -t09;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
+    a(2, 0) = -t06;  a(2, 1) = -t09;  a(2, 2) = alpha_EDF;
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_GF;
@@ -695,29 +498,20 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(2), v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
     const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t05 = v_s_B + v_x_G_BCG;
-    p(0, 0) = -t02;
-    p(0, 1) = -t03;
-    p(2, 0) = -t02;
-    p(2, 1) = -t03;
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG, t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;  p(0, 1) = -t03;
+    p(2, 0) = -t02;  p(2, 1) = -t03;
     p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
         + BG_x) * omega_B);
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
@@ -731,27 +525,18 @@ struct Model09 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -u.phi_B.cos;
-    lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -q.theta_EDF.cos;
-    lines(1, 1) = -q.theta_EDF.sin;
+    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -q.theta_EDF.cos;  lines(1, 1) = -q.theta_EDF.sin;
     lines(1, 2) = -(CD_x - ED_x - slide_D_x) * q.theta_EDF.cos - (CD_y - ED_y
         - slide_D_y) * q.theta_EDF.sin;
-    lines(2, 0) = -u.phi_B.cos;
-    lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -EF_y;
-    lines(3, 1) = EF_x;
-    lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
+    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
   }
 
   /// The signed lengths L: on side i of its link a special point at S moves by
@@ -761,27 +546,15 @@ struct Model09 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
@@ -800,26 +573,16 @@ struct Model09 {
   static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
-    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -830,45 +593,23 @@ struct Model09 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
+    const Scalar omega_EDF = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
     const Scalar GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BG_x;
-    const Scalar t08 = slide_B_y + BG_y;
-    const Scalar t09 = omega_GF * omega_GF;
+    const Scalar t02 = slide_B_x + BC_x, t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
+    const Scalar t05 = omega_EDF * omega_EDF, t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BG_x;
+    const Scalar t08 = slide_B_y + BG_y, t09 = omega_GF * omega_GF;
     a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
     a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
     a(1, 0) = a_x_E - omega_EDF * ((S_CD_x + ED_x + slide_D_x - CD_x) * omega_EDF
@@ -898,14 +639,11 @@ struct Model09 {
         - q.theta_EDF.cos * q.theta_GF.sin;
     const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
     const Scalar determinant = EDF_across_GF * sin_phi_B_minus_EDF - q.s_D * cos_phi_B_minus_GF;
-    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG);
-    const Scalar t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BCG), t02 = abs(d.x_F_EDF) + abs(d.y_F_EDF);
     const Scalar t03 = abs(q.s_D) + abs(d.h_D_EDF) + abs(d.h_D_CD) + t02;
     const Scalar t04 = abs(d.GF) + abs(d.x_G_BCG) + abs(d.y_G_BCG);
-    p(0) = determinant;
-    p(1) = d.GF;
-    size(0) = Scalar(2) * t01 + t03 + t04;
-    size(1) = t02 + t01 + t04;
+    p(0) = determinant;  p(1) = d.GF;
+    size(0) = Scalar(2) * t01 + t03 + t04;  size(1) = t02 + t01 + t04;
     terms = t03;
   }
 
@@ -930,8 +668,7 @@ struct Model09 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar s_D_per_across_slide_D = cos_phi_B_minus_EDF * s_B_per_across_slide_D
@@ -981,8 +718,7 @@ struct Model09 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
@@ -992,8 +728,7 @@ struct Model09 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
@@ -1026,59 +761,39 @@ struct Model09 {
     const Scalar t06 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t07 = sin_phi_B_minus_GF * s_D_per_along_GF;
     S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF - t05;
-    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t05;
-    S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t05;
+    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_along_GF;
     S_d(1, 0) = GF_per_across_slide_D * cos_phi_B_minus_EDF + t06;
     S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t06;
-    S_d(1, 3) = GF_per_across_slide_D;
+    S_d(1, 2) = -t06;  S_d(1, 3) = GF_per_across_slide_D;
     S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -GF_per_across_slide_D;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = t03 - t04;
-    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(2, 2) = t04;
-    S_d(2, 3) = s_B_per_across_slide_D;
-    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
-    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
-    S_d(2, 6) = -s_B_per_across_slide_D;
+    S_d(1, 6) = -GF_per_across_slide_D;  S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t03 - t04;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t04;
+    S_d(2, 3) = s_B_per_across_slide_D;  S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;  S_d(2, 6) = -s_B_per_across_slide_D;
     S_d(2, 7) = -s_B_per_along_GF;
     S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t07;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = t07;
-    S_d(3, 3) = s_D_per_across_slide_D;
-    S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = -s_D_per_across_slide_D;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;  S_d(3, 2) = t07;
+    S_d(3, 3) = s_D_per_across_slide_D;  S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;  S_d(3, 6) = -s_D_per_across_slide_D;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = EDF_per_along_GF * phi_B_across_GF - EDF_per_across_slide_D * phi_B_along_slide_D;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;
     S_u(1, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_D * phi_B_along_slide_D
         - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = -GF_per_x_B;
-    S_u(1, 4) = -GF_per_y_B;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
+    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;
     S_u(2, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_D * s_B_per_across_slide_D;
-    S_u(2, 3) = -s_B_per_x_B;
-    S_u(2, 4) = -s_B_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
+    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;
     S_u(3, 2) = phi_B_across_GF * s_D_per_along_GF - phi_B_along_slide_D * s_D_per_across_slide_D
         - phi_B_across_slide_D;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1086,10 +801,7 @@ struct Model09 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
         + q.theta_EDF.sin * u.phi_B.sin;
@@ -1105,8 +817,7 @@ struct Model09 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
@@ -1116,10 +827,8 @@ struct Model09 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
         - q.theta_EDF.sin * t04;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
@@ -1136,10 +845,7 @@ struct Model09 {
         - velocity_along_slide_D;
     const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + sin_phi_B_minus_GF * v_s_B
         - velocity_across_GF);
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1148,15 +854,9 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
         + q.theta_EDF.sin * u.phi_B.sin;
@@ -1172,8 +872,7 @@ struct Model09 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
@@ -1183,11 +882,8 @@ struct Model09 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = phi_B_across_slide_D * omega_B;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E, t05 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
     const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
@@ -1199,14 +895,10 @@ struct Model09 {
         - cos_phi_B_minus_GF * velocity_across_slide_D);
     const Scalar v_s_B = -inverse_determinant * (q.s_D * velocity_along_GF
         - EDF_across_GF * velocity_across_slide_D);
-    const Scalar t09 = EDF_across_slide_D * omega_EDF;
-    const Scalar t10 = cos_phi_B_minus_EDF * v_s_B;
-    const Scalar v_s_D = t10 - t09 - velocity_along_slide_D;
-    const Scalar t11 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar t09 = EDF_across_slide_D * omega_EDF, t10 = cos_phi_B_minus_EDF * v_s_B;
+    const Scalar v_s_D = t10 - t09 - velocity_along_slide_D, t11 = sin_phi_B_minus_GF * v_s_B;
     const Scalar omega_GF = -inverse_GF * (EDF_along_GF * omega_EDF + t11 - velocity_across_GF);
-    const Scalar t12 = a_x_B - a_x_E;
-    const Scalar t13 = a_y_B - a_y_E;
-    const Scalar t14 = omega_EDF * omega_EDF;
+    const Scalar t12 = a_x_B - a_x_E, t13 = a_y_B - a_y_E, t14 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_slide_D = omega_B * (t06
         + Scalar(2) * sin_phi_B_minus_EDF * v_s_B) + phi_B_across_slide_D * alpha_B
         - q.theta_EDF.cos * t12 - q.theta_EDF.sin * t13 - q.s_D * t14;
@@ -1227,13 +919,8 @@ struct Model09 {
         - acceleration_along_slide_D;
     const Scalar alpha_GF = -inverse_GF * (EDF_along_GF * alpha_EDF + sin_phi_B_minus_GF * a_s_B
         - acceleration_across_GF);
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = alpha_EDF;
-    q_second_rate(1) = alpha_GF;
-    q_second_rate(2) = a_s_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_EDF;  q_second_rate(1) = alpha_GF;  q_second_rate(2) = a_s_B;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1245,15 +932,9 @@ struct Model09 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
         + q.theta_EDF.sin * u.phi_B.sin;
@@ -1269,8 +950,7 @@ struct Model09 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
@@ -1280,8 +960,7 @@ struct Model09 {
     const Scalar pivot_product = d.GF * determinant;
     // A zero divisor means a dead centre, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse;
-    const Scalar inverse_GF = determinant * inverse;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
     const Scalar EDF_per_across_slide_D = inverse_determinant * cos_phi_B_minus_GF;
     const Scalar s_B_per_across_slide_D = EDF_across_GF * inverse_determinant;
     const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
@@ -1318,8 +997,7 @@ struct Model09 {
         - phi_B_along_slide_D * s_B_per_across_slide_D;
     const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
         - phi_B_along_slide_D * s_D_per_across_slide_D - phi_B_across_slide_D;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     const Scalar omega_EDF = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * omega_B;
     const Scalar omega_GF = GF_per_x_B * t05 + GF_per_y_B * t06 + GF_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * omega_B;
@@ -1336,65 +1014,37 @@ struct Model09 {
         - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B - phi_B_across_GF * omega_B);
     const Scalar t08 = EDF_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t09 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t10 = sin_phi_B_minus_GF * s_D_per_along_GF;
-    const Scalar t11 = a_x_B - a_x_E;
+    const Scalar t10 = sin_phi_B_minus_GF * s_D_per_along_GF, t11 = a_x_B - a_x_E;
     const Scalar t12 = a_y_B - a_y_E;
     S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF - t08;
-    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t08;
-    S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;
-    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 1) = -EDF_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t08;
+    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+    S_d(0, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_along_GF;
     S_d(1, 0) = GF_per_across_slide_D * cos_phi_B_minus_EDF + t09;
     S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t09;
-    S_d(1, 3) = GF_per_across_slide_D;
+    S_d(1, 2) = -t09;  S_d(1, 3) = GF_per_across_slide_D;
     S_d(1, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
     S_d(1, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(1, 6) = -GF_per_across_slide_D;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = t03 - t04;
-    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(2, 2) = t04;
-    S_d(2, 3) = s_B_per_across_slide_D;
-    S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
-    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;
-    S_d(2, 6) = -s_B_per_across_slide_D;
+    S_d(1, 6) = -GF_per_across_slide_D;  S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = t03 - t04;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t04;
+    S_d(2, 3) = s_B_per_across_slide_D;  S_d(2, 4) = cos_EDF_minus_GF * s_B_per_along_GF;
+    S_d(2, 5) = -sin_EDF_minus_GF * s_B_per_along_GF;  S_d(2, 6) = -s_B_per_across_slide_D;
     S_d(2, 7) = -s_B_per_along_GF;
     S_d(3, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D - t10;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = t10;
-    S_d(3, 3) = s_D_per_across_slide_D;
-    S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = -s_D_per_across_slide_D;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_D_per_along_GF;  S_d(3, 2) = t10;
+    S_d(3, 3) = s_D_per_across_slide_D;  S_d(3, 4) = cos_EDF_minus_GF * s_D_per_along_GF;
+    S_d(3, 5) = -sin_EDF_minus_GF * s_D_per_along_GF;  S_d(3, 6) = -s_D_per_across_slide_D;
     S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
-    S_u(1, 2) = GF_per_phi_B;
-    S_u(1, 3) = -GF_per_x_B;
-    S_u(1, 4) = -GF_per_y_B;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
-    S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = -s_B_per_x_B;
-    S_u(2, 4) = -s_B_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_D;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = GF_per_phi_B;
+    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_D;
     q_second_rate(0) = EDF_per_x_B * t11 + EDF_per_y_B * t12 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_D * centripetal_across_slide_D
         + EDF_per_along_GF * centripetal_along_GF;
@@ -1414,13 +1064,11 @@ struct Model09 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar b_m1_re = -d.x_F_EDF * u.phi_B.cos - d.y_F_EDF * u.phi_B.sin;
     const Scalar b_m1_im = d.y_F_EDF * u.phi_B.cos - d.x_F_EDF * u.phi_B.sin;
     const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
-    const Scalar b_0_re = Scalar(2) * (d.x_G_BCG + t01);
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar b_0_re = Scalar(2) * (d.x_G_BCG + t01), t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t03 = EB_x + t02 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar t04 = EB_y + d.x_G_BCG * u.phi_B.sin - t02 * u.phi_B.cos;
     const Scalar c_m1_re = -d.x_F_EDF * t03 - d.y_F_EDF * t04;
@@ -1429,25 +1077,16 @@ struct Model09 {
     const Scalar c_0_re = d.x_F_EDF * d.x_F_EDF + d.y_F_EDF * d.y_F_EDF + EB_x * EB_x + EB_y * EB_y
         + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + d.h_B_BCG * (d.h_B_BCG - Scalar(2) * d.y_G_BCG
         - Scalar(2) * t05) + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t05) - d.GF * d.GF;
-    const Scalar f_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y;
-    const Scalar f_m1_im = EB_x + d.h_B_BCG * u.phi_B.sin;
-    const Scalar f_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD);
-    const Scalar t06 = c_0_re * u.phi_B.sin;
+    const Scalar f_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y, f_m1_im = EB_x + d.h_B_BCG * u.phi_B.sin;
+    const Scalar f_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD), t06 = c_0_re * u.phi_B.sin;
     const Scalar t07 = f_0_re * b_m1_re + b_0_re * f_m1_re;
     const Scalar t08 = f_m1_re * f_m1_re + (t06 + t07) * u.phi_B.sin;
     const Scalar t09 = b_m1_im * f_0_re + b_0_re * f_m1_im;
     const Scalar t10 = f_m1_im * f_m1_im + (c_0_re * u.phi_B.cos - t09) * u.phi_B.cos;
-    const Scalar t11 = f_m1_im * b_m1_re + b_m1_im * f_m1_re;
-    const Scalar t12 = c_m1_re * u.phi_B.cos - t11;
-    const Scalar t13 = c_m1_im * u.phi_B.cos;
-    const Scalar t14 = b_m1_im * f_m1_im;
-    const Scalar t15 = f_0_re * b_0_re;
-    const Scalar t16 = c_m1_re * u.phi_B.sin;
-    const Scalar t17 = b_m1_re * f_m1_re;
-    const Scalar t18 = t16 + t17;
-    const Scalar t19 = c_m1_im * u.phi_B.sin;
-    const Scalar t20 = (t19 + t11) * u.phi_B.sin;
-    const Scalar t21 = t13 - t14;
+    const Scalar t11 = f_m1_im * b_m1_re + b_m1_im * f_m1_re, t12 = c_m1_re * u.phi_B.cos - t11;
+    const Scalar t13 = c_m1_im * u.phi_B.cos, t14 = b_m1_im * f_m1_im, t15 = f_0_re * b_0_re;
+    const Scalar t16 = c_m1_re * u.phi_B.sin, t17 = b_m1_re * f_m1_re, t18 = t16 + t17;
+    const Scalar t19 = c_m1_im * u.phi_B.sin, t20 = (t19 + t11) * u.phi_B.sin, t21 = t13 - t14;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t08 + Scalar(2) * t10;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t12 * u.phi_B.cos - (Scalar(2) * t13
         - t14 - t15 - Scalar(3) * t18) * u.phi_B.sin);
@@ -1467,9 +1106,7 @@ struct Model09 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, t01 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t02 = EB_x + t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar t03 = EB_y + d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t04 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
@@ -1492,12 +1129,10 @@ struct Model09 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
         + (q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos) * q.theta_EDF.sin;
     q.theta_GF.cos = -(EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin + d.y_F_EDF * q.theta_EDF.sin

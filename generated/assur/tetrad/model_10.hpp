@@ -101,12 +101,10 @@ struct Model10 {
     Scalar h_D_CD{};  ///< offset of the slide at D on link CD, positive to the left
     Scalar h_F_GF{};  ///< offset of the slide at F on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, h_D_CD, h_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, h_D_CD, h_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF, psi_F_EDF,
+        h_F_EDF, h_D_CD, h_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_D_EDF,
+        psi_F_EDF, h_F_EDF, h_D_CD, h_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -118,12 +116,8 @@ struct Model10 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -134,12 +128,8 @@ struct Model10 {
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_EDF, s_B, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_EDF, s_B, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_EDF, s_B, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(theta_EDF, s_B, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -196,31 +186,18 @@ struct Model10 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t03 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;
-    f(1) = BC_y + CD_y + t03 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t02 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t03 - EF_y - slide_F_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = slide_B_x + u.x_B - u.x_E, t03 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + CD_x + t02 - ED_x - slide_D_x;  f(1) = BC_y + CD_y + t03 - ED_y - slide_D_y;
+    f(2) = BG_x + GF_x + t02 - EF_x - slide_F_x;  f(3) = BG_y + GF_y + t03 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -230,30 +207,15 @@ struct Model10 {
     J.setZero();
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    J(0, 0) = ED_y + slide_D_y - CD_y;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = -q.theta_EDF.cos;
-    J(1, 0) = CD_x - ED_x - slide_D_x;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = -q.theta_EDF.sin;
-    J(2, 0) = EF_y + slide_F_y - GF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(2, 3) = -cos_GF;
-    J(3, 0) = GF_x - EF_x - slide_F_x;
-    J(3, 1) = u.phi_B.sin;
-    J(3, 3) = -sin_GF;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    J(0, 0) = ED_y + slide_D_y - CD_y;  J(0, 1) = u.phi_B.cos;  J(0, 2) = -q.theta_EDF.cos;
+    J(1, 0) = CD_x - ED_x - slide_D_x;  J(1, 1) = u.phi_B.sin;  J(1, 2) = -q.theta_EDF.sin;
+    J(2, 0) = EF_y + slide_F_y - GF_y;  J(2, 1) = u.phi_B.cos;  J(2, 3) = -cos_GF;
+    J(3, 0) = GF_x - EF_x - slide_F_x;  J(3, 1) = u.phi_B.sin;  J(3, 3) = -sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -263,30 +225,14 @@ struct Model10 {
     F_d.setZero();
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 3) = q.theta_EDF.sin;
-    F_d(0, 6) = -q.theta_EDF.sin;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 3) = -q.theta_EDF.cos;
-    F_d(1, 6) = q.theta_EDF.cos;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = u.phi_B.cos;
-    F_d(2, 2) = -u.phi_B.sin;
-    F_d(2, 4) = EF_y + slide_F_y - GF_y;
-    F_d(2, 5) = sin_GF;
-    F_d(2, 7) = -sin_GF;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = u.phi_B.sin;
-    F_d(3, 2) = u.phi_B.cos;
-    F_d(3, 4) = GF_x - EF_x - slide_F_x;
-    F_d(3, 5) = -cos_GF;
-    F_d(3, 7) = cos_GF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 3) = q.theta_EDF.sin;  F_d(0, 6) = -q.theta_EDF.sin;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 3) = -q.theta_EDF.cos;  F_d(1, 6) = q.theta_EDF.cos;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = u.phi_B.cos;  F_d(2, 2) = -u.phi_B.sin;
+    F_d(2, 4) = EF_y + slide_F_y - GF_y;  F_d(2, 5) = sin_GF;  F_d(2, 7) = -sin_GF;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = u.phi_B.sin;  F_d(3, 2) = u.phi_B.cos;
+    F_d(3, 4) = GF_x - EF_x - slide_F_x;  F_d(3, 5) = -cos_GF;  F_d(3, 7) = cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -294,25 +240,14 @@ struct Model10 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y;  F_u(0, 3) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x;  F_u(1, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -320,24 +255,15 @@ struct Model10 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;
-    rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;
-    rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
+    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;  rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;  rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -347,44 +273,22 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = a_y_B - a_y_E;
-    const Scalar t08 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y, t05 = a_x_B - a_x_E;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E, t08 = slide_B_x + BG_x;
     const Scalar t09 = slide_B_y + BG_y;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t02 * omega_B + Scalar(2) * t03)
@@ -406,62 +310,29 @@ struct Model10 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = CD_y - ED_y - slide_D_y;
-    const Scalar t03 = q.theta_EDF.cos * v_s_D;
-    const Scalar t04 = CD_x - ED_x - slide_D_x;
-    const Scalar t05 = slide_B_y + BC_y;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BC_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = q.theta_EDF.sin * v_s_D;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = alpha_B * t10;
-    const Scalar t12 = j_x_B - j_x_E;
-    const Scalar t13 = u.phi_B.cos * a_s_B;
-    const Scalar t14 = t06 * alpha_B;
-    const Scalar t15 = j_y_B - j_y_E;
-    const Scalar t16 = GF_y - EF_y - slide_F_y;
-    const Scalar t17 = cos_GF * v_s_F;
-    const Scalar t18 = GF_x - EF_x - slide_F_x;
-    const Scalar t19 = slide_B_y + BG_y;
-    const Scalar t20 = slide_B_x + BG_x;
-    const Scalar t21 = sin_GF * v_s_F;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    const Scalar t02 = CD_y - ED_y - slide_D_y, t03 = q.theta_EDF.cos * v_s_D;
+    const Scalar t04 = CD_x - ED_x - slide_D_x, t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B;
+    const Scalar t07 = slide_B_x + BC_x, t08 = u.phi_B.sin * a_s_B, t09 = q.theta_EDF.sin * v_s_D;
+    const Scalar t10 = u.phi_B.sin * v_s_B, t11 = alpha_B * t10, t12 = j_x_B - j_x_E;
+    const Scalar t13 = u.phi_B.cos * a_s_B, t14 = t06 * alpha_B, t15 = j_y_B - j_y_E;
+    const Scalar t16 = GF_y - EF_y - slide_F_y, t17 = cos_GF * v_s_F, t18 = GF_x - EF_x - slide_F_x;
+    const Scalar t19 = slide_B_y + BG_y, t20 = slide_B_x + BG_x, t21 = sin_GF * v_s_F;
     rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
         + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
         - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
@@ -487,50 +358,25 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar v_h_D_CD = d_rate(6);
-    const Scalar v_h_F_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), omega_F_EDF = d_rate(4), v_h_F_EDF = d_rate(5);
+    const Scalar v_h_D_CD = d_rate(6), v_h_F_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = v_h_D_EDF - v_h_D_CD;
-    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t04 = v_s_B + v_x_G_BCG;
-    const Scalar t05 = GF_x - EF_x - slide_F_x;
-    const Scalar t06 = t05 * omega_F_EDF;
-    const Scalar t07 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_F;
-    const Scalar t09 = GF_y - EF_y - slide_F_y;
-    const Scalar t10 = t09 * omega_F_EDF;
-    const Scalar t11 = sin_GF * t07 - cos_GF * v_s_F;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t02 = v_h_D_EDF - v_h_D_CD;
+    const Scalar t03 = v_h_B_BCG - v_y_G_BCG, t04 = v_s_B + v_x_G_BCG;
+    const Scalar t05 = GF_x - EF_x - slide_F_x, t06 = t05 * omega_F_EDF, t07 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_F, t09 = GF_y - EF_y - slide_F_y;
+    const Scalar t10 = t09 * omega_F_EDF, t11 = sin_GF * t07 - cos_GF * v_s_F;
     rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF - Scalar(2) * q.theta_EDF.cos * t02
         - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * ((slide_B_x + BC_x) * omega_B
         + Scalar(2) * u.phi_B.sin * v_s_B - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
@@ -552,33 +398,17 @@ struct Model10 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.x_B + slide_B_x;
-    const Scalar t03 = BC_x + t02;
-    const Scalar t04 = u.y_B + slide_B_y;
-    const Scalar t05 = BC_y + t04;
-    poses[0].x = t03;
-    poses[0].y = t05;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = t03;
-    poses[2].y = t05;
-    poses[2].direction.cos = q.theta_EDF.cos;
-    poses[2].direction.sin = q.theta_EDF.sin;
-    poses[3].x = BG_x + t02;
-    poses[3].y = BG_y + t04;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = u.x_B + slide_B_x;
+    const Scalar t03 = BC_x + t02, t04 = u.y_B + slide_B_y, t05 = BC_y + t04;
+    poses[0].x = t03;  poses[0].y = t05;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = t03;  poses[2].y = t05;  poses[2].direction.cos = q.theta_EDF.cos;
+    poses[2].direction.sin = q.theta_EDF.sin;  poses[3].x = BG_x + t02;  poses[3].y = BG_y + t04;
+    poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -591,14 +421,10 @@ struct Model10 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
@@ -613,28 +439,18 @@ struct Model10 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(6, 0) = u.phi_B.sin;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(9, 0) = u.phi_B.sin;
-    P_d(9, 1) = u.phi_B.cos;
-    P_d(9, 2) = -u.phi_B.sin;
-    P_d(10, 0) = -u.phi_B.cos;
-    P_d(10, 1) = u.phi_B.sin;
-    P_d(10, 2) = u.phi_B.cos;
+    P_d(9, 0) = u.phi_B.sin;  P_d(9, 1) = u.phi_B.cos;  P_d(9, 2) = -u.phi_B.sin;
+    P_d(10, 0) = -u.phi_B.cos;  P_d(10, 1) = u.phi_B.sin;  P_d(10, 2) = u.phi_B.cos;
     P_d(11, 4) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t02;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t03;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t02;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t03;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t02;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t03;
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - BG_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + BG_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t02;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t03;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - BG_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + BG_x;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -642,35 +458,18 @@ struct Model10 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
-    v(0, 0) = -t03;
-    v(0, 1) = t05;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
-    v(2, 0) = -t03;
-    v(2, 1) = t05;
-    v(2, 2) = omega_EDF;
-    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
-    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B, t03 = (slide_B_y + BC_y) * omega_B - t02;
+    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B, t05 = (slide_B_x + BC_x) * omega_B + t04;
+    v(0, 0) = -t03;  v(0, 1) = t05;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
+    v(2, 0) = -t03;  v(2, 1) = t05;  v(2, 2) = omega_EDF;
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;  v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_EDF;
   }
 
@@ -680,41 +479,22 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar alpha_EDF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
     const Scalar t05 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
-    const Scalar t10 = slide_B_x + BG_x;
-    const Scalar t11 = slide_B_y + BG_y;
-    a(0, 0) = -t06;
-    a(0, 1) = -t09;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
-    a(2, 0) = -t06;
-    a(2, 1) = -t09;
-    a(2, 2) = alpha_EDF;
+    const Scalar t10 = slide_B_x + BG_x, t11 = slide_B_y + BG_y;
+    a(0, 0) = -t06;  a(0, 1) = -t09;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
+    a(2, 0) = -t06;  a(2, 1) = -t09;  a(2, 2) = alpha_EDF;
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t10 * omega_B) - t11 * alpha_B;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t11 * omega_B) + t10 * alpha_B;
     a(3, 2) = alpha_EDF;
@@ -727,29 +507,20 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
     const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t05 = v_s_B + v_x_G_BCG;
-    p(0, 0) = -t02;
-    p(0, 1) = -t03;
-    p(2, 0) = -t02;
-    p(2, 1) = -t03;
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG, t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;  p(0, 1) = -t03;
+    p(2, 0) = -t02;  p(2, 1) = -t03;
     p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
         + BG_x) * omega_B);
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
@@ -765,28 +536,17 @@ struct Model10 {
     lines.setZero();
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    lines(0, 0) = -u.phi_B.cos;
-    lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -q.theta_EDF.cos;
-    lines(1, 1) = -q.theta_EDF.sin;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -q.theta_EDF.cos;  lines(1, 1) = -q.theta_EDF.sin;
     lines(1, 2) = -(CD_x - ED_x - slide_D_x) * q.theta_EDF.cos - (CD_y - ED_y
         - slide_D_y) * q.theta_EDF.sin;
-    lines(2, 0) = -u.phi_B.cos;
-    lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -cos_GF;
-    lines(3, 1) = -sin_GF;
+    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -cos_GF;  lines(3, 1) = -sin_GF;
     lines(3, 2) = -(GF_x - EF_x - slide_F_x) * cos_GF - (GF_y - EF_y - slide_F_y) * sin_GF;
   }
 
@@ -797,33 +557,18 @@ struct Model10 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
+    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 1) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
@@ -841,26 +586,16 @@ struct Model10 {
   static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
-    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E;
-    v(3, 1) = v_y_E;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
+    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -871,48 +606,23 @@ struct Model10 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin;
-    const Scalar CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos;
-    const Scalar slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BG_x;
-    const Scalar t08 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
+    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
+    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y, t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BG_x, t08 = slide_B_y + BG_y;
     a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
     a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
     a(1, 0) = a_x_E - omega_EDF * ((S_CD_x + ED_x + slide_D_x - CD_x) * omega_EDF
@@ -1014,8 +724,7 @@ struct Model10 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
@@ -1058,62 +767,43 @@ struct Model10 {
     const Scalar t07 = sin_phi_B_minus_psi_F_EDF_minus_EDF
         + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
     S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t05;
-    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    S_d(0, 2) = -t05;
-    S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
-    S_d(0, 5) = EDF_per_across_slide_F;
-    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;  S_d(0, 2) = -t05;
+    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
+    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_across_slide_F;
     S_d(1, 0) = t03 + t04;
-    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    S_d(1, 2) = -t04;
-    S_d(1, 3) = s_B_per_across_slide_D;
-    S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(1, 5) = s_B_per_across_slide_F;
-    S_d(1, 6) = -s_B_per_across_slide_D;
+    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;  S_d(1, 2) = -t04;
+    S_d(1, 3) = s_B_per_across_slide_D;  S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = -s_B_per_across_slide_D;
     S_d(1, 7) = -s_B_per_across_slide_F;
     S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t06;
-    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    S_d(2, 2) = -t06;
-    S_d(2, 3) = s_D_per_across_slide_D;
-    S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
-    S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = -s_D_per_across_slide_D;
+    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;  S_d(2, 2) = -t06;
+    S_d(2, 3) = s_D_per_across_slide_D;  S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
+    S_d(2, 5) = s_D_per_across_slide_F;  S_d(2, 6) = -s_D_per_across_slide_D;
     S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t07;
     S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
         - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t07;
-    S_d(3, 3) = s_F_per_across_slide_D;
+    S_d(3, 2) = -t07;  S_d(3, 3) = s_F_per_across_slide_D;
     S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = -s_F_per_across_slide_D;
+    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = -s_F_per_across_slide_D;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = -EDF_per_across_slide_D * phi_B_along_slide_D
         - EDF_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
     S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
         - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;
     S_u(2, 2) = -phi_B_along_slide_D * s_D_per_across_slide_D - phi_B_across_slide_D
         - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = -s_D_per_x_B;
-    S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
+    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_D * s_F_per_across_slide_D
         - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1121,10 +811,7 @@ struct Model10 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
@@ -1138,8 +825,7 @@ struct Model10 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
@@ -1149,8 +835,7 @@ struct Model10 {
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
         - q.theta_EDF.sin * t04;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
@@ -1167,10 +852,7 @@ struct Model10 {
         - EDF_across_slide_F * omega_EDF - velocity_along_slide_F;
     const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - EDF_across_slide_D * omega_EDF
         - velocity_along_slide_D;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1179,15 +861,9 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
@@ -1201,8 +877,7 @@ struct Model10 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
@@ -1212,9 +887,7 @@ struct Model10 {
     const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
         - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = phi_B_across_slide_D * omega_B;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E, t05 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = t05 - q.theta_EDF.cos * t03 - q.theta_EDF.sin * t04;
     const Scalar t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04 - t06;
@@ -1228,13 +901,9 @@ struct Model10 {
         - q.s_F * velocity_across_slide_D);
     const Scalar t09 = EDF_across_slide_F * omega_EDF;
     const Scalar t10 = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B;
-    const Scalar v_s_F = t10 - t09 - velocity_along_slide_F;
-    const Scalar t11 = EDF_across_slide_D * omega_EDF;
-    const Scalar t12 = cos_phi_B_minus_EDF * v_s_B;
-    const Scalar v_s_D = t12 - t11 - velocity_along_slide_D;
-    const Scalar t13 = a_x_B - a_x_E;
-    const Scalar t14 = a_y_B - a_y_E;
-    const Scalar t15 = omega_EDF * omega_EDF;
+    const Scalar v_s_F = t10 - t09 - velocity_along_slide_F, t11 = EDF_across_slide_D * omega_EDF;
+    const Scalar t12 = cos_phi_B_minus_EDF * v_s_B, v_s_D = t12 - t11 - velocity_along_slide_D;
+    const Scalar t13 = a_x_B - a_x_E, t14 = a_y_B - a_y_E, t15 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_slide_D = omega_B * (t06
         + Scalar(2) * sin_phi_B_minus_EDF * v_s_B) + phi_B_across_slide_D * alpha_B
         - q.theta_EDF.cos * t13 - q.theta_EDF.sin * t14 - q.s_D * t15;
@@ -1255,13 +924,8 @@ struct Model10 {
         - EDF_across_slide_F * alpha_EDF - acceleration_along_slide_F;
     const Scalar a_s_D = cos_phi_B_minus_EDF * a_s_B - EDF_across_slide_D * alpha_EDF
         - acceleration_along_slide_D;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = alpha_EDF;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_D;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_EDF;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_D;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1273,15 +937,9 @@ struct Model10 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
     const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
@@ -1295,8 +953,7 @@ struct Model10 {
         + d.h_B_BCG * sin_phi_B_minus_EDF;
     const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
         - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
     const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
         + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
@@ -1342,8 +999,7 @@ struct Model10 {
         - phi_B_across_slide_D - phi_B_along_slide_F * s_D_per_across_slide_F;
     const Scalar s_F_per_phi_B = -phi_B_along_slide_D * s_F_per_across_slide_D
         - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     const Scalar omega_EDF = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * omega_B;
     const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06 + s_D_per_phi_B * omega_B;
@@ -1363,65 +1019,38 @@ struct Model10 {
     const Scalar t09 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
     const Scalar t10 = sin_phi_B_minus_psi_F_EDF_minus_EDF
         + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    const Scalar t11 = a_x_B - a_x_E;
-    const Scalar t12 = a_y_B - a_y_E;
+    const Scalar t11 = a_x_B - a_x_E, t12 = a_y_B - a_y_E;
     S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t08;
-    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    S_d(0, 2) = -t08;
-    S_d(0, 3) = EDF_per_across_slide_D;
-    S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
-    S_d(0, 5) = EDF_per_across_slide_F;
-    S_d(0, 6) = -EDF_per_across_slide_D;
+    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;  S_d(0, 2) = -t08;
+    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
+    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = -EDF_per_across_slide_D;
     S_d(0, 7) = -EDF_per_across_slide_F;
     S_d(1, 0) = t03 + t04;
-    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    S_d(1, 2) = -t04;
-    S_d(1, 3) = s_B_per_across_slide_D;
-    S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(1, 5) = s_B_per_across_slide_F;
-    S_d(1, 6) = -s_B_per_across_slide_D;
+    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;  S_d(1, 2) = -t04;
+    S_d(1, 3) = s_B_per_across_slide_D;  S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
+    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = -s_B_per_across_slide_D;
     S_d(1, 7) = -s_B_per_across_slide_F;
     S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t09;
-    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    S_d(2, 2) = -t09;
-    S_d(2, 3) = s_D_per_across_slide_D;
-    S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
-    S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = -s_D_per_across_slide_D;
+    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;  S_d(2, 2) = -t09;
+    S_d(2, 3) = s_D_per_across_slide_D;  S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
+    S_d(2, 5) = s_D_per_across_slide_F;  S_d(2, 6) = -s_D_per_across_slide_D;
     S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t10;
     S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
         - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t10;
-    S_d(3, 3) = s_F_per_across_slide_D;
+    S_d(3, 2) = -t10;  S_d(3, 3) = s_F_per_across_slide_D;
     S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = -s_F_per_across_slide_D;
+    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = -s_F_per_across_slide_D;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = -s_D_per_x_B;
-    S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
     q_second_rate(0) = EDF_per_x_B * t11 + EDF_per_y_B * t12 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_D * centripetal_across_slide_D
         + EDF_per_across_slide_F * centripetal_across_slide_F;
@@ -1441,10 +1070,8 @@ struct Model10 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar c_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y;
-    const Scalar c_m1_im = d.h_B_BCG * u.phi_B.sin + EB_x;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
+    const Scalar c_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y, c_m1_im = d.h_B_BCG * u.phi_B.sin + EB_x;
     const Scalar c_0_re = Scalar(2) * (d.h_D_EDF - d.h_D_CD);
     const Scalar e_m1_re = u.phi_B.cos * d.psi_F_EDF.sin - u.phi_B.sin * d.psi_F_EDF.cos;
     const Scalar e_m1_im = u.phi_B.cos * d.psi_F_EDF.cos + u.phi_B.sin * d.psi_F_EDF.sin;
@@ -1471,9 +1098,7 @@ struct Model10 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, t01 = d.h_B_BCG - d.y_G_BCG;
     const Scalar t02 = EB_y + d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t03 = EB_x + t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     e(0, 1) = -Scalar(2) * (q.theta_EDF.cos * u.phi_B.sin - q.theta_EDF.sin * u.phi_B.cos);
@@ -1490,11 +1115,8 @@ struct Model10 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t03 = EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG, t03 = EB_x + t01 * u.phi_B.cos + t02 * u.phi_B.sin;
     const Scalar t04 = EB_y + t01 * u.phi_B.sin - t02 * u.phi_B.cos;
     q.s_D = (q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x) * q.theta_EDF.cos
         + (q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos) * q.theta_EDF.sin;

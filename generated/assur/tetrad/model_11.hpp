@@ -117,12 +117,10 @@ struct Model11 {
     Scalar CD{};  ///< distance from C to D on link CD
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_E_EDF, x_F_EDF, y_F_EDF, CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_E_EDF, x_F_EDF, y_F_EDF, CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_E_EDF, x_F_EDF,
+        y_F_EDF, CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, x_G_BCG, y_G_BCG, h_E_EDF,
+        x_F_EDF, y_F_EDF, CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -135,12 +133,8 @@ struct Model11 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -151,12 +145,8 @@ struct Model11 {
     Scalar s_B{};  ///< displacement along the slide at B of link BCG against the base
     Scalar s_E{};  ///< displacement along the slide at E of link EDF against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CD, theta_GF, s_B, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CD, theta_GF, s_B, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CD, theta_GF, s_B, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CD, theta_GF, s_B, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -211,30 +201,20 @@ struct Model11 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
     const Scalar t03 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t04 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + CD_x + t03 - ED_x;
-    f(1) = BC_y + CD_y + t04 - ED_y;
-    f(2) = BG_x + GF_x + t03 - EF_x;
-    f(3) = BG_y + GF_y + t04 - EF_y;
+    f(0) = BC_x + CD_x + t03 - ED_x;  f(1) = BC_y + CD_y + t04 - ED_y;
+    f(2) = BG_x + GF_x + t03 - EF_x;  f(3) = BG_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -242,22 +222,12 @@ struct Model11 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    J(0, 0) = -CD_y;
-    J(0, 2) = u.phi_B.cos;
-    J(0, 3) = -u.phi_E.cos;
-    J(1, 0) = CD_x;
-    J(1, 2) = u.phi_B.sin;
-    J(1, 3) = -u.phi_E.sin;
-    J(2, 1) = -GF_y;
-    J(2, 2) = u.phi_B.cos;
-    J(2, 3) = -u.phi_E.cos;
-    J(3, 1) = GF_x;
-    J(3, 2) = u.phi_B.sin;
-    J(3, 3) = -u.phi_E.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    J(0, 0) = -CD_y;  J(0, 2) = u.phi_B.cos;  J(0, 3) = -u.phi_E.cos;
+    J(1, 0) = CD_x;  J(1, 2) = u.phi_B.sin;  J(1, 3) = -u.phi_E.sin;
+    J(2, 1) = -GF_y;  J(2, 2) = u.phi_B.cos;  J(2, 3) = -u.phi_E.cos;
+    J(3, 1) = GF_x;  J(3, 2) = u.phi_B.sin;  J(3, 3) = -u.phi_E.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -265,25 +235,13 @@ struct Model11 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 6) = q.theta_CD.cos;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 6) = q.theta_CD.sin;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = u.phi_B.cos;
-    F_d(2, 2) = -u.phi_B.sin;
-    F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 4) = -u.phi_E.cos;
-    F_d(2, 5) = u.phi_E.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 3) = -u.phi_E.sin;  F_d(0, 6) = q.theta_CD.cos;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 3) = u.phi_E.cos;  F_d(1, 6) = q.theta_CD.sin;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = u.phi_B.cos;  F_d(2, 2) = -u.phi_B.sin;
+    F_d(2, 3) = -u.phi_E.sin;  F_d(2, 4) = -u.phi_E.cos;  F_d(2, 5) = u.phi_E.sin;
     F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = u.phi_B.sin;
-    F_d(3, 2) = u.phi_B.cos;
-    F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 4) = -u.phi_E.sin;
-    F_d(3, 5) = -u.phi_E.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = u.phi_B.sin;  F_d(3, 2) = u.phi_B.cos;
+    F_d(3, 3) = u.phi_E.cos;  F_d(3, 4) = -u.phi_E.sin;  F_d(3, 5) = -u.phi_E.cos;
     F_d(3, 7) = q.theta_GF.sin;
   }
 
@@ -292,35 +250,21 @@ struct Model11 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y;
-    F_u(0, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y;  F_u(0, 3) = -Scalar(1);
     F_u(0, 5) = slide_E_y + ED_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x;
-    F_u(1, 4) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x;  F_u(1, 4) = -Scalar(1);
     F_u(1, 5) = -slide_E_x - ED_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(2, 5) = slide_E_y + EF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
   }
 
@@ -329,27 +273,16 @@ struct Model11 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y) * omega_B - (slide_E_y + ED_y) * omega_E - t03;
     rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x) * omega_B - t04;
@@ -364,52 +297,25 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    const Scalar t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * v_s_E;
-    const Scalar t07 = slide_B_y + BC_y;
-    const Scalar t08 = slide_E_y + ED_y;
-    const Scalar t09 = omega_CD * omega_CD;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = u.phi_E.cos * v_s_E;
-    const Scalar t13 = a_y_B - a_y_E;
-    const Scalar t14 = slide_B_x + BG_x;
-    const Scalar t15 = slide_E_x + EF_x;
-    const Scalar t16 = slide_B_y + BG_y;
-    const Scalar t17 = slide_E_y + EF_y;
-    const Scalar t18 = omega_GF * omega_GF;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_x + BC_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_E_x + ED_x, t06 = u.phi_E.sin * v_s_E;
+    const Scalar t07 = slide_B_y + BC_y, t08 = slide_E_y + ED_y, t09 = omega_CD * omega_CD;
+    const Scalar t10 = a_x_B - a_x_E, t11 = u.phi_B.cos * v_s_B, t12 = u.phi_E.cos * v_s_E;
+    const Scalar t13 = a_y_B - a_y_E, t14 = slide_B_x + BG_x, t15 = slide_E_x + EF_x;
+    const Scalar t16 = slide_B_y + BG_y, t17 = slide_E_y + EF_y, t18 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04) + t07 * alpha_B + CD_x * t09
         - omega_E * (t05 * omega_E + Scalar(2) * t06) - t08 * alpha_E - t10;
     rhs(1) = omega_B * (t07 * omega_B - Scalar(2) * t11) + t05 * alpha_E + CD_y * t09
@@ -428,62 +334,31 @@ struct Model11 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar alpha_CD = q_second_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar jerk_E = u_third_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar omega_CD = q_rate(0), alpha_CD = q_second_rate(0), omega_GF = q_rate(1);
+    const Scalar alpha_GF = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    const Scalar t03 = slide_B_y + BC_y;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = slide_B_x + BC_x;
-    const Scalar t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = slide_E_y + ED_y;
-    const Scalar t08 = u.phi_E.cos * v_s_E;
-    const Scalar t09 = slide_E_x + ED_x;
-    const Scalar t10 = u.phi_E.sin * a_s_E;
-    const Scalar t11 = omega_CD * omega_CD;
-    const Scalar t12 = u.phi_B.sin * v_s_B;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_y + BC_y;
+    const Scalar t04 = u.phi_B.cos * v_s_B, t05 = slide_B_x + BC_x, t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = slide_E_y + ED_y, t08 = u.phi_E.cos * v_s_E, t09 = slide_E_x + ED_x;
+    const Scalar t10 = u.phi_E.sin * a_s_E, t11 = omega_CD * omega_CD, t12 = u.phi_B.sin * v_s_B;
     const Scalar t13 = u.phi_E.sin * v_s_E;
     const Scalar t14 = j_x_B - j_x_E - Scalar(3) * (alpha_B * t12 - alpha_E * t13);
-    const Scalar t15 = u.phi_B.cos * a_s_B;
-    const Scalar t16 = u.phi_E.cos * a_s_E;
+    const Scalar t15 = u.phi_B.cos * a_s_B, t16 = u.phi_E.cos * a_s_E;
     const Scalar t17 = j_y_B - j_y_E + Scalar(3) * (t04 * alpha_B - t08 * alpha_E);
-    const Scalar t18 = slide_B_y + BG_y;
-    const Scalar t19 = slide_B_x + BG_x;
-    const Scalar t20 = slide_E_y + EF_y;
-    const Scalar t21 = slide_E_x + EF_x;
-    const Scalar t22 = omega_GF * omega_GF;
+    const Scalar t18 = slide_B_y + BG_y, t19 = slide_B_x + BG_x, t20 = slide_E_y + EF_y;
+    const Scalar t21 = slide_E_x + EF_x, t22 = omega_GF * omega_GF;
     rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
         - Scalar(3) * t10) + t03 * jerk_B + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t11)
         - omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04) - Scalar(3) * t05 * alpha_B
@@ -509,42 +384,21 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1), v_y_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar v_CD = d_rate(6), v_GF = d_rate(7), omega_B = u_rate(2), omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    const Scalar t03 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t04 = v_s_B + v_x_G_BCG;
-    const Scalar t05 = v_h_E_EDF - v_y_F_EDF;
-    const Scalar t06 = v_s_E + v_x_F_EDF;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = v_h_B_BCG - v_y_G_BCG;
+    const Scalar t04 = v_s_B + v_x_G_BCG, t05 = v_h_E_EDF - v_y_F_EDF, t06 = v_s_E + v_x_F_EDF;
     rhs(0) = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG) + omega_CD * (Scalar(2) * q.theta_CD.sin * v_CD
         + CD_x * omega_CD) - omega_E * ((slide_E_x + ED_x) * omega_E
@@ -567,36 +421,19 @@ struct Model11 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.x_B + slide_B_x;
-    const Scalar t03 = BC_x + t02;
-    const Scalar t04 = u.y_B + slide_B_y;
-    const Scalar t05 = BC_y + t04;
-    poses[0].x = t03;
-    poses[0].y = t05;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x + ED_x;
-    poses[1].y = u.y_E + slide_E_y + ED_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t03;
-    poses[2].y = t05;
-    poses[2].direction.cos = q.theta_CD.cos;
-    poses[2].direction.sin = q.theta_CD.sin;
-    poses[3].x = BG_x + t02;
-    poses[3].y = BG_y + t04;
-    poses[3].direction.cos = q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = u.x_B + slide_B_x;
+    const Scalar t03 = BC_x + t02, t04 = u.y_B + slide_B_y, t05 = BC_y + t04;
+    poses[0].x = t03;  poses[0].y = t05;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x + ED_x;
+    poses[1].y = u.y_E + slide_E_y + ED_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = t03;  poses[2].y = t05;
+    poses[2].direction.cos = q.theta_CD.cos;  poses[2].direction.sin = q.theta_CD.sin;
+    poses[3].x = BG_x + t02;  poses[3].y = BG_y + t04;  poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
 
@@ -610,18 +447,12 @@ struct Model11 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_y + BC_y;
     const Scalar t03 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
     P_q(1, 2) = u.phi_B.sin;
@@ -639,30 +470,18 @@ struct Model11 {
     P_d(4, 3) = -u.phi_E.cos;
     P_d(6, 0) = u.phi_B.sin;
     P_d(7, 0) = -u.phi_B.cos;
-    P_d(9, 0) = u.phi_B.sin;
-    P_d(9, 1) = u.phi_B.cos;
-    P_d(9, 2) = -u.phi_B.sin;
-    P_d(10, 0) = -u.phi_B.cos;
-    P_d(10, 1) = u.phi_B.sin;
-    P_d(10, 2) = u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t02;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t03;
+    P_d(9, 0) = u.phi_B.sin;  P_d(9, 1) = u.phi_B.cos;  P_d(9, 2) = -u.phi_B.sin;
+    P_d(10, 0) = -u.phi_B.cos;  P_d(10, 1) = u.phi_B.sin;  P_d(10, 2) = u.phi_B.cos;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t02;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t03;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y - ED_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x + ED_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y - ED_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t02;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t03;
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - BG_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + BG_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t02;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t03;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - BG_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + BG_x;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -670,42 +489,22 @@ struct Model11 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t03 = (slide_B_y + BC_y) * omega_B - t02;
-    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t05 = (slide_B_x + BC_x) * omega_B + t04;
-    v(0, 0) = -t03;
-    v(0, 1) = t05;
-    v(0, 2) = omega_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B + v_x_B, t03 = (slide_B_y + BC_y) * omega_B - t02;
+    const Scalar t04 = u.phi_B.sin * v_s_B + v_y_B, t05 = (slide_B_x + BC_x) * omega_B + t04;
+    v(0, 0) = -t03;  v(0, 1) = t05;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
-    v(1, 2) = omega_E;
-    v(2, 0) = -t03;
-    v(2, 1) = t05;
-    v(2, 2) = omega_CD;
-    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;
-    v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;  v(1, 2) = omega_E;
+    v(2, 0) = -t03;  v(2, 1) = t05;  v(2, 2) = omega_CD;
+    v(3, 0) = t02 - (slide_B_y + BG_y) * omega_B;  v(3, 1) = t04 + (slide_B_x + BG_x) * omega_B;
     v(3, 2) = omega_GF;
   }
 
@@ -715,54 +514,31 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CD = q_second_rate(0);
-    const Scalar alpha_GF = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y;
+    const Scalar alpha_CD = q_second_rate(0), alpha_GF = q_second_rate(1), v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2), v_s_E = q_rate(3), a_s_E = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = slide_B_x + BC_x;
+    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y;
     const Scalar t05 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t06 = omega_B * (t02 * omega_B + Scalar(2) * t03) + t04 * alpha_B - t05;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t09 = omega_B * (t04 * omega_B - Scalar(2) * t07) - t02 * alpha_B - t08;
-    const Scalar t10 = slide_E_x + ED_x;
-    const Scalar t11 = slide_E_y + ED_y;
-    const Scalar t12 = slide_B_x + BG_x;
+    const Scalar t10 = slide_E_x + ED_x, t11 = slide_E_y + ED_y, t12 = slide_B_x + BG_x;
     const Scalar t13 = slide_B_y + BG_y;
-    a(0, 0) = -t06;
-    a(0, 1) = -t09;
-    a(0, 2) = alpha_B;
+    a(0, 0) = -t06;  a(0, 1) = -t09;  a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t10 * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E) - t11 * alpha_E;
     a(1, 1) = t10 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t11 * omega_E
         - Scalar(2) * u.phi_E.cos * v_s_E);
     a(1, 2) = alpha_E;
-    a(2, 0) = -t06;
-    a(2, 1) = -t09;
-    a(2, 2) = alpha_CD;
+    a(2, 0) = -t06;  a(2, 1) = -t09;  a(2, 2) = alpha_CD;
     a(3, 0) = t05 - omega_B * (Scalar(2) * t03 + t12 * omega_B) - t13 * alpha_B;
     a(3, 1) = t08 + omega_B * (Scalar(2) * t07 - t13 * omega_B) + t12 * alpha_B;
     a(3, 2) = alpha_GF;
@@ -775,40 +551,27 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar v_x_G_BCG = d_rate(1);
-    const Scalar v_y_G_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(2), v_s_E = q_rate(3), v_h_B_BCG = d_rate(0), v_x_G_BCG = d_rate(1);
+    const Scalar v_y_G_BCG = d_rate(2), v_h_E_EDF = d_rate(3), omega_B = u_rate(2);
     const Scalar omega_E = u_rate(5);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
     const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BCG);
     const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BCG);
-    const Scalar t04 = v_h_B_BCG - v_y_G_BCG;
-    const Scalar t05 = v_s_B + v_x_G_BCG;
-    p(0, 0) = -t02;
-    p(0, 1) = -t03;
+    const Scalar t04 = v_h_B_BCG - v_y_G_BCG, t05 = v_s_B + v_x_G_BCG;
+    p(0, 0) = -t02;  p(0, 1) = -t03;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
     p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
         - Scalar(2) * u.phi_E.sin * v_h_E_EDF);
-    p(2, 0) = -t02;
-    p(2, 1) = -t03;
+    p(2, 0) = -t02;  p(2, 1) = -t03;
     p(3, 0) = omega_B * (Scalar(2) * u.phi_B.cos * t04 - Scalar(2) * u.phi_B.sin * t05 - (slide_B_x
         + BG_x) * omega_B);
     p(3, 1) = omega_B * (Scalar(2) * u.phi_B.cos * t05 + Scalar(2) * u.phi_B.sin * t04 - (slide_B_y
@@ -822,19 +585,13 @@ struct Model11 {
   static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
     lines.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    lines(0, 0) = -u.phi_B.cos;
-    lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -u.phi_E.cos;
-    lines(1, 1) = -u.phi_E.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
+    lines(1, 0) = -u.phi_E.cos;  lines(1, 1) = -u.phi_E.sin;
     lines(1, 2) = -CD_x * u.phi_E.cos - CD_y * u.phi_E.sin;
-    lines(2, 0) = -u.phi_B.cos;
-    lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -u.phi_E.cos;
-    lines(3, 1) = -u.phi_E.sin;
+    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
+    lines(3, 0) = -u.phi_E.cos;  lines(3, 1) = -u.phi_E.sin;
     lines(3, 2) = -GF_x * u.phi_E.cos - GF_y * u.phi_E.sin;
   }
 
@@ -845,23 +602,13 @@ struct Model11 {
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
       const Matrix<Scalar, 2 * closure_link_count, 2>& n,
       Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar n_CD_BCG_x = n(0, 0);
-    const Scalar n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0);
-    const Scalar n_CD_EDF_y = n(1, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0);
-    const Scalar n_GF_BCG_y = n(2, 1);
-    const Scalar n_GF_EDF_x = n(3, 0);
+    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
+    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
     const Scalar n_GF_EDF_y = n(3, 1);
     L.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
     L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
     L(1, 0) = (S_CD_x - CD_x) * n_CD_EDF_y - (S_CD_y - CD_y) * n_CD_EDF_x;
@@ -877,34 +624,20 @@ struct Model11 {
   static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;
-    v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = (slide_E_x + ED_x) * omega_E + v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;
-    v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E - (slide_E_y + EF_y) * omega_E;
-    v(3, 1) = v_y_E + (slide_E_x + EF_x) * omega_E;
+    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
+    v(1, 0) = v_x_E - (slide_E_y + ED_y) * omega_E;  v(1, 1) = (slide_E_x + ED_x) * omega_E + v_y_E;
+    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
+    v(3, 0) = v_x_E - (slide_E_y + EF_y) * omega_E;  v(3, 1) = v_y_E + (slide_E_x + EF_x) * omega_E;
   }
 
   /// The acceleration of each special point by each side, less what d2q/dt2 adds:
@@ -915,53 +648,25 @@ struct Model11 {
       const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_CD = q_rate(0);
-    const Scalar omega_GF = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1);
-    const Scalar S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos;
-    const Scalar CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), S_CD_x = S(0, 0);
+    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
+    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
+    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    const Scalar t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + BC_y;
-    const Scalar t06 = omega_CD * omega_CD;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = slide_E_x + ED_x;
-    const Scalar t09 = u.phi_E.sin * v_s_E;
-    const Scalar t10 = slide_E_y + ED_y;
-    const Scalar t11 = u.phi_E.cos * v_s_E;
-    const Scalar t12 = slide_B_x + BG_x;
-    const Scalar t13 = slide_B_y + BG_y;
-    const Scalar t14 = omega_GF * omega_GF;
-    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_x + BC_x;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_B_y + BC_y, t06 = omega_CD * omega_CD;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = slide_E_x + ED_x, t09 = u.phi_E.sin * v_s_E;
+    const Scalar t10 = slide_E_y + ED_y, t11 = u.phi_E.cos * v_s_E, t12 = slide_B_x + BG_x;
+    const Scalar t13 = slide_B_y + BG_y, t14 = omega_GF * omega_GF, t15 = slide_E_x + EF_x;
     const Scalar t16 = slide_E_y + EF_y;
     a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - S_CD_x * t06;
     a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (t05 * omega_B - Scalar(2) * t07) - S_CD_y * t06;
@@ -989,12 +694,8 @@ struct Model11 {
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
     const Scalar t01 = abs(q.s_B) + abs(q.s_E) + abs(d.h_B_BCG) + abs(d.h_E_EDF);
-    p(0) = -sin_phi_B_minus_phi_E;
-    p(1) = sin_CD_minus_GF;
-    p(2) = d.GF;
-    p(3) = d.CD;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -sin_phi_B_minus_phi_E;  p(1) = sin_CD_minus_GF;  p(2) = d.GF;  p(3) = d.CD;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     size(2) = abs(d.x_G_BCG) + abs(d.y_G_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF) + t01;
     size(3) = abs(d.CD) + t01;
     terms = Scalar(2);
@@ -1015,18 +716,14 @@ struct Model11 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t01 = d.CD * d.GF;
-    const Scalar t02 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar t01 = d.CD * d.GF, t02 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t01 * t02;
     // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
     //     CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t03 = inverse * t01;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t03;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t03;
-    const Scalar t04 = inverse * t02;
-    const Scalar inverse_GF = -d.CD * t04;
-    const Scalar inverse_CD = -d.GF * t04;
+    const Scalar t03 = inverse * t01, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t03;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t03, t04 = inverse * t02;
+    const Scalar inverse_GF = -d.CD * t04, inverse_CD = -d.GF * t04;
     const Scalar t05 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t05;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t05;
@@ -1075,29 +772,23 @@ struct Model11 {
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
     const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF;
-    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
     // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
     //     CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
-    const Scalar t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08;
-    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08;
     const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
@@ -1136,64 +827,42 @@ struct Model11 {
     const Scalar t18 = sin_phi_E_minus_GF * s_B_per_along_GF;
     const Scalar t19 = sin_phi_B_minus_GF * s_E_per_along_GF;
     S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t14;
-    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t14;
+    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t14;
     S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t15 - inverse_CD * cos_phi_E_minus_CD;
-    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;
-    S_d(0, 5) = -t15;
-    S_d(0, 6) = -CD_per_along_CD;
-    S_d(0, 7) = -CD_per_along_GF;
+    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;  S_d(0, 5) = -t15;
+    S_d(0, 6) = -CD_per_along_CD;  S_d(0, 7) = -CD_per_along_GF;
     S_d(1, 0) = t16 - GF_per_along_CD * sin_phi_B_minus_CD;
     S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t16;
-    S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t17;
+    S_d(1, 2) = -t16;  S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t17;
     S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(1, 5) = t17;
-    S_d(1, 6) = -GF_per_along_CD;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -t10 - t12;
-    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(2, 2) = t12;
+    S_d(1, 5) = t17;  S_d(1, 6) = -GF_per_along_CD;  S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -t10 - t12;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t12;
     S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t18;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(2, 5) = -t18;
-    S_d(2, 6) = -s_B_per_along_CD;
-    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(2, 5) = -t18;
+    S_d(2, 6) = -s_B_per_along_CD;  S_d(2, 7) = -s_B_per_along_GF;
     S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t19;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 2) = t19;
-    S_d(3, 3) = t11 + t13;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
-    S_d(3, 5) = -t13;
-    S_d(3, 6) = -s_E_per_along_CD;
-    S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = CD_per_x_B;
-    S_u(0, 1) = CD_per_y_B;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;  S_d(3, 2) = t19;  S_d(3, 3) = t11 + t13;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t13;
+    S_d(3, 6) = -s_E_per_along_CD;  S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;
     S_u(0, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
         - inverse_CD * phi_B_along_CD;
-    S_u(0, 3) = -CD_per_x_B;
-    S_u(0, 4) = -CD_per_y_B;
+    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
     S_u(0, 5) = CD_per_along_CD * phi_E_across_CD + CD_per_along_GF * phi_E_across_GF
         - inverse_CD * phi_E_along_CD;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;
     S_u(1, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
         - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = -GF_per_x_B;
-    S_u(1, 4) = -GF_per_y_B;
+    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;
     S_u(1, 5) = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
         - inverse_GF * phi_E_along_GF;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;
     S_u(2, 2) = phi_B_across_CD * s_B_per_along_CD + phi_B_across_GF * s_B_per_along_GF;
-    S_u(2, 3) = -s_B_per_x_B;
-    S_u(2, 4) = -s_B_per_y_B;
+    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;
     S_u(2, 5) = phi_E_across_CD * s_B_per_along_CD + phi_E_across_GF * s_B_per_along_GF;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
     S_u(3, 2) = phi_B_across_CD * s_E_per_along_CD + phi_B_across_GF * s_E_per_along_GF;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
     S_u(3, 5) = phi_E_across_CD * s_E_per_along_CD + phi_E_across_GF * s_E_per_along_GF;
   }
 
@@ -1202,12 +871,8 @@ struct Model11 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
     const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
@@ -1220,30 +885,23 @@ struct Model11 {
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
     const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF;
-    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
     // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
     //     CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
-    const Scalar t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08;
-    const Scalar inverse_CD = -d.GF * t08;
-    const Scalar t09 = v_x_B - v_x_E;
+    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08, t09 = v_x_B - v_x_E;
     const Scalar t10 = v_y_B - v_y_E;
     const Scalar velocity_along_CD = phi_B_across_CD * omega_B + phi_E_across_CD * omega_E
         - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
@@ -1262,10 +920,7 @@ struct Model11 {
         - velocity_across_GF);
     const Scalar omega_CD = -inverse_CD * (sin_phi_B_minus_CD * v_s_B - sin_phi_E_minus_CD * v_s_E
         - velocity_across_CD);
-    q_rate(0) = omega_CD;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_CD;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1274,18 +929,10 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
     const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
@@ -1298,55 +945,41 @@ struct Model11 {
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
     const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF;
-    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
     // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
     //     CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
-    const Scalar t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08;
-    const Scalar inverse_CD = -d.GF * t08;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    const Scalar t11 = phi_B_across_CD * omega_B;
+    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08, t09 = v_x_B - v_x_E;
+    const Scalar t10 = v_y_B - v_y_E, t11 = phi_B_across_CD * omega_B;
     const Scalar t12 = phi_E_across_CD * omega_E;
     const Scalar velocity_along_CD = t11 + t12 - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
-    const Scalar t13 = phi_B_along_CD * omega_B;
-    const Scalar t14 = phi_E_along_CD * omega_E;
+    const Scalar t13 = phi_B_along_CD * omega_B, t14 = phi_E_along_CD * omega_E;
     const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10 - t13 - t14;
-    const Scalar t15 = phi_B_across_GF * omega_B;
-    const Scalar t16 = phi_E_across_GF * omega_E;
+    const Scalar t15 = phi_B_across_GF * omega_B, t16 = phi_E_across_GF * omega_E;
     const Scalar velocity_along_GF = t15 + t16 - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
-    const Scalar t17 = phi_B_along_GF * omega_B;
-    const Scalar t18 = phi_E_along_GF * omega_E;
+    const Scalar t17 = phi_B_along_GF * omega_B, t18 = phi_E_along_GF * omega_E;
     const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10 - t17 - t18;
     const Scalar t19 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
     const Scalar v_s_B = t19 * (cos_phi_E_minus_CD * velocity_along_GF
         - cos_phi_E_minus_GF * velocity_along_CD);
     const Scalar v_s_E = t19 * (cos_phi_B_minus_CD * velocity_along_GF
         - cos_phi_B_minus_GF * velocity_along_CD);
-    const Scalar t20 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar t21 = sin_phi_E_minus_GF * v_s_E;
+    const Scalar t20 = sin_phi_B_minus_GF * v_s_B, t21 = sin_phi_E_minus_GF * v_s_E;
     const Scalar omega_GF = -inverse_GF * (t20 - t21 - velocity_across_GF);
-    const Scalar t22 = sin_phi_B_minus_CD * v_s_B;
-    const Scalar t23 = sin_phi_E_minus_CD * v_s_E;
-    const Scalar omega_CD = -inverse_CD * (t22 - t23 - velocity_across_CD);
-    const Scalar t24 = a_x_B - a_x_E;
+    const Scalar t22 = sin_phi_B_minus_CD * v_s_B, t23 = sin_phi_E_minus_CD * v_s_E;
+    const Scalar omega_CD = -inverse_CD * (t22 - t23 - velocity_across_CD), t24 = a_x_B - a_x_E;
     const Scalar t25 = a_y_B - a_y_E;
     const Scalar acceleration_along_CD = omega_B * (t13 + Scalar(2) * t22) + omega_E * (t14
         - Scalar(2) * t23) + d.CD * omega_CD * omega_CD + phi_B_across_CD * alpha_B
@@ -1370,13 +1003,8 @@ struct Model11 {
         - acceleration_across_GF);
     const Scalar alpha_CD = -inverse_CD * (sin_phi_B_minus_CD * a_s_B - sin_phi_E_minus_CD * a_s_E
         - acceleration_across_CD);
-    q_rate(0) = omega_CD;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = alpha_CD;
-    q_second_rate(1) = alpha_GF;
-    q_second_rate(2) = a_s_B;
+    q_rate(0) = omega_CD;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_CD;  q_second_rate(1) = alpha_GF;  q_second_rate(2) = a_s_B;
     q_second_rate(3) = a_s_E;
   }
 
@@ -1388,18 +1016,10 @@ struct Model11 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
     const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
@@ -1412,29 +1032,23 @@ struct Model11 {
     const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
     const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
     const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
     const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
         - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF;
-    const Scalar t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
     const Scalar pivot_product = -t05 * t06;
     // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
     //     CD = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07;
-    const Scalar t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08;
-    const Scalar inverse_CD = -d.GF * t08;
+    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08;
     const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
     const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
     const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
@@ -1482,8 +1096,7 @@ struct Model11 {
         + phi_E_across_GF * s_B_per_along_GF;
     const Scalar s_E_per_phi_E = phi_E_across_CD * s_E_per_along_CD
         + phi_E_across_GF * s_E_per_along_GF;
-    const Scalar t14 = v_x_B - v_x_E;
-    const Scalar t15 = v_y_B - v_y_E;
+    const Scalar t14 = v_x_B - v_x_E, t15 = v_y_B - v_y_E;
     const Scalar omega_CD = CD_per_x_B * t14 + CD_per_y_B * t15 + CD_per_phi_B * omega_B
         + CD_per_phi_E * omega_E;
     const Scalar omega_GF = GF_per_x_B * t14 + GF_per_y_B * t15 + GF_per_phi_B * omega_B
@@ -1509,69 +1122,35 @@ struct Model11 {
     const Scalar t18 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
     const Scalar t19 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
     const Scalar t20 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t21 = sin_phi_B_minus_GF * s_E_per_along_GF;
-    const Scalar t22 = a_x_B - a_x_E;
+    const Scalar t21 = sin_phi_B_minus_GF * s_E_per_along_GF, t22 = a_x_B - a_x_E;
     const Scalar t23 = a_y_B - a_y_E;
     S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t16;
-    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;
-    S_d(0, 2) = t16;
+    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t16;
     S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t17 - inverse_CD * cos_phi_E_minus_CD;
-    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;
-    S_d(0, 5) = -t17;
-    S_d(0, 6) = -CD_per_along_CD;
-    S_d(0, 7) = -CD_per_along_GF;
+    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;  S_d(0, 5) = -t17;
+    S_d(0, 6) = -CD_per_along_CD;  S_d(0, 7) = -CD_per_along_GF;
     S_d(1, 0) = t18 - GF_per_along_CD * sin_phi_B_minus_CD;
     S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t18;
-    S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t19;
+    S_d(1, 2) = -t18;  S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t19;
     S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(1, 5) = t19;
-    S_d(1, 6) = -GF_per_along_CD;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -t10 - t12;
-    S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;
-    S_d(2, 2) = t12;
+    S_d(1, 5) = t19;  S_d(1, 6) = -GF_per_along_CD;  S_d(1, 7) = -GF_per_along_GF;
+    S_d(2, 0) = -t10 - t12;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t12;
     S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t20;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(2, 5) = -t20;
-    S_d(2, 6) = -s_B_per_along_CD;
-    S_d(2, 7) = -s_B_per_along_GF;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(2, 5) = -t20;
+    S_d(2, 6) = -s_B_per_along_CD;  S_d(2, 7) = -s_B_per_along_GF;
     S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t21;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 2) = t21;
-    S_d(3, 3) = t11 + t13;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
-    S_d(3, 5) = -t13;
-    S_d(3, 6) = -s_E_per_along_CD;
-    S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = CD_per_x_B;
-    S_u(0, 1) = CD_per_y_B;
-    S_u(0, 2) = CD_per_phi_B;
-    S_u(0, 3) = -CD_per_x_B;
-    S_u(0, 4) = -CD_per_y_B;
-    S_u(0, 5) = CD_per_phi_E;
-    S_u(1, 0) = GF_per_x_B;
-    S_u(1, 1) = GF_per_y_B;
-    S_u(1, 2) = GF_per_phi_B;
-    S_u(1, 3) = -GF_per_x_B;
-    S_u(1, 4) = -GF_per_y_B;
-    S_u(1, 5) = GF_per_phi_E;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
-    S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = -s_B_per_x_B;
-    S_u(2, 4) = -s_B_per_y_B;
-    S_u(2, 5) = s_B_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = s_E_per_phi_E;
-    q_rate(0) = omega_CD;
-    q_rate(1) = omega_GF;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
+    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;  S_d(3, 2) = t21;  S_d(3, 3) = t11 + t13;
+    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t13;
+    S_d(3, 6) = -s_E_per_along_CD;  S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
+    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;  S_u(0, 5) = CD_per_phi_E;
+    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = GF_per_phi_B;
+    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;  S_u(1, 5) = GF_per_phi_E;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;  S_u(2, 5) = s_B_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    q_rate(0) = omega_CD;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
     q_second_rate(0) = CD_per_x_B * t22 + CD_per_y_B * t23 + CD_per_phi_B * alpha_B
         + CD_per_phi_E * alpha_E + inverse_CD * centripetal_across_CD
         + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
@@ -1591,15 +1170,13 @@ struct Model11 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar b_0_re = -Scalar(2) * (t01 + d.h_B_BCG * sin_phi_B_minus_phi_E);
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E;
-    const Scalar t02 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
-    const Scalar t03 = d.h_E_EDF + Scalar(2) * t02;
+    const Scalar t02 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin, t03 = d.h_E_EDF + Scalar(2) * t02;
     const Scalar t04 = EB_x * EB_x + EB_y * EB_y;
     const Scalar c_0_re = d.h_E_EDF * t03 + t04 + d.h_B_BCG * (d.h_B_BCG
         + Scalar(2) * EB_x * u.phi_B.sin - Scalar(2) * EB_y * u.phi_B.cos
@@ -1622,14 +1199,11 @@ struct Model11 {
     const Scalar f_1_re = Scalar(2) * (d.x_G_BCG + (EB_x - t06 * u.phi_E.sin
         - d.x_F_EDF * u.phi_E.cos) * u.phi_B.cos + (EB_y + t06 * u.phi_E.cos
         - d.x_F_EDF * u.phi_E.sin) * u.phi_B.sin);
-    const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar M_1_re = f_1_re - c_1_re;
-    const Scalar N_0_re = e_0_re - b_0_re;
+    const Scalar M_0_re = f_0_re - c_0_re, M_1_re = f_1_re - c_1_re, N_0_re = e_0_re - b_0_re;
     const Scalar O_0_re = f_0_re * b_0_re - c_0_re * e_0_re;
     const Scalar O_1_re = f_1_re * b_0_re + M_0_re * b_1_re - c_1_re * e_0_re;
     const Scalar O_2_re = M_1_re * b_1_re - N_0_re;
-    T(0) = M_0_re * M_0_re - N_0_re * O_0_re;
-    T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
+    T(0) = M_0_re * M_0_re - N_0_re * O_0_re;  T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
     T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
   }
 
@@ -1638,19 +1212,15 @@ struct Model11 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x;
     const Scalar t02 = q.s_B * u.phi_B.sin + EB_y - d.h_B_BCG * u.phi_B.cos;
-    const Scalar t03 = EB_x * EB_x + EB_y * EB_y;
-    const Scalar t04 = q.s_B + d.x_G_BCG;
-    const Scalar t05 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t06 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = EB_x * EB_x + EB_y * EB_y, t04 = q.s_B + d.x_G_BCG;
+    const Scalar t05 = d.h_B_BCG - d.y_G_BCG, t06 = d.h_E_EDF - d.y_F_EDF;
     const Scalar t07 = d.h_B_BCG * t06 + t04 * d.x_F_EDF - d.y_G_BCG * t06;
     const Scalar t08 = q.s_B * t06 + d.x_G_BCG * t06 - t05 * d.x_F_EDF;
     const Scalar t09 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
-    e(0, 0) = Scalar(1);
-    e(0, 1) = -Scalar(2) * (t01 * u.phi_E.cos + t02 * u.phi_E.sin);
+    e(0, 0) = Scalar(1);  e(0, 1) = -Scalar(2) * (t01 * u.phi_E.cos + t02 * u.phi_E.sin);
     e(0, 2) = d.h_E_EDF * (Scalar(2) * t02 * u.phi_E.cos + d.h_E_EDF
         - Scalar(2) * t01 * u.phi_E.sin) + q.s_B * (q.s_B + Scalar(2) * EB_x * u.phi_B.cos
         + Scalar(2) * EB_y * u.phi_B.sin) + d.h_B_BCG * (d.h_B_BCG + Scalar(2) * EB_x * u.phi_B.sin
@@ -1672,15 +1242,12 @@ struct Model11 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_CD has no length.
     const Scalar inverse_theta_CD = Scalar(1) / d.CD;
     // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
-    const Scalar t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG, t03 = q.s_E + d.x_F_EDF;
     const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
     q.theta_CD.cos = -(q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin + EB_x - q.s_E * u.phi_E.cos
         - d.h_E_EDF * u.phi_E.sin) * inverse_theta_CD;

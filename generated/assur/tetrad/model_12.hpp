@@ -97,12 +97,10 @@ struct Model12 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar h_F_GF{};  ///< offset of the slide at F on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, x_D_EDF, y_D_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, x_D_EDF, y_D_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, x_D_EDF, y_D_EDF,
+        h_F_EDF, h_C_CD, h_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, x_D_EDF,
+        y_D_EDF, h_F_EDF, h_C_CD, h_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -114,12 +112,8 @@ struct Model12 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -130,12 +124,8 @@ struct Model12 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_EDF, s_B, s_C, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_EDF, s_B, s_C, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_EDF, s_B, s_C, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(theta_EDF, s_B, s_C, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -194,30 +184,19 @@ struct Model12 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t02 = slide_B_y + u.y_B - u.y_E;
-    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + u.x_B - u.x_E, t02 = slide_B_y + u.y_B - u.y_E;
+    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;  f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;  f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -229,24 +208,13 @@ struct Model12 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    J(0, 0) = ED_y;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = cos_CD;
-    J(1, 0) = -ED_x;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = sin_CD;
-    J(2, 0) = EF_y + slide_F_y - GF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(2, 3) = -q.theta_EDF.cos;
-    J(3, 0) = GF_x - EF_x - slide_F_x;
-    J(3, 1) = u.phi_B.sin;
-    J(3, 3) = -q.theta_EDF.sin;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    J(0, 0) = ED_y;  J(0, 1) = u.phi_B.cos;  J(0, 2) = cos_CD;
+    J(1, 0) = -ED_x;  J(1, 1) = u.phi_B.sin;  J(1, 2) = sin_CD;
+    J(2, 0) = EF_y + slide_F_y - GF_y;  J(2, 1) = u.phi_B.cos;  J(2, 3) = -q.theta_EDF.cos;
+    J(3, 0) = GF_x - EF_x - slide_F_x;  J(3, 1) = u.phi_B.sin;  J(3, 3) = -q.theta_EDF.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -256,28 +224,16 @@ struct Model12 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 4) = q.theta_EDF.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 4) = q.theta_EDF.sin;
     F_d(0, 6) = sin_CD;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 4) = -q.theta_EDF.cos;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 4) = -q.theta_EDF.cos;
     F_d(1, 6) = -cos_CD;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = -q.theta_EDF.sin;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = q.theta_EDF.cos;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = -q.theta_EDF.sin;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = q.theta_EDF.cos;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -287,28 +243,17 @@ struct Model12 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
     F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
     F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -316,29 +261,18 @@ struct Model12 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - t01;
     rhs(1) = -(slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t01;
-    rhs(3) = -t02 - (slide_B_x + BG_x) * omega_B;
+    rhs(2) = (slide_B_y + BG_y) * omega_B - t01;  rhs(3) = -t02 - (slide_B_x + BG_x) * omega_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -348,45 +282,25 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t04 = a_x_B - a_x_E;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = a_y_B - a_y_E;
-    const Scalar t08 = slide_B_x + BG_x;
-    const Scalar t09 = slide_B_y + BG_y;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y, t04 = a_x_B - a_x_E;
+    const Scalar t05 = omega_EDF * omega_EDF, t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E;
+    const Scalar t08 = slide_B_x + BG_x, t09 = slide_B_y + BG_y;
     rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
         + t03 * alpha_B - t04 - ED_x * t05;
     rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t06 - Scalar(2) * cos_CD * v_s_C)
@@ -407,58 +321,30 @@ struct Model12 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = t02 + sin_CD * v_s_C;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t07 = u.phi_B.sin * a_s_B;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = t08 + cos_CD * v_s_C;
-    const Scalar t10 = j_y_B - j_y_E;
-    const Scalar t11 = u.phi_B.cos * a_s_B;
-    const Scalar t12 = GF_y - EF_y - slide_F_y;
-    const Scalar t13 = q.theta_EDF.cos * v_s_F;
-    const Scalar t14 = GF_x - EF_x - slide_F_x;
-    const Scalar t15 = slide_B_y + BG_y;
-    const Scalar t16 = slide_B_x + BG_x;
-    const Scalar t17 = q.theta_EDF.sin * v_s_F;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t01 = slide_B_y + BC_y + slide_C_y + CD_y, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = t02 + sin_CD * v_s_C, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = slide_B_x + BC_x + slide_C_x + CD_x, t07 = u.phi_B.sin * a_s_B;
+    const Scalar t08 = u.phi_B.cos * v_s_B, t09 = t08 + cos_CD * v_s_C, t10 = j_y_B - j_y_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B, t12 = GF_y - EF_y - slide_F_y;
+    const Scalar t13 = q.theta_EDF.cos * v_s_F, t14 = GF_x - EF_x - slide_F_x;
+    const Scalar t15 = slide_B_y + BG_y, t16 = slide_B_x + BG_x, t17 = q.theta_EDF.sin * v_s_F;
     rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
         + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
         - Scalar(3) * t09)) - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
@@ -484,51 +370,27 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_x_D_EDF = d_rate(3);
-    const Scalar v_y_D_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_F_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2);
+    const Scalar v_x_D_EDF = d_rate(3), v_y_D_EDF = d_rate(4), v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_h_F_GF = d_rate(7), omega_B = u_rate(2);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
     const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
     const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin;
-    const Scalar GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos;
-    const Scalar slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t05 = sin_CD * v_s_C;
-    const Scalar t06 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t07 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t08 = slide_C_x + CD_x;
-    const Scalar t09 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t10 = cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t12 = slide_C_y + CD_y;
+    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
+    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
+    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
+    const Scalar t05 = sin_CD * v_s_C, t06 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t07 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B, t08 = slide_C_x + CD_x;
+    const Scalar t09 = omega_C_BCG + Scalar(2) * omega_B, t10 = cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG, t12 = slide_C_y + CD_y;
     const Scalar t13 = v_h_F_EDF - v_h_F_GF;
     rhs(0) = omega_B * (Scalar(2) * t05 + Scalar(2) * cos_CD * t06 + (t08 + slide_B_x
         + BC_x) * omega_B - Scalar(2) * t07) + omega_C_BCG * (t08 * omega_C_BCG
@@ -556,35 +418,18 @@ struct Model12 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = BG_x + t01;
-    const Scalar t03 = u.y_B + slide_B_y;
-    const Scalar t04 = BG_y + t03;
-    poses[0].x = t02;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t01;
-    poses[2].y = BC_y + slide_C_y + CD_y + t03;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t02;
-    poses[3].y = t04;
-    poses[3].direction.cos = q.theta_EDF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t01 = u.x_B + slide_B_x, t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y, t04 = BG_y + t03;
+    poses[0].x = t02;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = BC_x + slide_C_x + CD_x + t01;  poses[2].y = BC_y + slide_C_y + CD_y + t03;
+    poses[2].direction.cos = cos_CD;  poses[2].direction.sin = sin_CD;  poses[3].x = t02;
+    poses[3].y = t04;  poses[3].direction.cos = q.theta_EDF.cos;
     poses[3].direction.sin = q.theta_EDF.sin;
   }
 
@@ -600,61 +445,37 @@ struct Model12 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t03 = slide_C_y + CD_y;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = slide_B_y + BG_y;
-    const Scalar t06 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t03 = slide_C_y + CD_y, t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y, t06 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(5, 0) = Scalar(1);
-    P_q(6, 1) = u.phi_B.cos;
-    P_q(6, 2) = cos_CD;
-    P_q(7, 1) = u.phi_B.sin;
-    P_q(7, 2) = sin_CD;
+    P_q(6, 1) = u.phi_B.cos;  P_q(6, 2) = cos_CD;
+    P_q(7, 1) = u.phi_B.sin;  P_q(7, 2) = sin_CD;
     P_q(9, 1) = u.phi_B.cos;
     P_q(10, 1) = u.phi_B.sin;
     P_q(11, 0) = Scalar(1);
     P_d(0, 0) = u.phi_B.sin;
     P_d(1, 0) = -u.phi_B.cos;
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t03 - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(6, 6) = sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t04 - t01;
-    P_d(7, 2) = cos_CD;
-    P_d(7, 6) = -cos_CD;
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -t03 - t02;  P_d(6, 2) = -sin_CD;  P_d(6, 6) = sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = t04 - t01;  P_d(7, 2) = cos_CD;  P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t05;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t06;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t05;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t03 - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t04 + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t03 - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t05;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t06;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t05;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t06;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -662,42 +483,23 @@ struct Model12 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01, t03 = u.phi_B.sin * v_s_B + v_y_B;
     const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
     v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_EDF;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_EDF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -706,53 +508,31 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar alpha_EDF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t01 = slide_B_x + BG_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
     const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
     const Scalar t10 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
     a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
         + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_EDF;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_EDF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -762,42 +542,25 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_C_CD = d_rate(6);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), v_h_C_CD = d_rate(6);
     const Scalar omega_B = u_rate(2);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t11 = slide_C_x + CD_x;
-    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = v_h_C_BCG - v_h_C_CD, t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG, t13 = cos_CD * v_s_C;
     const Scalar t14 = slide_C_y + CD_y;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - Scalar(2) * cos_CD * t10 - (slide_B_x
         + t11 + BC_x) * omega_B) - omega_C_BCG * (t11 * omega_C_BCG + Scalar(2) * t11 * omega_B
         + Scalar(2) * t09 + Scalar(2) * cos_CD * v_h_C_BCG - Scalar(2) * cos_CD * v_h_C_CD
@@ -806,8 +569,7 @@ struct Model12 {
         + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
         + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
         - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -948,65 +710,49 @@ struct Model12 {
         - cos_CD * s_F_per_across_slide_C;
     S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos
         + EDF_per_across_slide_F * cos_phi_B_minus_EDF;
-    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
-    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 2) = -EDF_per_across_slide_C;
     S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     S_d(0, 4) = EDF_per_across_slide_C * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 5) = EDF_per_across_slide_F;
-    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t02 + t03;
-    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 0) = t02 + t03;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(1, 2) = -s_B_per_across_slide_C;
     S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
     S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 5) = s_B_per_across_slide_F;
-    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = s_B_per_across_slide_C;
     S_d(1, 7) = -s_B_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
         + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
         - sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;
-    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = -s_C_per_across_slide_F;
     S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
         + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
-    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
     S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
         - EDF_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
     S_u(1, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
         - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
     S_u(2, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_C * s_F_per_across_slide_C
         - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1014,10 +760,7 @@ struct Model12 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1044,8 +787,7 @@ struct Model12 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
         - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
@@ -1062,10 +804,7 @@ struct Model12 {
         - velocity_along_slide_F;
     const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1074,15 +813,9 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1109,9 +842,7 @@ struct Model12 {
     const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
     const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E, t03 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
     const Scalar t04 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
@@ -1123,14 +854,10 @@ struct Model12 {
         + sin_phi_B_minus_EDF * velocity_across_slide_C);
     const Scalar v_s_B = inverse * (q.s_F * velocity_across_slide_C
         + EDF_along_slide_C * velocity_across_slide_F);
-    const Scalar t07 = EDF_across_slide_F * omega_EDF;
-    const Scalar t08 = cos_phi_B_minus_EDF * v_s_B;
-    const Scalar v_s_F = t08 - t07 - velocity_along_slide_F;
-    const Scalar t09 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t07 = EDF_across_slide_F * omega_EDF, t08 = cos_phi_B_minus_EDF * v_s_B;
+    const Scalar v_s_F = t08 - t07 - velocity_along_slide_F, t09 = d.psi_C_BCG.cos * v_s_B;
     const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C - t09;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = a_y_B - a_y_E;
-    const Scalar t12 = omega_EDF * omega_EDF;
+    const Scalar t10 = a_x_B - a_x_E, t11 = a_y_B - a_y_E, t12 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
         + phi_B_across_slide_C * alpha_B + EDF_along_slide_C * t12 - cos_CD * t10 - sin_CD * t11;
     const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t09 - Scalar(2) * v_s_C)
@@ -1149,13 +876,8 @@ struct Model12 {
         - acceleration_along_slide_F;
     const Scalar a_s_C = EDF_across_slide_C * alpha_EDF + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = alpha_EDF;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_EDF;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1167,15 +889,9 @@ struct Model12 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1238,8 +954,7 @@ struct Model12 {
         - phi_B_along_slide_F * s_C_per_across_slide_F;
     const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
         - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    const Scalar t04 = v_x_B - v_x_E;
-    const Scalar t05 = v_y_B - v_y_E;
+    const Scalar t04 = v_x_B - v_x_E, t05 = v_y_B - v_y_E;
     const Scalar omega_EDF = EDF_per_x_B * t04 + EDF_per_y_B * t05 + EDF_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05 + s_C_per_phi_B * omega_B;
@@ -1255,69 +970,45 @@ struct Model12 {
     const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
         + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
         - phi_B_across_slide_F * omega_B);
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar t07 = a_x_B - a_x_E, t08 = a_y_B - a_y_E;
     S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos
         + EDF_per_across_slide_F * cos_phi_B_minus_EDF;
-    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;
-    S_d(0, 2) = -EDF_per_across_slide_C;
+    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 2) = -EDF_per_across_slide_C;
     S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     S_d(0, 4) = EDF_per_across_slide_C * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 5) = EDF_per_across_slide_F;
-    S_d(0, 6) = EDF_per_across_slide_C;
+    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = EDF_per_across_slide_C;
     S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t02 + t03;
-    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(1, 0) = t02 + t03;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(1, 2) = -s_B_per_across_slide_C;
     S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
     S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 5) = s_B_per_across_slide_F;
-    S_d(1, 6) = s_B_per_across_slide_C;
+    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = s_B_per_across_slide_C;
     S_d(1, 7) = -s_B_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
         + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
         - sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;
-    S_d(2, 6) = s_C_per_across_slide_C;
+    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
     S_d(2, 7) = -s_C_per_across_slide_F;
     S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
         + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
-    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
     S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
+    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = s_F_per_across_slide_C;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_F;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
     q_second_rate(0) = EDF_per_x_B * t07 + EDF_per_y_B * t08 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_across_slide_F * centripetal_across_slide_F;
@@ -1337,9 +1028,7 @@ struct Model12 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
     const Scalar t01 = d.x_D_EDF * u.phi_B.sin - d.y_D_EDF * u.phi_B.cos;
     const Scalar t02 = d.x_D_EDF * u.phi_B.cos + d.y_D_EDF * u.phi_B.sin;
     const Scalar c_m1_re = t01 * d.psi_C_BCG.cos + t02 * d.psi_C_BCG.sin;
@@ -1347,10 +1036,8 @@ struct Model12 {
     const Scalar c_0_re = -Scalar(2) * ((d.h_B_BCG + EB_x * u.phi_B.sin
         - EB_y * u.phi_B.cos) * d.psi_C_BCG.cos + (EB_x * u.phi_B.cos
         + EB_y * u.phi_B.sin) * d.psi_C_BCG.sin + d.h_C_CD - d.h_C_BCG);
-    const Scalar f_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y;
-    const Scalar f_m1_im = EB_x + d.h_B_BCG * u.phi_B.sin;
-    const Scalar f_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
-    const Scalar t03 = c_m1_im * u.phi_B.cos;
+    const Scalar f_m1_re = d.h_B_BCG * u.phi_B.cos - EB_y, f_m1_im = EB_x + d.h_B_BCG * u.phi_B.sin;
+    const Scalar f_0_re = Scalar(2) * (d.h_F_EDF - d.h_F_GF), t03 = c_m1_im * u.phi_B.cos;
     const Scalar t04 = c_m1_re * u.phi_B.sin;
     T.cosine[0] = Scalar(2) * t04 + f_0_re * b_0_re - Scalar(2) * t03;
     T.cosine[1] = Scalar(2) * (c_0_re * u.phi_B.sin + f_m1_re * b_0_re);
@@ -1366,8 +1053,7 @@ struct Model12 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin - EB_y;
     const Scalar t02 = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin - EB_x;
     e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
@@ -1382,8 +1068,7 @@ struct Model12 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin - EB_x;
     const Scalar t02 = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin - EB_y;
     q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos

@@ -111,12 +111,10 @@ struct Model14 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, x_F_EDF,
+        y_F_EDF, psi_D_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF,
+        x_F_EDF, y_F_EDF, psi_D_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -128,12 +126,8 @@ struct Model14 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -144,12 +138,8 @@ struct Model14 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_GF, s_B, s_C, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_GF, s_B, s_C, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_GF, s_B, s_C, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_GF, s_B, s_C, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -212,27 +202,18 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + u.x_B - u.x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = slide_B_x + u.x_B - u.x_E;
     const Scalar t04 = slide_B_y + u.y_B - u.y_E;
     f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t03 - EF_x;
+    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;  f(2) = BG_x + GF_x + t03 - EF_x;
     f(3) = BG_y + GF_y + t04 - EF_y;
   }
 
@@ -247,18 +228,11 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = cos_CD;
-    J(0, 3) = -cos_EDF;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = sin_CD;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = -GF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(3, 0) = GF_x;
-    J(3, 1) = u.phi_B.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    J(0, 1) = u.phi_B.cos;  J(0, 2) = cos_CD;  J(0, 3) = -cos_EDF;
+    J(1, 1) = u.phi_B.sin;  J(1, 2) = sin_CD;  J(1, 3) = -sin_EDF;
+    J(2, 0) = -GF_y;  J(2, 1) = u.phi_B.cos;
+    J(3, 0) = GF_x;  J(3, 1) = u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -272,38 +246,20 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = ED_y + slide_D_y;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = ED_y + slide_D_y;
     const Scalar t04 = ED_x + slide_D_x;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = t03 - slide_C_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t03;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - t04 - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t04;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = EF_y;
-    F_d(2, 4) = -cos_EDF;
-    F_d(2, 5) = sin_EDF;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = -EF_x;
-    F_d(3, 4) = -sin_EDF;
-    F_d(3, 5) = -cos_EDF;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = t03 - slide_C_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = t03;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x - t04 - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -t04;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = EF_y;  F_d(2, 4) = -cos_EDF;  F_d(2, 5) = sin_EDF;
+    F_d(2, 6) = EF_y;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = -EF_x;  F_d(3, 4) = -sin_EDF;  F_d(3, 5) = -cos_EDF;
+    F_d(3, 6) = -EF_x;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -317,32 +273,20 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
     F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = EF_y - slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x - EF_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = EF_y - slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x - EF_x;  F_u(3, 4) = -Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -350,10 +294,7 @@ struct Model14 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -361,21 +302,14 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
     rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
@@ -390,47 +324,28 @@ struct Model14 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t06 = a_x_B - a_x_E;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = a_y_B - a_y_E;
-    const Scalar t09 = slide_B_x + BG_x - EF_x;
-    const Scalar t10 = slide_B_y + BG_y - EF_y;
-    const Scalar t11 = omega_GF * omega_GF;
+    const Scalar t03 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t06 = a_x_B - a_x_E;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = a_y_B - a_y_E, t09 = slide_B_x + BG_x - EF_x;
+    const Scalar t10 = slide_B_y + BG_y - EF_y, t11 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
         - Scalar(2) * sin_EDF * v_s_D) + t05 * alpha_B - t06;
     rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t07
@@ -447,56 +362,32 @@ struct Model14 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
-    const Scalar t11 = j_y_B - j_y_E;
-    const Scalar t12 = u.phi_B.cos * a_s_B;
-    const Scalar t13 = slide_B_y + BG_y - EF_y;
-    const Scalar t14 = slide_B_x + BG_x - EF_x;
-    const Scalar t15 = omega_GF * omega_GF;
+    const Scalar t03 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t04 = j_x_B - j_x_E;
+    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B, t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
+    const Scalar t11 = j_y_B - j_y_E, t12 = u.phi_B.cos * a_s_B, t13 = slide_B_y + BG_y - EF_y;
+    const Scalar t14 = slide_B_x + BG_x - EF_x, t15 = omega_GF * omega_GF;
     rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
         + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
         + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
@@ -518,62 +409,35 @@ struct Model14 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6), v_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t03 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t03;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t04 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t04;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t03 = d.h_C_BCG * sin_CD, BC_x = BG_x - t03;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t04 = d.h_C_BCG * cos_CD, BC_y = BG_y + t04;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t05 = ED_x + slide_D_x;
-    const Scalar t06 = t05 * omega_D_CD;
-    const Scalar t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t08 = cos_CD * v_h_C_BCG;
-    const Scalar t09 = slide_C_x - t05;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t05 = ED_x + slide_D_x;
+    const Scalar t06 = t05 * omega_D_CD, t07 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t08 = cos_CD * v_h_C_BCG, t09 = slide_C_x - t05;
     const Scalar t10 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t11 = t07 + t06 - sin_CD * v_s_C;
-    const Scalar t12 = t09 - t03;
-    const Scalar t13 = ED_y + slide_D_y;
-    const Scalar t14 = t13 * omega_D_CD;
-    const Scalar t15 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t16 = sin_CD * v_h_C_BCG;
-    const Scalar t17 = slide_C_y - t13;
+    const Scalar t11 = t07 + t06 - sin_CD * v_s_C, t12 = t09 - t03, t13 = ED_y + slide_D_y;
+    const Scalar t14 = t13 * omega_D_CD, t15 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t16 = sin_CD * v_h_C_BCG, t17 = slide_C_y - t13;
     const Scalar t18 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t19 = t15 - t14 - cos_CD * v_s_C;
-    const Scalar t20 = t17 + t04;
+    const Scalar t19 = t15 - t14 - cos_CD * v_s_C, t20 = t17 + t04;
     const Scalar t21 = omega_C_BCG + Scalar(2) * omega_D_CD;
-    const Scalar t22 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t23 = omega_C_BCG + omega_D_CD;
+    const Scalar t22 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF, t23 = omega_C_BCG + omega_D_CD;
     const Scalar t24 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
     rhs(0) = omega_B * (Scalar(2) * t08 + (slide_B_x + BC_x + t09) * omega_B - Scalar(2) * t10
         - Scalar(2) * t11) + omega_C_BCG * (Scalar(2) * t08 + t12 * omega_C_BCG
@@ -601,33 +465,17 @@ struct Model14 {
     const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
     const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = BG_x + t03;
-    const Scalar t05 = u.y_B + slide_B_y;
-    const Scalar t06 = BG_y + t05;
-    poses[0].x = t04;
-    poses[0].y = t06;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = BC_x + slide_C_x + t03;
-    poses[2].y = BC_y + slide_C_y + t05;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t04;
-    poses[3].y = t06;
-    poses[3].direction.cos = q.theta_GF.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t03 = u.x_B + slide_B_x;
+    const Scalar t04 = BG_x + t03, t05 = u.y_B + slide_B_y, t06 = BG_y + t05;
+    poses[0].x = t04;  poses[0].y = t06;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = BC_x + slide_C_x + t03;  poses[2].y = BC_y + slide_C_y + t05;
+    poses[2].direction.cos = cos_CD;  poses[2].direction.sin = sin_CD;  poses[3].x = t04;
+    poses[3].y = t06;  poses[3].direction.cos = q.theta_GF.cos;
     poses[3].direction.sin = q.theta_GF.sin;
   }
 
@@ -643,57 +491,37 @@ struct Model14 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t03 = slide_B_y + BG_y;
     const Scalar t04 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
-    P_q(6, 1) = u.phi_B.cos;
-    P_q(6, 2) = cos_CD;
-    P_q(7, 1) = u.phi_B.sin;
-    P_q(7, 2) = sin_CD;
+    P_q(6, 1) = u.phi_B.cos;  P_q(6, 2) = cos_CD;
+    P_q(7, 1) = u.phi_B.sin;  P_q(7, 2) = sin_CD;
     P_q(9, 1) = u.phi_B.cos;
     P_q(10, 1) = u.phi_B.sin;
     P_q(11, 0) = Scalar(1);
     P_d(0, 0) = u.phi_B.sin;
     P_d(1, 0) = -u.phi_B.cos;
-    P_d(5, 1) = Scalar(1);
-    P_d(5, 6) = Scalar(1);
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -slide_C_y - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t01;
-    P_d(7, 2) = cos_CD;
+    P_d(5, 1) = Scalar(1);  P_d(5, 6) = Scalar(1);
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -slide_C_y - t02;  P_d(6, 2) = -sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = slide_C_x - t01;  P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t03;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t04;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t03;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(5, 2) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t03;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t04;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t03;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t04;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -701,40 +529,21 @@ struct Model14 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B, t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_B;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
-    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
-    v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_GF;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;  v(2, 2) = omega_B;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -743,51 +552,30 @@ struct Model14 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar alpha_GF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B, t03 = slide_B_y + BG_y;
     const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x;
-    const Scalar t10 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_B;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x, t10 = slide_B_y + BC_y + slide_C_y;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_B;
     a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
         + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_GF;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -797,46 +585,31 @@ struct Model14 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = cos_CD * v_h_C_BCG;
-    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG, t12 = cos_CD * v_s_C;
     const Scalar t13 = sin_CD * v_h_C_BCG;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - (slide_B_x + slide_C_x
         + BC_x) * omega_B - Scalar(2) * t10) - omega_C_BCG * (slide_C_x * t11 + Scalar(2) * t09
         + Scalar(2) * t10 - d.h_C_BCG * (t03 * t11 + t04 * t11));
     p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
         + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
         + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -848,11 +621,8 @@ struct Model14 {
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     using std::abs;
     const Scalar cos_phi_B_minus_GF = q.theta_GF.cos * u.phi_B.cos + q.theta_GF.sin * u.phi_B.sin;
-    p(0) = cos_phi_B_minus_GF;
-    p(1) = -d.psi_D_CD.sin;
-    p(2) = d.GF;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = cos_phi_B_minus_GF;  p(1) = -d.psi_D_CD.sin;  p(2) = d.GF;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     size(2) = abs(q.s_B) + abs(d.h_B_BCG) + abs(d.x_F_EDF) + abs(d.y_F_EDF) + abs(d.GF);
     terms = Scalar(1);
   }
@@ -866,14 +636,11 @@ struct Model14 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
     const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar t01 = d.GF * d.psi_D_CD.sin;
-    const Scalar pivot_product = -t01 * cos_phi_B_minus_GF;
+    const Scalar t01 = d.GF * d.psi_D_CD.sin, pivot_product = -t01 * cos_phi_B_minus_GF;
     // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01;
-    const Scalar t02 = inverse * cos_phi_B_minus_GF;
-    const Scalar inverse_sin_psi_D_CD = d.GF * t02;
-    const Scalar inverse_GF = -t02 * d.psi_D_CD.sin;
+    const Scalar inverse_cos_phi_B_minus_GF = -inverse * t01, t02 = inverse * cos_phi_B_minus_GF;
+    const Scalar inverse_sin_psi_D_CD = d.GF * t02, inverse_GF = -t02 * d.psi_D_CD.sin;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
@@ -912,8 +679,7 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t04 = q.s_C - t03;
+    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t04 = q.s_C - t03;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
@@ -925,14 +691,11 @@ struct Model14 {
         + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
-    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar pivot_product = -d.GF * t07;
+    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t07;
     // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t08 = d.GF * inverse;
-    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
-    const Scalar inverse_GF = -inverse * t07;
+    const Scalar t08 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08, inverse_GF = -inverse * t07;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
@@ -954,27 +717,20 @@ struct Model14 {
         - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t11 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t12 = d.x_F_EDF * t10 - d.y_F_EDF * t11;
-    const Scalar t13 = t06 * inverse_cos_phi_B_minus_GF;
+    const Scalar t12 = d.x_F_EDF * t10 - d.y_F_EDF * t11, t13 = t06 * inverse_cos_phi_B_minus_GF;
     const Scalar t14 = t06 * s_C_per_along_GF;
     const Scalar t15 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
     const Scalar t16 = t06 * s_D_per_along_GF;
     S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = t12;
-    S_d(0, 4) = t11;
-    S_d(0, 5) = t10;
-    S_d(0, 6) = t12;
+    S_d(0, 1) = t12;  S_d(0, 4) = t11;  S_d(0, 5) = t10;  S_d(0, 6) = t12;
     S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t09;
-    S_d(1, 1) = -t13;
+    S_d(1, 0) = -t09;  S_d(1, 1) = -t13;
     S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
     S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t13;
-    S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
+    S_d(1, 6) = -t13;  S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t14 - t04 * s_C_per_across_slide_C - t05;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -t14 - t04 * s_C_per_across_slide_C - t05;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = -t15;
     S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
@@ -982,34 +738,24 @@ struct Model14 {
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t16 - t04 * inverse_sin_psi_D_CD;
-    S_d(3, 2) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -t16 - t04 * inverse_sin_psi_D_CD;  S_d(3, 2) = -inverse_sin_psi_D_CD;
     S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t16;
-    S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;
-    S_u(0, 1) = GF_per_y_B;
+    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t16;  S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;
     S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = -GF_per_x_B;
-    S_u(0, 4) = -GF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = phi_B_across_GF * inverse_cos_phi_B_minus_GF;
-    S_u(1, 3) = -s_B_per_x_B;
+    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 2) = phi_B_across_GF * inverse_cos_phi_B_minus_GF;  S_u(1, 3) = -s_B_per_x_B;
     S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
     S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
         - phi_B_along_slide_C * s_C_per_across_slide_C;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;
     S_u(3, 2) = phi_B_across_GF * s_D_per_along_GF - phi_B_along_slide_C * inverse_sin_psi_D_CD;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1017,10 +763,7 @@ struct Model14 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -1044,16 +787,12 @@ struct Model14 {
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar pivot_product = -d.GF * t03;
+    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t03;
     // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t04 = d.GF * inverse;
-    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
-    const Scalar inverse_GF = -inverse * t03;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t04 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04, inverse_GF = -inverse * t03;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
         - sin_CD * t06;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
@@ -1066,10 +805,7 @@ struct Model14 {
     const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
     const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - velocity_across_GF);
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1078,15 +814,9 @@ struct Model14 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -1110,17 +840,12 @@ struct Model14 {
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar pivot_product = -d.GF * t03;
+    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t03;
     // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t04 = d.GF * inverse;
-    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04;
-    const Scalar inverse_GF = -inverse * t03;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar t04 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04, inverse_GF = -inverse * t03;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E, t07 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t07 - cos_CD * t05 - sin_CD * t06;
     const Scalar t08 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t08;
@@ -1132,10 +857,8 @@ struct Model14 {
     const Scalar t11 = d.psi_C_BCG.sin * v_s_B;
     const Scalar v_s_D = inverse_sin_psi_D_CD * (t11 + velocity_across_slide_C);
     const Scalar t12 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
-    const Scalar v_s_C = velocity_along_slide_C - t12;
-    const Scalar t13 = sin_phi_B_minus_GF * v_s_B;
-    const Scalar omega_GF = -inverse_GF * (t13 - velocity_across_GF);
-    const Scalar t14 = a_x_B - a_x_E;
+    const Scalar v_s_C = velocity_along_slide_C - t12, t13 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar omega_GF = -inverse_GF * (t13 - velocity_across_GF), t14 = a_x_B - a_x_E;
     const Scalar t15 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t08 - Scalar(2) * t11
         - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t14
@@ -1153,13 +876,8 @@ struct Model14 {
     const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
     const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - acceleration_across_GF);
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = alpha_GF;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_GF;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1171,15 +889,9 @@ struct Model14 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     S_d.setZero();
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
@@ -1194,8 +906,7 @@ struct Model14 {
         + q.theta_GF.sin * sin_EDF;
     const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
         - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t04 = q.s_C - t03;
+    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t04 = q.s_C - t03;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
@@ -1207,14 +918,11 @@ struct Model14 {
         + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
         - t06;
-    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF;
-    const Scalar pivot_product = -d.GF * t07;
+    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t07;
     // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t08 = d.GF * inverse;
-    const Scalar inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08;
-    const Scalar inverse_GF = -inverse * t07;
+    const Scalar t08 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08, inverse_GF = -inverse * t07;
     const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
     const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
         inverse_cos_phi_B_minus_GF;
@@ -1238,8 +946,7 @@ struct Model14 {
         - phi_B_along_slide_C * s_C_per_across_slide_C;
     const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
         - phi_B_along_slide_C * inverse_sin_psi_D_CD;
-    const Scalar t10 = v_x_B - v_x_E;
-    const Scalar t11 = v_y_B - v_y_E;
+    const Scalar t10 = v_x_B - v_x_E, t11 = v_y_B - v_y_E;
     const Scalar omega_GF = GF_per_x_B * t10 + GF_per_y_B * t11 + GF_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t10 + s_C_per_y_B * t11 + s_C_per_phi_B * omega_B;
@@ -1256,29 +963,20 @@ struct Model14 {
         - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
     const Scalar t13 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
         + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t14 = d.x_F_EDF * t12 - d.y_F_EDF * t13;
-    const Scalar t15 = t06 * inverse_cos_phi_B_minus_GF;
+    const Scalar t14 = d.x_F_EDF * t12 - d.y_F_EDF * t13, t15 = t06 * inverse_cos_phi_B_minus_GF;
     const Scalar t16 = t06 * s_C_per_along_GF;
     const Scalar t17 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t18 = t06 * s_D_per_along_GF;
-    const Scalar t19 = a_x_B - a_x_E;
-    const Scalar t20 = a_y_B - a_y_E;
+    const Scalar t18 = t06 * s_D_per_along_GF, t19 = a_x_B - a_x_E, t20 = a_y_B - a_y_E;
     S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = t14;
-    S_d(0, 4) = t13;
-    S_d(0, 5) = t12;
-    S_d(0, 6) = t14;
+    S_d(0, 1) = t14;  S_d(0, 4) = t13;  S_d(0, 5) = t12;  S_d(0, 6) = t14;
     S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t09;
-    S_d(1, 1) = -t15;
+    S_d(1, 0) = -t09;  S_d(1, 1) = -t15;
     S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
     S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t15;
-    S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
+    S_d(1, 6) = -t15;  S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t16 - t04 * s_C_per_across_slide_C - t05;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = -t16 - t04 * s_C_per_across_slide_C - t05;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = -t17;
     S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
     S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
@@ -1286,37 +984,20 @@ struct Model14 {
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t18 - t04 * inverse_sin_psi_D_CD;
-    S_d(3, 2) = -inverse_sin_psi_D_CD;
+    S_d(3, 1) = -t18 - t04 * inverse_sin_psi_D_CD;  S_d(3, 2) = -inverse_sin_psi_D_CD;
     S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
     S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t18;
-    S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;
-    S_u(0, 1) = GF_per_y_B;
-    S_u(0, 2) = GF_per_phi_B;
-    S_u(0, 3) = -GF_per_x_B;
-    S_u(0, 4) = -GF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t18;  S_d(3, 7) = -s_D_per_along_GF;
+    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
+    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
     q_second_rate(0) = GF_per_x_B * t19 + GF_per_y_B * t20 + GF_per_phi_B * alpha_B
         + inverse_GF * centripetal_across_GF + GF_per_along_GF * centripetal_along_GF;
     q_second_rate(1) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
@@ -1334,11 +1015,9 @@ struct Model14 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
-    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
-    const Scalar t03 = d.h_B_BCG - t02;
+    const Scalar t02 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin, t03 = d.h_B_BCG - t02;
     const Scalar t04 = t01 * d.psi_D_CD.cos - t03 * d.psi_D_CD.sin;
     const Scalar t05 = t01 * d.psi_D_CD.sin + t03 * d.psi_D_CD.cos;
     const Scalar T_0_re = EB_x * EB_x + EB_y * EB_y + d.x_F_EDF * (d.x_F_EDF
@@ -1349,17 +1028,14 @@ struct Model14 {
     const Scalar T_1_re = Scalar(2) * (t01 + (d.x_F_EDF * d.psi_D_CD.sin
         + d.y_F_EDF * d.psi_D_CD.cos) * d.psi_C_BCG.sin - (d.x_F_EDF * d.psi_D_CD.cos
         - d.y_F_EDF * d.psi_D_CD.sin) * d.psi_C_BCG.cos);
-    T(0) = T_0_re;
-    T(1) = T_1_re;
-    T(2) = Scalar(1);
+    T(0) = T_0_re;  T(1) = T_1_re;  T(2) = Scalar(1);
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     // A zero divisor means that the link that turns by theta_GF has no length.

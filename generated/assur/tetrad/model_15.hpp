@@ -107,12 +107,10 @@ struct Model15 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar h_F_GF{};  ///< offset of the slide at F on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD, h_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD, h_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF, psi_F_EDF,
+        h_F_EDF, psi_D_CD, h_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, h_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -124,12 +122,8 @@ struct Model15 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -140,12 +134,8 @@ struct Model15 {
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -212,29 +202,19 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_x + u.x_B - u.x_E, t06 = slide_B_y + u.y_B - u.y_E;
     f(0) = BC_x + slide_C_x + t05 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t06 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t05 - EF_x - slide_F_x;
+    f(1) = BC_y + slide_C_y + t06 - ED_y - slide_D_y;  f(2) = BG_x + GF_x + t05 - EF_x - slide_F_x;
     f(3) = BG_y + GF_y + t06 - EF_y - slide_F_y;
   }
 
@@ -253,16 +233,10 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 2) = -cos_EDF;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 2) = -sin_EDF;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 3) = -cos_GF;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 3) = -sin_GF;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 2) = -cos_EDF;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 2) = -sin_EDF;
+    J(2, 0) = u.phi_B.cos;  J(2, 3) = -cos_GF;
+    J(3, 0) = u.phi_B.sin;  J(3, 3) = -sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -279,45 +253,23 @@ struct Model15 {
     const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03, slide_C_x = q.s_C * cos_CD;
+    const Scalar slide_C_y = q.s_C * sin_CD, ED_x = -d.h_D_EDF * sin_EDF;
+    const Scalar ED_y = d.h_D_EDF * cos_EDF, slide_D_x = q.s_D * cos_EDF;
+    const Scalar slide_D_y = q.s_D * sin_EDF, GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = ED_y + slide_D_y;
-    const Scalar t06 = ED_x + slide_D_x;
-    const Scalar t07 = GF_y - EF_y - slide_F_y;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t05 = ED_y + slide_D_y;
+    const Scalar t06 = ED_x + slide_D_x, t07 = GF_y - EF_y - slide_F_y;
     const Scalar t08 = GF_x - EF_x - slide_F_x;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = t05 - slide_C_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t05;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - t06 - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t06;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 1) = -t07;
-    F_d(2, 4) = -t07;
-    F_d(2, 5) = sin_GF;
-    F_d(2, 6) = -t07;
-    F_d(2, 7) = -sin_GF;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 1) = t08;
-    F_d(3, 4) = t08;
-    F_d(3, 5) = -cos_GF;
-    F_d(3, 6) = t08;
-    F_d(3, 7) = cos_GF;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = t05 - slide_C_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = t05;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x - t06 - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -t06;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 1) = -t07;  F_d(2, 4) = -t07;  F_d(2, 5) = sin_GF;
+    F_d(2, 6) = -t07;  F_d(2, 7) = -sin_GF;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 1) = t08;  F_d(3, 4) = t08;  F_d(3, 5) = -cos_GF;
+    F_d(3, 6) = t08;  F_d(3, 7) = cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -335,35 +287,23 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = ED_y + slide_D_y - slide_B_y - BC_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
     F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = EF_y + slide_F_y - slide_B_y - BG_y - GF_y;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = EF_y + slide_F_y - slide_B_y - BG_y - GF_y;
     F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
     F_u(3, 4) = -Scalar(1);
   }
 
@@ -372,10 +312,7 @@ struct Model15 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -387,25 +324,16 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
     rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
@@ -420,16 +348,9 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -440,30 +361,19 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = a_y_B - a_y_E;
     const Scalar t11 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
     const Scalar t12 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
     rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
@@ -484,21 +394,11 @@ struct Model15 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -509,38 +409,23 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B;
-    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
-    const Scalar t13 = j_y_B - j_y_E;
-    const Scalar t14 = u.phi_B.cos * a_s_B;
-    const Scalar t15 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
-    const Scalar t16 = t11 - sin_GF * v_s_F;
-    const Scalar t17 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
-    const Scalar t18 = t09 - cos_GF * v_s_F;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t06 = j_x_B - j_x_E;
+    const Scalar t07 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B, t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
+    const Scalar t13 = j_y_B - j_y_E, t14 = u.phi_B.cos * a_s_B;
+    const Scalar t15 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y, t16 = t11 - sin_GF * v_s_F;
+    const Scalar t17 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x, t18 = t09 - cos_GF * v_s_F;
     rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
         + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
         + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
@@ -562,19 +447,10 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_h_F_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), omega_F_EDF = d_rate(4), v_h_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6), v_h_F_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -585,57 +461,29 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t05 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t05;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t06 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t06;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t05 = d.h_C_BCG * sin_CD, BC_x = BG_x - t05;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t06 = d.h_C_BCG * cos_CD, BC_y = BG_y + t06;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
     const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
     const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t07 = ED_x + slide_D_x;
-    const Scalar t08 = t07 * omega_D_CD;
-    const Scalar t09 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t10 = cos_CD * v_h_C_BCG;
-    const Scalar t11 = slide_C_x - t07;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t07 = ED_x + slide_D_x;
+    const Scalar t08 = t07 * omega_D_CD, t09 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t10 = cos_CD * v_h_C_BCG, t11 = slide_C_x - t07;
     const Scalar t12 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t13 = t09 + t08 - sin_CD * v_s_C;
-    const Scalar t14 = t11 - t05;
-    const Scalar t15 = ED_y + slide_D_y;
-    const Scalar t16 = t15 * omega_D_CD;
-    const Scalar t17 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t18 = sin_CD * v_h_C_BCG;
-    const Scalar t19 = slide_C_y - t15;
+    const Scalar t13 = t09 + t08 - sin_CD * v_s_C, t14 = t11 - t05, t15 = ED_y + slide_D_y;
+    const Scalar t16 = t15 * omega_D_CD, t17 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
+    const Scalar t18 = sin_CD * v_h_C_BCG, t19 = slide_C_y - t15;
     const Scalar t20 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t21 = t17 - t16 - cos_CD * v_s_C;
-    const Scalar t22 = t19 + t06;
-    const Scalar t23 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t24 = cos_GF * t23 + sin_GF * v_s_F;
-    const Scalar t25 = slide_F_x + EF_x - GF_x;
-    const Scalar t26 = t25 * omega_D_CD;
-    const Scalar t27 = t25 * omega_F_EDF;
-    const Scalar t28 = t24 + t26;
-    const Scalar t29 = t25 * omega_C_BCG;
-    const Scalar t30 = t27 + t28;
-    const Scalar t31 = sin_GF * t23 - cos_GF * v_s_F;
-    const Scalar t32 = slide_F_y + EF_y - GF_y;
-    const Scalar t33 = t32 * omega_D_CD;
-    const Scalar t34 = t32 * omega_F_EDF;
-    const Scalar t35 = t31 + t33;
-    const Scalar t36 = t32 * omega_C_BCG;
-    const Scalar t37 = t34 + t35;
+    const Scalar t21 = t17 - t16 - cos_CD * v_s_C, t22 = t19 + t06, t23 = v_h_F_EDF - v_h_F_GF;
+    const Scalar t24 = cos_GF * t23 + sin_GF * v_s_F, t25 = slide_F_x + EF_x - GF_x;
+    const Scalar t26 = t25 * omega_D_CD, t27 = t25 * omega_F_EDF, t28 = t24 + t26;
+    const Scalar t29 = t25 * omega_C_BCG, t30 = t27 + t28, t31 = sin_GF * t23 - cos_GF * v_s_F;
+    const Scalar t32 = slide_F_y + EF_y - GF_y, t33 = t32 * omega_D_CD, t34 = t32 * omega_F_EDF;
+    const Scalar t35 = t31 + t33, t36 = t32 * omega_C_BCG, t37 = t34 + t35;
     rhs(0) = omega_B * (Scalar(2) * t10 + (slide_B_x + BC_x + t11) * omega_B - Scalar(2) * t12
         - Scalar(2) * t13) + omega_C_BCG * (Scalar(2) * t10 + t14 * omega_C_BCG
         + Scalar(2) * t14 * omega_B - Scalar(2) * t13) - omega_D_CD * (t08 + Scalar(2) * t09);
@@ -664,34 +512,17 @@ struct Model15 {
     const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
     const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
     const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t05 = u.x_B + slide_B_x;
-    const Scalar t06 = BG_x + t05;
-    const Scalar t07 = u.y_B + slide_B_y;
-    const Scalar t08 = BG_y + t07;
-    poses[0].x = t06;
-    poses[0].y = t08;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = BC_x + slide_C_x + t05;
-    poses[2].y = BC_y + slide_C_y + t07;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t06;
-    poses[3].y = t08;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t05 = u.x_B + slide_B_x;
+    const Scalar t06 = BG_x + t05, t07 = u.y_B + slide_B_y, t08 = BG_y + t07;
+    poses[0].x = t06;  poses[0].y = t08;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = BC_x + slide_C_x + t05;  poses[2].y = BC_y + slide_C_y + t07;
+    poses[2].direction.cos = cos_CD;  poses[2].direction.sin = sin_CD;  poses[3].x = t06;
+    poses[3].y = t08;  poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -706,59 +537,37 @@ struct Model15 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t03 = slide_B_y + BG_y;
     const Scalar t04 = slide_B_x + BG_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
     P_q(9, 0) = u.phi_B.cos;
     P_q(10, 0) = u.phi_B.sin;
     P_d(0, 0) = u.phi_B.sin;
     P_d(1, 0) = -u.phi_B.cos;
-    P_d(5, 1) = Scalar(1);
-    P_d(5, 6) = Scalar(1);
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -slide_C_y - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t01;
-    P_d(7, 2) = cos_CD;
+    P_d(5, 1) = Scalar(1);  P_d(5, 6) = Scalar(1);
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -slide_C_y - t02;  P_d(6, 2) = -sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = slide_C_x - t01;  P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
-    P_d(11, 1) = Scalar(1);
-    P_d(11, 4) = Scalar(1);
-    P_d(11, 6) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t03;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t04;
+    P_d(11, 1) = Scalar(1);  P_d(11, 4) = Scalar(1);  P_d(11, 6) = Scalar(1);
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t03;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(5, 2) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t03;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t04;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t03;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -767,39 +576,21 @@ struct Model15 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B, t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_B;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
-    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
-    v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_B;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;  v(2, 2) = omega_B;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -808,50 +599,30 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = slide_B_x + BG_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B, t03 = slide_B_y + BG_y;
     const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x;
-    const Scalar t10 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_B;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x, t10 = slide_B_y + BC_y + slide_C_y;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_B;
     a(2, 0) = t04 + cos_CD * a_s_C - omega_B * (Scalar(2) * t02 + t09 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t10 * alpha_B;
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t10 * omega_B)
         + t09 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_B;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_B;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -861,46 +632,31 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = cos_CD * v_h_C_BCG;
-    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG, t12 = cos_CD * v_s_C;
     const Scalar t13 = sin_CD * v_h_C_BCG;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(2, 0) = omega_B * (Scalar(2) * t05 - Scalar(2) * t09 - (slide_B_x + slide_C_x
         + BC_x) * omega_B - Scalar(2) * t10) - omega_C_BCG * (slide_C_x * t11 + Scalar(2) * t09
         + Scalar(2) * t10 - d.h_C_BCG * (t03 * t11 + t04 * t11));
     p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
         + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
         + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -916,10 +672,8 @@ struct Model15 {
         - d.psi_D_CD.cos * d.psi_C_BCG.sin;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    p(0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    p(1) = -d.psi_D_CD.sin;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  p(1) = -d.psi_D_CD.sin;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(1);
   }
 
@@ -995,8 +749,7 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t06 = q.s_C - t05;
+    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t06 = q.s_C - t05;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
@@ -1034,62 +787,40 @@ struct Model15 {
     const Scalar t09 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     const Scalar t10 = q.s_F * s_C_per_across_slide_F;
     const Scalar t11 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t12 = q.s_F * s_D_per_across_slide_F;
-    const Scalar t13 = q.s_F * s_F_per_across_slide_F + t08;
-    S_d(0, 0) = s_F_per_across_slide_F;
-    S_d(0, 1) = t09;
-    S_d(0, 4) = t09;
-    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(0, 6) = t09;
+    const Scalar t12 = q.s_F * s_D_per_across_slide_F, t13 = q.s_F * s_F_per_across_slide_F + t08;
+    S_d(0, 0) = s_F_per_across_slide_F;  S_d(0, 1) = t09;  S_d(0, 4) = t09;
+    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  S_d(0, 6) = t09;
     S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t10 - t06 * s_C_per_across_slide_C - t07;
-    S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t11;
-    S_d(1, 4) = t10;
-    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 1) = t10 - t06 * s_C_per_across_slide_C - t07;  S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = -t11;  S_d(1, 4) = t10;  S_d(1, 5) = s_C_per_across_slide_F;
     S_d(1, 6) = t10 - q.s_D * t11 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t12 - t06 * inverse_sin_psi_D_CD;
-    S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = s_C_per_across_slide_C;
-    S_d(2, 4) = t12;
-    S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t12 + t05 * inverse_sin_psi_D_CD;
-    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(2, 1) = t12 - t06 * inverse_sin_psi_D_CD;  S_d(2, 2) = -inverse_sin_psi_D_CD;
+    S_d(2, 3) = s_C_per_across_slide_C;  S_d(2, 4) = t12;  S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = t12 + t05 * inverse_sin_psi_D_CD;  S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t13;
-    S_d(3, 4) = t13;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = t13;
+    S_d(3, 1) = t13;  S_d(3, 4) = t13;  S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = t13;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
     S_u(0, 2) = -phi_B_along_slide_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
     S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;
     S_u(2, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
         - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = -s_D_per_x_B;
-    S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
+    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1097,10 +828,7 @@ struct Model15 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1134,8 +862,7 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
         - sin_CD * t06;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
@@ -1150,10 +877,7 @@ struct Model15 {
         - velocity_along_slide_F;
     const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1162,15 +886,9 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1204,9 +922,7 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         inverse;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E, t07 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t07 - cos_CD * t05 - sin_CD * t06;
     const Scalar t08 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t08;
@@ -1217,13 +933,10 @@ struct Model15 {
     const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
         velocity_across_slide_F;
     const Scalar t11 = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B;
-    const Scalar v_s_F = t11 - velocity_along_slide_F;
-    const Scalar t12 = d.psi_C_BCG.sin * v_s_B;
+    const Scalar v_s_F = t11 - velocity_along_slide_F, t12 = d.psi_C_BCG.sin * v_s_B;
     const Scalar v_s_D = inverse_sin_psi_D_CD * (t12 + velocity_across_slide_C);
     const Scalar t13 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
-    const Scalar v_s_C = velocity_along_slide_C - t13;
-    const Scalar t14 = a_x_B - a_x_E;
-    const Scalar t15 = a_y_B - a_y_E;
+    const Scalar v_s_C = velocity_along_slide_C - t13, t14 = a_x_B - a_x_E, t15 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t08 - Scalar(2) * t12
         - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t14
         - sin_CD * t15;
@@ -1242,13 +955,8 @@ struct Model15 {
         + acceleration_across_slide_C);
     const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_D;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1260,15 +968,9 @@ struct Model15 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     S_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
@@ -1287,8 +989,7 @@ struct Model15 {
         cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
     const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
         sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t06 = q.s_C - t05;
+    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t06 = q.s_C - t05;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
     const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
@@ -1331,8 +1032,7 @@ struct Model15 {
         - phi_B_along_slide_F * s_D_per_across_slide_F;
     const Scalar s_F_per_phi_B = -phi_B_along_slide_F * s_F_per_across_slide_F
         - phi_B_across_slide_F;
-    const Scalar t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
+    const Scalar t09 = v_x_B - v_x_E, t10 = v_y_B - v_y_E;
     const Scalar v_s_B = s_B_per_x_B * t09 + s_B_per_y_B * t10 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t09 + s_C_per_y_B * t10 + s_C_per_phi_B * omega_B;
     const Scalar v_s_D = s_D_per_x_B * t09 + s_D_per_y_B * t10 + s_D_per_phi_B * omega_B;
@@ -1349,66 +1049,36 @@ struct Model15 {
     const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     const Scalar t12 = q.s_F * s_C_per_across_slide_F;
     const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t14 = q.s_F * s_D_per_across_slide_F;
-    const Scalar t15 = q.s_F * s_F_per_across_slide_F + t08;
-    const Scalar t16 = a_x_B - a_x_E;
-    const Scalar t17 = a_y_B - a_y_E;
-    S_d(0, 0) = s_F_per_across_slide_F;
-    S_d(0, 1) = t11;
-    S_d(0, 4) = t11;
-    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(0, 6) = t11;
+    const Scalar t14 = q.s_F * s_D_per_across_slide_F, t15 = q.s_F * s_F_per_across_slide_F + t08;
+    const Scalar t16 = a_x_B - a_x_E, t17 = a_y_B - a_y_E;
+    S_d(0, 0) = s_F_per_across_slide_F;  S_d(0, 1) = t11;  S_d(0, 4) = t11;
+    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  S_d(0, 6) = t11;
     S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t12 - t06 * s_C_per_across_slide_C - t07;
-    S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t13;
-    S_d(1, 4) = t12;
-    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 1) = t12 - t06 * s_C_per_across_slide_C - t07;  S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 3) = -t13;  S_d(1, 4) = t12;  S_d(1, 5) = s_C_per_across_slide_F;
     S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t14 - t06 * inverse_sin_psi_D_CD;
-    S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = s_C_per_across_slide_C;
-    S_d(2, 4) = t14;
-    S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t14 + t05 * inverse_sin_psi_D_CD;
-    S_d(2, 7) = -s_D_per_across_slide_F;
+    S_d(2, 1) = t14 - t06 * inverse_sin_psi_D_CD;  S_d(2, 2) = -inverse_sin_psi_D_CD;
+    S_d(2, 3) = s_C_per_across_slide_C;  S_d(2, 4) = t14;  S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 6) = t14 + t05 * inverse_sin_psi_D_CD;  S_d(2, 7) = -s_D_per_across_slide_F;
     S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
         + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t15;
-    S_d(3, 4) = t15;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = t15;
+    S_d(3, 1) = t15;  S_d(3, 4) = t15;  S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = t15;
     S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = -s_D_per_x_B;
-    S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
     q_second_rate(0) = s_B_per_x_B * t16 + s_B_per_y_B * t17 + s_B_per_phi_B * alpha_B
         + inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * centripetal_across_slide_F;
     q_second_rate(1) = s_C_per_x_B * t16 + s_C_per_y_B * t17 + s_C_per_phi_B * alpha_B
@@ -1426,8 +1096,7 @@ struct Model15 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.h_B_BCG + EB_x * u.phi_B.sin - EB_y * u.phi_B.cos;
     const Scalar t02 = EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;
     const Scalar t03 = t01 * d.psi_D_CD.cos + t02 * d.psi_D_CD.sin;
@@ -1438,16 +1107,14 @@ struct Model15 {
     const Scalar T_1_re = Scalar(2) * (d.psi_C_BCG.cos * (d.psi_D_CD.sin * d.psi_F_EDF.cos
         + d.psi_D_CD.cos * d.psi_F_EDF.sin) + d.psi_C_BCG.sin * (d.psi_D_CD.cos * d.psi_F_EDF.cos
         - d.psi_D_CD.sin * d.psi_F_EDF.sin));
-    T(0) = T_0_re;
-    T(1) = T_1_re;
+    T(0) = T_0_re;  T(1) = T_1_re;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = q.s_B + EB_x * u.phi_B.cos + EB_y * u.phi_B.sin;

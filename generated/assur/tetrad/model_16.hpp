@@ -112,12 +112,10 @@ struct Model16 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, x_F_EDF, y_F_EDF, h_C_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, x_F_EDF, y_F_EDF, h_C_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, x_F_EDF,
+        y_F_EDF, h_C_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF,
+        x_F_EDF, y_F_EDF, h_C_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -130,12 +128,8 @@ struct Model16 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -146,12 +140,8 @@ struct Model16 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_E{};  ///< displacement along the slide at E of link EDF against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_GF, s_B, s_C, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_GF, s_B, s_C, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_GF, s_B, s_C, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_GF, s_B, s_C, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -211,31 +201,20 @@ struct Model16 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
     const Scalar t02 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t03 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + slide_C_x + CD_x + t02 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t03 - ED_y;
-    f(2) = BG_x + GF_x + t02 - EF_x;
-    f(3) = BG_y + GF_y + t03 - EF_y;
+    f(0) = BC_x + slide_C_x + CD_x + t02 - ED_x;  f(1) = BC_y + slide_C_y + CD_y + t03 - ED_y;
+    f(2) = BG_x + GF_x + t02 - EF_x;  f(3) = BG_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -245,20 +224,11 @@ struct Model16 {
     J.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = cos_CD;
-    J(0, 3) = -u.phi_E.cos;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = sin_CD;
-    J(1, 3) = -u.phi_E.sin;
-    J(2, 0) = -GF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(2, 3) = -u.phi_E.cos;
-    J(3, 0) = GF_x;
-    J(3, 1) = u.phi_B.sin;
-    J(3, 3) = -u.phi_E.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    J(0, 1) = u.phi_B.cos;  J(0, 2) = cos_CD;  J(0, 3) = -u.phi_E.cos;
+    J(1, 1) = u.phi_B.sin;  J(1, 2) = sin_CD;  J(1, 3) = -u.phi_E.sin;
+    J(2, 0) = -GF_y;  J(2, 1) = u.phi_B.cos;  J(2, 3) = -u.phi_E.cos;
+    J(3, 0) = GF_x;  J(3, 1) = u.phi_B.sin;  J(3, 3) = -u.phi_E.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -268,30 +238,16 @@ struct Model16 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
     const Scalar CD_y = -d.h_C_CD * cos_CD;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 6) = sin_CD;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 6) = -cos_CD;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 4) = -u.phi_E.cos;
-    F_d(2, 5) = u.phi_E.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 4) = -u.phi_E.sin;
-    F_d(3, 5) = -u.phi_E.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = -u.phi_E.sin;  F_d(0, 6) = sin_CD;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = u.phi_E.cos;  F_d(1, 6) = -cos_CD;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 3) = -u.phi_E.sin;  F_d(2, 4) = -u.phi_E.cos;
+    F_d(2, 5) = u.phi_E.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 3) = u.phi_E.cos;  F_d(3, 4) = -u.phi_E.sin;
+    F_d(3, 5) = -u.phi_E.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -301,38 +257,22 @@ struct Model16 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(0, 5) = slide_E_y + ED_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(1, 5) = -slide_E_x - ED_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
+    F_u(0, 3) = -Scalar(1);  F_u(0, 5) = slide_E_y + ED_y;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
+    F_u(1, 4) = -Scalar(1);  F_u(1, 5) = -slide_E_x - ED_x;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(2, 5) = slide_E_y + EF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
   }
 
@@ -341,32 +281,19 @@ struct Model16 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
     rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t03;
@@ -381,54 +308,28 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * v_s_E;
-    const Scalar t07 = slide_E_y + ED_y;
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = u.phi_E.cos * v_s_E;
-    const Scalar t11 = a_y_B - a_y_E;
-    const Scalar t12 = slide_B_x + BG_x;
-    const Scalar t13 = slide_E_x + EF_x;
-    const Scalar t14 = slide_B_y + BG_y;
-    const Scalar t15 = slide_E_y + EF_y;
-    const Scalar t16 = omega_GF * omega_GF;
+    const Scalar t02 = slide_B_x + BC_x + slide_C_x + CD_x, t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + BC_y + slide_C_y + CD_y, t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * v_s_E, t07 = slide_E_y + ED_y, t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = u.phi_E.cos * v_s_E, t11 = a_y_B - a_y_E;
+    const Scalar t12 = slide_B_x + BG_x, t13 = slide_E_x + EF_x, t14 = slide_B_y + BG_y;
+    const Scalar t15 = slide_E_y + EF_y, t16 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
         + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
     rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t09 - Scalar(2) * cos_CD * v_s_C)
@@ -447,68 +348,32 @@ struct Model16 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar jerk_E = u_third_rate(5);
+    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_E_y + ED_y;
-    const Scalar t03 = u.phi_E.cos * v_s_E;
-    const Scalar t04 = slide_E_x + ED_x;
-    const Scalar t05 = u.phi_E.sin * a_s_E;
-    const Scalar t06 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = t07 + sin_CD * v_s_C;
-    const Scalar t09 = u.phi_E.sin * v_s_E;
-    const Scalar t10 = alpha_E * t09;
-    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = t13 + cos_CD * v_s_C;
-    const Scalar t15 = j_x_B - j_x_E;
-    const Scalar t16 = u.phi_E.cos * a_s_E;
-    const Scalar t17 = t03 * alpha_E;
-    const Scalar t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = j_y_B - j_y_E;
-    const Scalar t20 = slide_B_y + BG_y;
-    const Scalar t21 = slide_B_x + BG_x;
-    const Scalar t22 = slide_E_y + EF_y;
-    const Scalar t23 = slide_E_x + EF_x;
-    const Scalar t24 = omega_GF * omega_GF;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = slide_E_y + ED_y;
+    const Scalar t03 = u.phi_E.cos * v_s_E, t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * a_s_E;
+    const Scalar t06 = slide_B_y + BC_y + slide_C_y + CD_y, t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = t07 + sin_CD * v_s_C, t09 = u.phi_E.sin * v_s_E, t10 = alpha_E * t09;
+    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x, t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B, t14 = t13 + cos_CD * v_s_C, t15 = j_x_B - j_x_E;
+    const Scalar t16 = u.phi_E.cos * a_s_E, t17 = t03 * alpha_E, t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = j_y_B - j_y_E, t20 = slide_B_y + BG_y, t21 = slide_B_x + BG_x;
+    const Scalar t22 = slide_E_y + EF_y, t23 = slide_E_x + EF_x, t24 = omega_GF * omega_GF;
     rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
         - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
         + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
@@ -537,55 +402,27 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t05 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_GF = d_rate(7), omega_B = u_rate(2), omega_E = u_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
+    const Scalar GF_y = d.GF * q.theta_GF.sin, t05 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t05 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t05 * u.phi_E.cos;
-    const Scalar t06 = sin_CD * v_s_C;
-    const Scalar t07 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t08 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t09 = slide_C_x + CD_x;
-    const Scalar t10 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t11 = cos_CD * v_s_C;
-    const Scalar t12 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t13 = slide_C_y + CD_y;
-    const Scalar t14 = v_h_E_EDF - v_y_F_EDF;
-    const Scalar t15 = v_s_E + v_x_F_EDF;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t05 * u.phi_E.cos, t06 = sin_CD * v_s_C;
+    const Scalar t07 = v_h_C_BCG - v_h_C_CD, t08 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
+    const Scalar t09 = slide_C_x + CD_x, t10 = omega_C_BCG + Scalar(2) * omega_B;
+    const Scalar t11 = cos_CD * v_s_C, t12 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
+    const Scalar t13 = slide_C_y + CD_y, t14 = v_h_E_EDF - v_y_F_EDF, t15 = v_s_E + v_x_F_EDF;
     rhs(0) = omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * t07 + (t09 + slide_B_x
         + BC_x) * omega_B - Scalar(2) * t08) + omega_C_BCG * (t09 * omega_C_BCG
         + Scalar(2) * t09 * omega_B + Scalar(2) * t06 + Scalar(2) * cos_CD * v_h_C_BCG
@@ -612,40 +449,21 @@ struct Model16 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = BG_x + t01;
-    const Scalar t03 = u.y_B + slide_B_y;
-    const Scalar t04 = BG_y + t03;
-    poses[0].x = t02;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x + ED_x;
-    poses[1].y = u.y_E + slide_E_y + ED_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t01;
-    poses[2].y = BC_y + slide_C_y + CD_y + t03;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t02;
-    poses[3].y = t04;
-    poses[3].direction.cos = q.theta_GF.cos;
-    poses[3].direction.sin = q.theta_GF.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = u.x_B + slide_B_x, t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y, t04 = BG_y + t03;
+    poses[0].x = t02;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x + ED_x;
+    poses[1].y = u.y_E + slide_E_y + ED_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = BC_x + slide_C_x + CD_x + t01;
+    poses[2].y = BC_y + slide_C_y + CD_y + t03;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t02;  poses[3].y = t04;
+    poses[3].direction.cos = q.theta_GF.cos;  poses[3].direction.sin = q.theta_GF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -660,34 +478,20 @@ struct Model16 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t03 = slide_C_y + CD_y;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = slide_B_y + BG_y;
-    const Scalar t06 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t03 = slide_C_y + CD_y, t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y, t06 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
     P_q(4, 3) = u.phi_E.sin;
-    P_q(6, 1) = u.phi_B.cos;
-    P_q(6, 2) = cos_CD;
-    P_q(7, 1) = u.phi_B.sin;
-    P_q(7, 2) = sin_CD;
+    P_q(6, 1) = u.phi_B.cos;  P_q(6, 2) = cos_CD;
+    P_q(7, 1) = u.phi_B.sin;  P_q(7, 2) = sin_CD;
     P_q(9, 1) = u.phi_B.cos;
     P_q(10, 1) = u.phi_B.sin;
     P_q(11, 0) = Scalar(1);
@@ -695,36 +499,22 @@ struct Model16 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t03 - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(6, 6) = sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t04 - t01;
-    P_d(7, 2) = cos_CD;
-    P_d(7, 6) = -cos_CD;
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -t03 - t02;  P_d(6, 2) = -sin_CD;  P_d(6, 6) = sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = t04 - t01;  P_d(7, 2) = cos_CD;  P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t05;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t06;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t05;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y - ED_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x + ED_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y - ED_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t03 - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t04 + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t03 - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t05;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t06;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t05;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t06;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -732,48 +522,27 @@ struct Model16 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01, t03 = u.phi_B.sin * v_s_B + v_y_B;
     const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
-    v(1, 2) = omega_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;  v(1, 2) = omega_E;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
     v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_GF;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -782,52 +551,28 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar alpha_GF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = slide_B_x + BG_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
-    const Scalar t09 = slide_E_x + ED_x;
-    const Scalar t10 = slide_E_y + ED_y;
+    const Scalar t09 = slide_E_x + ED_x, t10 = slide_E_y + ED_y;
     const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
     const Scalar t12 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
     a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
@@ -838,9 +583,7 @@ struct Model16 {
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
         + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_GF;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -850,49 +593,28 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), v_h_E_EDF = d_rate(3);
+    const Scalar v_h_C_CD = d_rate(6), omega_B = u_rate(2), omega_E = u_rate(5);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t11 = slide_C_x + CD_x;
-    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = v_h_C_BCG - v_h_C_CD, t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG, t13 = cos_CD * v_s_C;
     const Scalar t14 = slide_C_y + CD_y;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
     p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
@@ -905,8 +627,7 @@ struct Model16 {
         + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
         + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
         - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -922,11 +643,8 @@ struct Model16 {
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = q.theta_GF.cos * cos_CD
         + q.theta_GF.sin * sin_CD;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    p(0) = -cos_phi_B_plus_psi_C_BCG_minus_GF;
-    p(1) = sin_phi_B_minus_phi_E;
-    p(2) = d.GF;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -cos_phi_B_plus_psi_C_BCG_minus_GF;  p(1) = sin_phi_B_minus_phi_E;  p(2) = d.GF;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     size(2) = abs(q.s_B) + abs(q.s_E) + abs(d.h_B_BCG) + abs(d.h_E_EDF) + abs(d.x_F_EDF)
         + abs(d.y_F_EDF) + abs(d.GF);
     terms = Scalar(2);
@@ -1014,8 +732,7 @@ struct Model16 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t02 = q.s_E + d.x_F_EDF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t02 = q.s_E + d.x_F_EDF, t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
@@ -1062,66 +779,45 @@ struct Model16 {
     const Scalar t13 = sin_phi_E_minus_GF * s_C_per_along_GF;
     S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
         - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
-    S_d(0, 2) = -GF_per_across_slide_C;
+    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;  S_d(0, 2) = -GF_per_across_slide_C;
     S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t11;
     S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(0, 5) = t11;
-    S_d(0, 6) = GF_per_across_slide_C;
-    S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = t07 - t09;
-    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 5) = t11;  S_d(0, 6) = GF_per_across_slide_C;  S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = t07 - t09;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(1, 2) = -s_B_per_across_slide_C;
     S_d(1, 3) = t12 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(1, 5) = -t12;
-    S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = -s_B_per_along_GF;
+    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(1, 5) = -t12;
+    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = -s_B_per_along_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t13
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -t13;
-    S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;  S_d(2, 5) = -t13;
+    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;
-    S_d(3, 2) = -s_E_per_across_slide_C;
-    S_d(3, 3) = t10 - t08;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
-    S_d(3, 5) = -t10;
-    S_d(3, 6) = s_E_per_across_slide_C;
-    S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;
-    S_u(0, 1) = GF_per_y_B;
+    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 2) = -s_E_per_across_slide_C;
+    S_d(3, 3) = t10 - t08;  S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t10;
+    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;
     S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
         - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = -GF_per_x_B;
-    S_u(0, 4) = -GF_per_y_B;
+    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
     S_u(0, 5) = GF_per_along_GF * phi_E_across_GF - GF_per_across_slide_C * phi_E_along_slide_C
         - inverse_GF * phi_E_along_GF;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
     S_u(1, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_C * s_B_per_across_slide_C;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
     S_u(1, 5) = phi_E_across_GF * s_B_per_along_GF - phi_E_along_slide_C * s_B_per_across_slide_C;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
     S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
         - phi_B_along_slide_C * s_C_per_across_slide_C;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
     S_u(2, 5) = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
         - phi_E_along_slide_C * s_C_per_across_slide_C;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
     S_u(3, 2) = phi_B_across_GF * s_E_per_along_GF - phi_B_along_slide_C * s_E_per_across_slide_C;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
     S_u(3, 5) = phi_E_across_GF * s_E_per_along_GF - phi_E_along_slide_C * s_E_per_across_slide_C;
   }
 
@@ -1130,12 +826,8 @@ struct Model16 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
@@ -1156,8 +848,7 @@ struct Model16 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t02 * cos_phi_E_minus_GF - t01 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
@@ -1171,8 +862,7 @@ struct Model16 {
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
-    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar t05 = v_x_B - v_x_E;
+    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF, t05 = v_x_B - v_x_E;
     const Scalar t06 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
         + phi_E_across_slide_C * omega_E - cos_CD * t05 - sin_CD * t06;
@@ -1191,10 +881,7 @@ struct Model16 {
         - d.psi_C_BCG.cos * v_s_B;
     const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
         - velocity_across_GF);
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1203,18 +890,10 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
@@ -1235,8 +914,7 @@ struct Model16 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t02 * cos_phi_E_minus_GF - t01 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
@@ -1250,33 +928,25 @@ struct Model16 {
     const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
     const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
     const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
-    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    const Scalar t07 = phi_B_across_slide_C * omega_B;
+    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF, t05 = v_x_B - v_x_E;
+    const Scalar t06 = v_y_B - v_y_E, t07 = phi_B_across_slide_C * omega_B;
     const Scalar t08 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t07 + t08 - cos_CD * t05 - sin_CD * t06;
-    const Scalar t09 = phi_B_along_slide_C * omega_B;
-    const Scalar t10 = phi_E_along_slide_C * omega_E;
+    const Scalar t09 = phi_B_along_slide_C * omega_B, t10 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06 - t09 - t10;
-    const Scalar t11 = phi_B_across_GF * omega_B;
-    const Scalar t12 = phi_E_across_GF * omega_E;
+    const Scalar t11 = phi_B_across_GF * omega_B, t12 = phi_E_across_GF * omega_E;
     const Scalar velocity_along_GF = t11 + t12 - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
-    const Scalar t13 = phi_B_along_GF * omega_B;
-    const Scalar t14 = phi_E_along_GF * omega_E;
+    const Scalar t13 = phi_B_along_GF * omega_B, t14 = phi_E_along_GF * omega_E;
     const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06 - t13 - t14;
     const Scalar t15 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
     const Scalar v_s_B = t15 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
         - cos_phi_E_minus_GF * velocity_across_slide_C);
     const Scalar v_s_E = -t15 * (d.psi_C_BCG.sin * velocity_along_GF
         + cos_phi_B_minus_GF * velocity_across_slide_C);
-    const Scalar t16 = d.psi_C_BCG.cos * v_s_B;
-    const Scalar t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
-    const Scalar v_s_C = t17 + velocity_along_slide_C - t16;
-    const Scalar t18 = sin_phi_B_minus_GF * v_s_B;
+    const Scalar t16 = d.psi_C_BCG.cos * v_s_B, t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
+    const Scalar v_s_C = t17 + velocity_along_slide_C - t16, t18 = sin_phi_B_minus_GF * v_s_B;
     const Scalar t19 = sin_phi_E_minus_GF * v_s_E;
-    const Scalar omega_GF = -inverse_GF * (t18 - t19 - velocity_across_GF);
-    const Scalar t20 = a_x_B - a_x_E;
+    const Scalar omega_GF = -inverse_GF * (t18 - t19 - velocity_across_GF), t20 = a_x_B - a_x_E;
     const Scalar t21 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t09 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
         + omega_E * (t10 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
@@ -1300,13 +970,8 @@ struct Model16 {
         - d.psi_C_BCG.cos * a_s_B;
     const Scalar alpha_GF = -inverse_GF * (sin_phi_B_minus_GF * a_s_B - sin_phi_E_minus_GF * a_s_E
         - acceleration_across_GF);
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = alpha_GF;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_GF;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_E;
   }
 
@@ -1318,18 +983,10 @@ struct Model16 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
@@ -1350,8 +1007,7 @@ struct Model16 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
     const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t02 = q.s_E + d.x_F_EDF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t02 = q.s_E + d.x_F_EDF, t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
     const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
     const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
@@ -1409,8 +1065,7 @@ struct Model16 {
         - phi_E_along_slide_C * s_C_per_across_slide_C;
     const Scalar s_E_per_phi_E = phi_E_across_GF * s_E_per_along_GF
         - phi_E_along_slide_C * s_E_per_across_slide_C;
-    const Scalar t11 = v_x_B - v_x_E;
-    const Scalar t12 = v_y_B - v_y_E;
+    const Scalar t11 = v_x_B - v_x_E, t12 = v_y_B - v_y_E;
     const Scalar omega_GF = GF_per_x_B * t11 + GF_per_y_B * t12 + GF_per_phi_B * omega_B
         + GF_per_phi_E * omega_E;
     const Scalar v_s_B = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * omega_B
@@ -1435,72 +1090,39 @@ struct Model16 {
         - phi_B_across_GF * omega_B);
     const Scalar t13 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
     const Scalar t14 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t15 = sin_phi_E_minus_GF * s_C_per_along_GF;
-    const Scalar t16 = a_x_B - a_x_E;
+    const Scalar t15 = sin_phi_E_minus_GF * s_C_per_along_GF, t16 = a_x_B - a_x_E;
     const Scalar t17 = a_y_B - a_y_E;
     S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
         - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;
-    S_d(0, 2) = -GF_per_across_slide_C;
+    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;  S_d(0, 2) = -GF_per_across_slide_C;
     S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t13;
     S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(0, 5) = t13;
-    S_d(0, 6) = GF_per_across_slide_C;
-    S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = t07 - t09;
-    S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 5) = t13;  S_d(0, 6) = GF_per_across_slide_C;  S_d(0, 7) = -GF_per_along_GF;
+    S_d(1, 0) = t07 - t09;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(1, 2) = -s_B_per_across_slide_C;
     S_d(1, 3) = t14 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;
-    S_d(1, 5) = -t14;
-    S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = -s_B_per_along_GF;
+    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(1, 5) = -t14;
+    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = -s_B_per_along_GF;
     S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 2) = -s_C_per_across_slide_C;
+    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
     S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t15
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -t15;
-    S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_along_GF;
+    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;  S_d(2, 5) = -t15;
+    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = -s_C_per_along_GF;
     S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;
-    S_d(3, 2) = -s_E_per_across_slide_C;
-    S_d(3, 3) = t10 - t08;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;
-    S_d(3, 5) = -t10;
-    S_d(3, 6) = s_E_per_across_slide_C;
-    S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;
-    S_u(0, 1) = GF_per_y_B;
-    S_u(0, 2) = GF_per_phi_B;
-    S_u(0, 3) = -GF_per_x_B;
-    S_u(0, 4) = -GF_per_y_B;
-    S_u(0, 5) = GF_per_phi_E;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(1, 5) = s_B_per_phi_E;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(2, 5) = s_C_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = s_E_per_phi_E;
-    q_rate(0) = omega_GF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 2) = -s_E_per_across_slide_C;
+    S_d(3, 3) = t10 - t08;  S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t10;
+    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = -s_E_per_along_GF;
+    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
+    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;  S_u(0, 5) = GF_per_phi_E;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;  S_u(1, 5) = s_B_per_phi_E;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;  S_u(2, 5) = s_C_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
     q_second_rate(0) = GF_per_x_B * t16 + GF_per_y_B * t17 + GF_per_phi_B * alpha_B
         + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
         + GF_per_across_slide_C * centripetal_across_slide_C
@@ -1521,14 +1143,12 @@ struct Model16 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x * u.phi_E.cos + EB_y * u.phi_E.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar b_0_re = Scalar(2) * (d.x_F_EDF - t01 - d.h_B_BCG * sin_phi_B_minus_phi_E);
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
-    const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar b_1_re = -Scalar(2) * cos_phi_B_minus_phi_E, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar t03 = EB_y + t02 * u.phi_E.cos - d.x_F_EDF * u.phi_E.sin;
     const Scalar t04 = EB_x - t02 * u.phi_E.sin - d.x_F_EDF * u.phi_E.cos;
     const Scalar t05 = EB_y * u.phi_E.cos - EB_x * u.phi_E.sin;
@@ -1556,8 +1176,7 @@ struct Model16 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
@@ -1584,14 +1203,12 @@ struct Model16 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the link that turns by theta_GF has no length.
     const Scalar inverse_theta_GF = Scalar(1) / d.GF;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
     const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos
         + d.h_B_BCG - t01 * u.phi_B.sin) * d.psi_C_BCG.sin;
     q.theta_GF.cos = -(EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin - t03 * u.phi_E.cos

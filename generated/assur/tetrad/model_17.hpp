@@ -108,12 +108,10 @@ struct Model17 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar h_F_GF{};  ///< offset of the slide at F on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_F_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_F_EDF, h_F_EDF, h_C_CD, h_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_F_EDF,
+        h_F_EDF, h_C_CD, h_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF,
+        psi_F_EDF, h_F_EDF, h_C_CD, h_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -126,12 +124,8 @@ struct Model17 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -142,12 +136,8 @@ struct Model17 {
     Scalar s_E{};  ///< displacement along the slide at E of link EDF against the base
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_E, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_E, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_E, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_E, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -207,32 +197,19 @@ struct Model17 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t01 = u.x_B - u.x_E + slide_B_x - slide_E_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF, t01 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t02 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;
-    f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;
-    f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
+    f(0) = BC_x + slide_C_x + CD_x + t01 - ED_x;  f(1) = BC_y + slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + GF_x + t01 - EF_x - slide_F_x;  f(3) = BG_y + GF_y + t02 - EF_y - slide_F_y;
   }
 
   /// J = df/dq.
@@ -244,18 +221,10 @@ struct Model17 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 2) = -u.phi_E.cos;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 2) = -u.phi_E.sin;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 2) = -u.phi_E.cos;
-    J(2, 3) = -cos_GF;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 2) = -u.phi_E.sin;
-    J(3, 3) = -sin_GF;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 2) = -u.phi_E.cos;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 2) = -u.phi_E.sin;
+    J(2, 0) = u.phi_B.cos;  J(2, 2) = -u.phi_E.cos;  J(2, 3) = -cos_GF;
+    J(3, 0) = u.phi_B.sin;  J(3, 2) = -u.phi_E.sin;  J(3, 3) = -sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -267,34 +236,17 @@ struct Model17 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 6) = sin_CD;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 6) = -cos_CD;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 4) = slide_F_y + d.h_F_EDF * cos_GF - GF_y;
-    F_d(2, 5) = sin_GF;
-    F_d(2, 7) = -sin_GF;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 4) = GF_x + d.h_F_EDF * sin_GF - slide_F_x;
-    F_d(3, 5) = -cos_GF;
-    F_d(3, 7) = cos_GF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
+    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = -slide_C_y - CD_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = -u.phi_E.sin;  F_d(0, 6) = sin_CD;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x + CD_x - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = u.phi_E.cos;  F_d(1, 6) = -cos_CD;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 3) = -u.phi_E.sin;
+    F_d(2, 4) = slide_F_y + d.h_F_EDF * cos_GF - GF_y;  F_d(2, 5) = sin_GF;  F_d(2, 7) = -sin_GF;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 3) = u.phi_E.cos;
+    F_d(3, 4) = GF_x + d.h_F_EDF * sin_GF - slide_F_x;  F_d(3, 5) = -cos_GF;  F_d(3, 7) = cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -306,41 +258,23 @@ struct Model17 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
     const Scalar slide_F_y = q.s_F * sin_GF;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(0, 5) = slide_E_y + ED_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(1, 5) = -slide_E_x - ED_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - BC_y - slide_C_y - CD_y;
+    F_u(0, 3) = -Scalar(1);  F_u(0, 5) = slide_E_y + ED_y;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x + CD_x;
+    F_u(1, 4) = -Scalar(1);  F_u(1, 5) = -slide_E_x - ED_x;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(2, 5) = slide_E_y + EF_y + slide_F_y - GF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = GF_x - slide_E_x - EF_x - slide_F_x;
   }
 
@@ -349,38 +283,22 @@ struct Model17 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t01;
     rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
     rhs(2) = (slide_B_y + BG_y) * omega_B - t01 - (slide_E_y + EF_y + slide_F_y - GF_y) * omega_E;
@@ -394,55 +312,29 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t04 = slide_E_x + ED_x;
-    const Scalar t05 = u.phi_E.sin * v_s_E;
-    const Scalar t06 = slide_E_y + ED_y;
-    const Scalar t07 = a_x_B - a_x_E;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = u.phi_E.cos * v_s_E;
-    const Scalar t10 = a_y_B - a_y_E;
-    const Scalar t11 = slide_E_x + EF_x + slide_F_x - GF_x;
-    const Scalar t12 = slide_E_y + EF_y + slide_F_y - GF_y;
-    const Scalar t13 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF, t01 = slide_B_x + BC_x + slide_C_x + CD_x;
+    const Scalar t02 = u.phi_B.sin * v_s_B, t03 = slide_B_y + BC_y + slide_C_y + CD_y;
+    const Scalar t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * v_s_E, t06 = slide_E_y + ED_y;
+    const Scalar t07 = a_x_B - a_x_E, t08 = u.phi_B.cos * v_s_B, t09 = u.phi_E.cos * v_s_E;
+    const Scalar t10 = a_y_B - a_y_E, t11 = slide_E_x + EF_x + slide_F_x - GF_x;
+    const Scalar t12 = slide_E_y + EF_y + slide_F_y - GF_y, t13 = slide_B_x + BG_x;
     const Scalar t14 = slide_B_y + BG_y;
     rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
         + t03 * alpha_B - omega_E * (t04 * omega_E + Scalar(2) * t05) - t06 * alpha_E - t07;
@@ -462,70 +354,35 @@ struct Model17 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar a_s_E = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar jerk_E = u_third_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t01 = slide_E_y + ED_y;
-    const Scalar t02 = u.phi_E.cos * v_s_E;
-    const Scalar t03 = slide_E_x + ED_x;
-    const Scalar t04 = u.phi_E.sin * a_s_E;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = t06 + sin_CD * v_s_C;
-    const Scalar t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B;
-    const Scalar t12 = t11 + cos_CD * v_s_C;
-    const Scalar t13 = j_x_B - j_x_E;
-    const Scalar t14 = u.phi_E.cos * a_s_E;
-    const Scalar t15 = u.phi_B.cos * a_s_B;
-    const Scalar t16 = j_y_B - j_y_E;
-    const Scalar t17 = slide_B_y + BG_y;
-    const Scalar t18 = slide_B_x + BG_x;
-    const Scalar t19 = slide_E_y + EF_y + slide_F_y - GF_y;
-    const Scalar t20 = t08 + sin_GF * v_s_F;
-    const Scalar t21 = slide_E_x + EF_x + slide_F_x - GF_x;
-    const Scalar t22 = t02 + cos_GF * v_s_F;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF, t01 = slide_E_y + ED_y, t02 = u.phi_E.cos * v_s_E;
+    const Scalar t03 = slide_E_x + ED_x, t04 = u.phi_E.sin * a_s_E;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y, t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = t06 + sin_CD * v_s_C, t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x, t10 = u.phi_B.sin * a_s_B;
+    const Scalar t11 = u.phi_B.cos * v_s_B, t12 = t11 + cos_CD * v_s_C, t13 = j_x_B - j_x_E;
+    const Scalar t14 = u.phi_E.cos * a_s_E, t15 = u.phi_B.cos * a_s_B, t16 = j_y_B - j_y_E;
+    const Scalar t17 = slide_B_y + BG_y, t18 = slide_B_x + BG_x;
+    const Scalar t19 = slide_E_y + EF_y + slide_F_y - GF_y, t20 = t08 + sin_GF * v_s_F;
+    const Scalar t21 = slide_E_x + EF_x + slide_F_x - GF_x, t22 = t02 + cos_GF * v_s_F;
     rhs(0) = omega_E * (omega_E * (t01 * omega_E - Scalar(3) * t02) - Scalar(3) * t03 * alpha_E
         - Scalar(3) * t04) + t05 * jerk_B + Scalar(3) * alpha_B * t07
         + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
@@ -553,67 +410,34 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_F_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3), omega_F_EDF = d_rate(4), v_h_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_h_F_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar t05 = d.psi_F_EDF.cos * u.phi_E.cos;
-    const Scalar t06 = d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar cos_GF = t05 - t06;
-    const Scalar t07 = d.psi_F_EDF.cos * u.phi_E.sin;
-    const Scalar t08 = u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar sin_GF = t07 + t08;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF;
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t11 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t12 = slide_C_x + CD_x;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar t05 = d.psi_F_EDF.cos * u.phi_E.cos, t06 = d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar cos_GF = t05 - t06, t07 = d.psi_F_EDF.cos * u.phi_E.sin;
+    const Scalar t08 = u.phi_E.cos * d.psi_F_EDF.sin, sin_GF = t07 + t08;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
+    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
+    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
+    const Scalar slide_F_y = q.s_F * sin_GF, t09 = sin_CD * v_s_C, t10 = v_h_C_BCG - v_h_C_CD;
+    const Scalar t11 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B, t12 = slide_C_x + CD_x;
     const Scalar t13 = u.phi_E.cos * v_h_E_EDF - u.phi_E.sin * v_s_E;
-    const Scalar t14 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t15 = cos_CD * v_s_C;
-    const Scalar t16 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
-    const Scalar t17 = slide_C_y + CD_y;
-    const Scalar t18 = u.phi_E.cos * v_s_E + u.phi_E.sin * v_h_E_EDF;
-    const Scalar t19 = sin_GF * v_s_F;
-    const Scalar t20 = v_h_F_EDF - v_h_F_GF;
-    const Scalar t21 = GF_x - slide_F_x;
-    const Scalar t22 = Scalar(2) * omega_E + omega_F_EDF;
-    const Scalar t23 = cos_GF * v_s_F;
+    const Scalar t14 = omega_C_BCG + Scalar(2) * omega_B, t15 = cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG, t17 = slide_C_y + CD_y;
+    const Scalar t18 = u.phi_E.cos * v_s_E + u.phi_E.sin * v_h_E_EDF, t19 = sin_GF * v_s_F;
+    const Scalar t20 = v_h_F_EDF - v_h_F_GF, t21 = GF_x - slide_F_x;
+    const Scalar t22 = Scalar(2) * omega_E + omega_F_EDF, t23 = cos_GF * v_s_F;
     const Scalar t24 = GF_y - slide_F_y;
     rhs(0) = omega_B * (Scalar(2) * t09 + Scalar(2) * cos_CD * t10 + (t12 + slide_B_x
         + BC_x) * omega_B - Scalar(2) * t11) + omega_C_BCG * (t12 * omega_C_BCG
@@ -645,40 +469,21 @@ struct Model17 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
     const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = BG_x + t01;
-    const Scalar t03 = u.y_B + slide_B_y;
-    const Scalar t04 = BG_y + t03;
-    poses[0].x = t02;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x + ED_x;
-    poses[1].y = u.y_E + slide_E_y + ED_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + CD_x + t01;
-    poses[2].y = BC_y + slide_C_y + CD_y + t03;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t02;
-    poses[3].y = t04;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = u.x_B + slide_B_x, t02 = BG_x + t01;
+    const Scalar t03 = u.y_B + slide_B_y, t04 = BG_y + t03;
+    poses[0].x = t02;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x + ED_x;
+    poses[1].y = u.y_E + slide_E_y + ED_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = BC_x + slide_C_x + CD_x + t01;
+    poses[2].y = BC_y + slide_C_y + CD_y + t03;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t02;  poses[3].y = t04;
+    poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -693,71 +498,43 @@ struct Model17 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t03 = slide_C_y + CD_y;
-    const Scalar t04 = slide_C_x + CD_x;
-    const Scalar t05 = slide_B_y + BG_y;
-    const Scalar t06 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t03 = slide_C_y + CD_y, t04 = slide_C_x + CD_x;
+    const Scalar t05 = slide_B_y + BG_y, t06 = slide_B_x + BG_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 2) = u.phi_E.cos;
     P_q(4, 2) = u.phi_E.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
     P_q(9, 0) = u.phi_B.cos;
     P_q(10, 0) = u.phi_B.sin;
     P_d(0, 0) = u.phi_B.sin;
     P_d(1, 0) = -u.phi_B.cos;
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -t03 - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(6, 6) = sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = t04 - t01;
-    P_d(7, 2) = cos_CD;
-    P_d(7, 6) = -cos_CD;
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -t03 - t02;  P_d(6, 2) = -sin_CD;  P_d(6, 6) = sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = t04 - t01;  P_d(7, 2) = cos_CD;  P_d(7, 6) = -cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
     P_d(11, 4) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t05;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t06;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t05;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t06;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y - ED_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x + ED_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y - ED_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t03 - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t04 + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t03 - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t04 + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t05;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t06;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t05;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t06;
     P_u(11, 5) = Scalar(1);
   }
 
@@ -766,47 +543,27 @@ struct Model17 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01, t03 = u.phi_B.sin * v_s_B + v_y_B;
     const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
-    v(1, 2) = omega_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;  v(1, 2) = omega_E;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B;
     v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C;
     v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_E;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_E;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -815,51 +572,28 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar a_s_E = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = slide_B_x + BG_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + BG_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
-    const Scalar t09 = slide_E_x + ED_x;
-    const Scalar t10 = slide_E_y + ED_y;
+    const Scalar t09 = slide_E_x + ED_x, t10 = slide_E_y + ED_y;
     const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x;
     const Scalar t12 = slide_B_y + BC_y + slide_C_y + CD_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
     a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
@@ -870,9 +604,7 @@ struct Model17 {
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
         + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_E;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_E;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -882,49 +614,28 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), v_h_E_EDF = d_rate(3);
+    const Scalar v_h_C_CD = d_rate(6), omega_B = u_rate(2), omega_E = u_rate(5);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = v_h_C_BCG - v_h_C_CD;
-    const Scalar t11 = slide_C_x + CD_x;
-    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t13 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = v_h_C_BCG - v_h_C_CD, t11 = slide_C_x + CD_x;
+    const Scalar t12 = Scalar(2) * omega_B + omega_C_BCG, t13 = cos_CD * v_s_C;
     const Scalar t14 = slide_C_y + CD_y;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + ED_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
     p(1, 1) = -omega_E * ((slide_E_y + ED_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
@@ -937,8 +648,7 @@ struct Model17 {
         + t14 + BC_y) * omega_B) - omega_C_BCG * (t14 * omega_C_BCG + Scalar(2) * t14 * omega_B
         + d.h_C_BCG * (t01 * t12 - t02 * t12) + Scalar(2) * sin_CD * v_h_C_BCG - Scalar(2) * t13
         - Scalar(2) * sin_CD * v_h_C_CD);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -955,10 +665,8 @@ struct Model17 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
         - cos_CD * sin_GF;
-    p(0) = -sin_phi_B_minus_phi_E;
-    p(1) = sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -sin_phi_B_minus_phi_E;  p(1) = sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(2);
   }
 
@@ -1095,74 +803,54 @@ struct Model17 {
     const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
     const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
         - cos_GF * s_F_per_across_slide_F;
-    S_d(0, 0) = t04 + t07;
-    S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
+    S_d(0, 0) = t04 + t07;  S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 2) = -s_B_per_across_slide_C;
     S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(0, 5) = s_B_per_across_slide_F;
-    S_d(0, 6) = s_B_per_across_slide_C;
-    S_d(0, 7) = -s_B_per_across_slide_F;
+    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;  S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = -s_B_per_across_slide_F;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(1, 2) = -s_C_per_across_slide_C;
     S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;
-    S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = s_C_per_across_slide_C;
-    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;  S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
-    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;
-    S_d(2, 2) = -s_E_per_across_slide_C;
-    S_d(2, 3) = -t05 - t06;
-    S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
-    S_d(2, 5) = s_E_per_across_slide_F;
-    S_d(2, 6) = s_E_per_across_slide_C;
+    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(2, 2) = -s_E_per_across_slide_C;
+    S_d(2, 3) = -t05 - t06;  S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
+    S_d(2, 5) = s_E_per_across_slide_F;  S_d(2, 6) = s_E_per_across_slide_C;
     S_d(2, 7) = -s_E_per_across_slide_F;
     S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
-    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
     S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
     S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
         - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
     S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
         - phi_E_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
     S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
     S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
         - phi_E_along_slide_F * s_C_per_across_slide_F;
-    S_u(2, 0) = s_E_per_x_B;
-    S_u(2, 1) = s_E_per_y_B;
+    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;
     S_u(2, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
         - phi_B_along_slide_F * s_E_per_across_slide_F;
-    S_u(2, 3) = -s_E_per_x_B;
-    S_u(2, 4) = -s_E_per_y_B;
+    S_u(2, 3) = -s_E_per_x_B;  S_u(2, 4) = -s_E_per_y_B;
     S_u(2, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
         - phi_E_along_slide_F * s_E_per_across_slide_F;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_C * s_F_per_across_slide_C
         - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
     S_u(3, 5) = -phi_E_along_slide_C * s_F_per_across_slide_C
         - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
   }
@@ -1172,12 +860,8 @@ struct Model17 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
@@ -1218,8 +902,7 @@ struct Model17 {
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
         -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
         + phi_E_across_slide_C * omega_E - cos_CD * t01 - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
@@ -1238,10 +921,7 @@ struct Model17 {
         - velocity_along_slide_F;
     const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_F;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1250,18 +930,10 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
@@ -1302,19 +974,14 @@ struct Model17 {
         sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
     const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
         -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E, t03 = phi_B_across_slide_C * omega_B;
     const Scalar t04 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t03 + t04 - cos_CD * t01 - sin_CD * t02;
-    const Scalar t05 = phi_B_along_slide_C * omega_B;
-    const Scalar t06 = phi_E_along_slide_C * omega_E;
+    const Scalar t05 = phi_B_along_slide_C * omega_B, t06 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t05 - t06;
-    const Scalar t07 = phi_B_across_slide_F * omega_B;
-    const Scalar t08 = phi_E_across_slide_F * omega_E;
+    const Scalar t07 = phi_B_across_slide_F * omega_B, t08 = phi_E_across_slide_F * omega_E;
     const Scalar velocity_along_slide_F = t07 + t08 - cos_GF * t01 - sin_GF * t02;
-    const Scalar t09 = phi_B_along_slide_F * omega_B;
-    const Scalar t10 = phi_E_along_slide_F * omega_E;
+    const Scalar t09 = phi_B_along_slide_F * omega_B, t10 = phi_E_along_slide_F * omega_E;
     const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02 - t09 - t10;
     const Scalar t11 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
         inverse_sin_phi_B_minus_phi_E;
@@ -1322,13 +989,10 @@ struct Model17 {
         + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F);
     const Scalar v_s_E = -t11 * (d.psi_C_BCG.sin * velocity_across_slide_F
         + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C);
-    const Scalar t12 = d.psi_F_EDF.cos * v_s_E;
-    const Scalar t13 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B;
-    const Scalar v_s_F = t13 - t12 - velocity_along_slide_F;
-    const Scalar t14 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t12 = d.psi_F_EDF.cos * v_s_E, t13 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B;
+    const Scalar v_s_F = t13 - t12 - velocity_along_slide_F, t14 = d.psi_C_BCG.cos * v_s_B;
     const Scalar t15 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
-    const Scalar v_s_C = t15 + velocity_along_slide_C - t14;
-    const Scalar t16 = a_x_B - a_x_E;
+    const Scalar v_s_C = t15 + velocity_along_slide_C - t14, t16 = a_x_B - a_x_E;
     const Scalar t17 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t05 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
         + omega_E * (t06 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
@@ -1352,13 +1016,8 @@ struct Model17 {
         - acceleration_along_slide_F;
     const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_E;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_F;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_E;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1370,18 +1029,10 @@ struct Model17 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
@@ -1466,8 +1117,7 @@ struct Model17 {
         - phi_E_along_slide_F * s_E_per_across_slide_F;
     const Scalar s_F_per_phi_E = -phi_E_along_slide_C * s_F_per_across_slide_C
         - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
-    const Scalar t08 = v_x_B - v_x_E;
-    const Scalar t09 = v_y_B - v_y_E;
+    const Scalar t08 = v_x_B - v_x_E, t09 = v_y_B - v_y_E;
     const Scalar v_s_B = s_B_per_x_B * t08 + s_B_per_y_B * t09 + s_B_per_phi_B * omega_B
         + s_B_per_phi_E * omega_E;
     const Scalar v_s_C = s_C_per_x_B * t08 + s_C_per_y_B * t09 + s_C_per_phi_B * omega_B
@@ -1491,74 +1141,42 @@ struct Model17 {
         + Scalar(2) * v_s_F + phi_E_across_slide_F * omega_E)
         - omega_B * (Scalar(2) * cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B
         - phi_B_across_slide_F * omega_B);
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = a_y_B - a_y_E;
-    S_d(0, 0) = t04 + t07;
-    S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
+    const Scalar t10 = a_x_B - a_x_E, t11 = a_y_B - a_y_E;
+    S_d(0, 0) = t04 + t07;  S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
     S_d(0, 2) = -s_B_per_across_slide_C;
     S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(0, 5) = s_B_per_across_slide_F;
-    S_d(0, 6) = s_B_per_across_slide_C;
-    S_d(0, 7) = -s_B_per_across_slide_F;
+    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;  S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = -s_B_per_across_slide_F;
     S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 2) = -s_C_per_across_slide_C;
+    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(1, 2) = -s_C_per_across_slide_C;
     S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;
-    S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = s_C_per_across_slide_C;
-    S_d(1, 7) = -s_C_per_across_slide_F;
+    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;  S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = -s_C_per_across_slide_F;
     S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
-    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;
-    S_d(2, 2) = -s_E_per_across_slide_C;
-    S_d(2, 3) = -t05 - t06;
-    S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
-    S_d(2, 5) = s_E_per_across_slide_F;
-    S_d(2, 6) = s_E_per_across_slide_C;
+    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(2, 2) = -s_E_per_across_slide_C;
+    S_d(2, 3) = -t05 - t06;  S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
+    S_d(2, 5) = s_E_per_across_slide_F;  S_d(2, 6) = s_E_per_across_slide_C;
     S_d(2, 7) = -s_E_per_across_slide_F;
     S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
         + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;
-    S_d(3, 2) = -s_F_per_across_slide_C;
+    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
     S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = s_B_per_phi_E;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(1, 5) = s_C_per_phi_E;
-    S_u(2, 0) = s_E_per_x_B;
-    S_u(2, 1) = s_E_per_y_B;
-    S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = -s_E_per_x_B;
-    S_u(2, 4) = -s_E_per_y_B;
-    S_u(2, 5) = s_E_per_phi_E;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;
-    S_u(3, 4) = -s_F_per_y_B;
-    S_u(3, 5) = s_F_per_phi_E;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_F;
+    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
+    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = -s_E_per_x_B;  S_u(2, 4) = -s_E_per_y_B;  S_u(2, 5) = s_E_per_phi_E;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;  S_u(3, 5) = s_F_per_phi_E;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_F;
     q_second_rate(0) = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_across_slide_F * centripetal_across_slide_F;
@@ -1578,8 +1196,7 @@ struct Model17 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar b_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
@@ -1588,16 +1205,14 @@ struct Model17 {
         - EB_y * u.phi_B.cos - d.h_E_EDF * cos_phi_B_minus_phi_E) * d.psi_C_BCG.cos
         - (EB_x * u.phi_B.cos + EB_y * u.phi_B.sin
         + d.h_E_EDF * sin_phi_B_minus_phi_E) * d.psi_C_BCG.sin);
-    const Scalar c_1_re = -Scalar(2) * d.psi_C_BCG.sin;
-    const Scalar e_0_re = -Scalar(2) * d.psi_F_EDF.sin;
+    const Scalar c_1_re = -Scalar(2) * d.psi_C_BCG.sin, e_0_re = -Scalar(2) * d.psi_F_EDF.sin;
     const Scalar f_0_re = Scalar(2) * (d.h_F_EDF + (EB_x * u.phi_E.cos + EB_y * u.phi_E.sin
         + d.h_B_BCG * sin_phi_B_minus_phi_E) * d.psi_F_EDF.sin - d.h_F_GF - (d.h_E_EDF
         + EB_y * u.phi_E.cos - EB_x * u.phi_E.sin
         - d.h_B_BCG * cos_phi_B_minus_phi_E) * d.psi_F_EDF.cos);
     const Scalar f_1_re = -Scalar(2) * (d.psi_F_EDF.cos * sin_phi_B_minus_phi_E
         - d.psi_F_EDF.sin * cos_phi_B_minus_phi_E);
-    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
-    T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;  T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
   /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
@@ -1606,8 +1221,7 @@ struct Model17 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = EB_y + q.s_B * u.phi_B.sin - d.h_B_BCG * u.phi_B.cos;
@@ -1627,8 +1241,7 @@ struct Model17 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
     const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
     const Scalar t03 = EB_x + q.s_B * u.phi_B.cos + d.h_B_BCG * u.phi_B.sin;

@@ -74,12 +74,10 @@ struct Model18 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar GF{};  ///< distance from G to F on link GF
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_D_EDF, h_D_EDF, psi_D_CD, GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_D_EDF, h_D_EDF, psi_D_CD, GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF, psi_D_EDF,
+        h_D_EDF, psi_D_CD, GF); }
+    [[nodiscard]] auto members() const { return std::tie(h_B_BCG, psi_C_BCG, h_C_BCG, h_E_EDF,
+        psi_D_EDF, h_D_EDF, psi_D_CD, GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -92,12 +90,8 @@ struct Model18 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -109,12 +103,8 @@ struct Model18 {
     Scalar s_E{};  ///< displacement along the slide at E of link EDF against the base
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_GF, s_B, s_C, s_E, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_GF, s_B, s_C, s_E, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_GF, s_B, s_C, s_E, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_GF, s_B, s_C, s_E, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -173,16 +163,11 @@ struct Model18 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -193,15 +178,12 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
     const Scalar t03 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t04 = u.y_B - u.y_E + slide_B_y - slide_E_y;
     f(0) = BC_x + slide_C_x + t03 - ED_x - slide_D_x;
-    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;
-    f(2) = BG_x + GF_x + t03 - EF_x;
+    f(1) = BC_y + slide_C_y + t04 - ED_y - slide_D_y;  f(2) = BG_x + GF_x + t03 - EF_x;
     f(3) = BG_y + GF_y + t04 - EF_y;
   }
 
@@ -216,22 +198,11 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = cos_CD;
-    J(0, 3) = -u.phi_E.cos;
-    J(0, 4) = -cos_slide_D;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = sin_CD;
-    J(1, 3) = -u.phi_E.sin;
-    J(1, 4) = -sin_slide_D;
-    J(2, 0) = -GF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(2, 3) = -u.phi_E.cos;
-    J(3, 0) = GF_x;
-    J(3, 1) = u.phi_B.sin;
-    J(3, 3) = -u.phi_E.sin;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    J(0, 1) = u.phi_B.cos;  J(0, 2) = cos_CD;  J(0, 3) = -u.phi_E.cos;  J(0, 4) = -cos_slide_D;
+    J(1, 1) = u.phi_B.sin;  J(1, 2) = sin_CD;  J(1, 3) = -u.phi_E.sin;  J(1, 4) = -sin_slide_D;
+    J(2, 0) = -GF_y;  J(2, 1) = u.phi_B.cos;  J(2, 3) = -u.phi_E.cos;
+    J(3, 0) = GF_x;  J(3, 1) = u.phi_B.sin;  J(3, 3) = -u.phi_E.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -241,36 +212,22 @@ struct Model18 {
     F_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
     const Scalar t03 = d.psi_D_EDF.cos * u.phi_E.cos - u.phi_E.sin * d.psi_D_EDF.sin;
     const Scalar t04 = u.phi_E.sin * d.psi_D_EDF.cos + u.phi_E.cos * d.psi_D_EDF.sin;
-    F_d(0, 0) = u.phi_B.sin;
-    F_d(0, 1) = slide_D_y - slide_C_y - d.h_C_BCG * cos_CD;
-    F_d(0, 2) = -sin_CD;
-    F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 4) = d.h_D_EDF * t03;
-    F_d(0, 5) = t04;
+    F_d(0, 0) = u.phi_B.sin;  F_d(0, 1) = slide_D_y - slide_C_y - d.h_C_BCG * cos_CD;
+    F_d(0, 2) = -sin_CD;  F_d(0, 3) = -u.phi_E.sin;  F_d(0, 4) = d.h_D_EDF * t03;  F_d(0, 5) = t04;
     F_d(0, 6) = slide_D_y;
-    F_d(1, 0) = -u.phi_B.cos;
-    F_d(1, 1) = slide_C_x - slide_D_x - d.h_C_BCG * sin_CD;
-    F_d(1, 2) = cos_CD;
-    F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 4) = d.h_D_EDF * t04;
-    F_d(1, 5) = -t03;
+    F_d(1, 0) = -u.phi_B.cos;  F_d(1, 1) = slide_C_x - slide_D_x - d.h_C_BCG * sin_CD;
+    F_d(1, 2) = cos_CD;  F_d(1, 3) = u.phi_E.cos;  F_d(1, 4) = d.h_D_EDF * t04;  F_d(1, 5) = -t03;
     F_d(1, 6) = -slide_D_x;
-    F_d(2, 0) = u.phi_B.sin;
-    F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 7) = q.theta_GF.cos;
-    F_d(3, 0) = -u.phi_B.cos;
-    F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 7) = q.theta_GF.sin;
+    F_d(2, 0) = u.phi_B.sin;  F_d(2, 3) = -u.phi_E.sin;  F_d(2, 7) = q.theta_GF.cos;
+    F_d(3, 0) = -u.phi_B.cos;  F_d(3, 3) = u.phi_E.cos;  F_d(3, 7) = q.theta_GF.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -280,16 +237,11 @@ struct Model18 {
     F_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -300,23 +252,14 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = slide_D_y - slide_B_y - BC_y - slide_C_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(0, 5) = slide_E_y + ED_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(1, 5) = -slide_E_x - ED_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y;
-    F_u(2, 3) = -Scalar(1);
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = slide_D_y - slide_B_y - BC_y - slide_C_y;
+    F_u(0, 3) = -Scalar(1);  F_u(0, 5) = slide_E_y + ED_y;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x + slide_C_x - slide_D_x;
+    F_u(1, 4) = -Scalar(1);  F_u(1, 5) = -slide_E_x - ED_x;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(2, 5) = slide_E_y + EF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x;
-    F_u(3, 4) = -Scalar(1);
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
   }
 
@@ -325,24 +268,15 @@ struct Model18 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -353,10 +287,8 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + BC_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E
         - t03;
     rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x - slide_D_x) * omega_B
@@ -372,31 +304,17 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -407,25 +325,14 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t03 = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - slide_D_y;
-    const Scalar t06 = slide_E_x + ED_x;
-    const Scalar t07 = u.phi_E.sin * v_s_E;
-    const Scalar t08 = slide_E_y + ED_y;
-    const Scalar t09 = a_x_B - a_x_E;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_E.cos * v_s_E;
-    const Scalar t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x;
-    const Scalar t14 = slide_E_x + EF_x;
-    const Scalar t15 = slide_B_y + BG_y;
-    const Scalar t16 = slide_E_y + EF_y;
-    const Scalar t17 = omega_GF * omega_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t03 = slide_B_x + BC_x + slide_C_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + BC_y + slide_C_y - slide_D_y, t06 = slide_E_x + ED_x;
+    const Scalar t07 = u.phi_E.sin * v_s_E, t08 = slide_E_y + ED_y, t09 = a_x_B - a_x_E;
+    const Scalar t10 = u.phi_B.cos * v_s_B, t11 = u.phi_E.cos * v_s_E, t12 = a_y_B - a_y_E;
+    const Scalar t13 = slide_B_x + BG_x, t14 = slide_E_x + EF_x, t15 = slide_B_y + BG_y;
+    const Scalar t16 = slide_E_y + EF_y, t17 = omega_GF * omega_GF;
     rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
         - Scalar(2) * sin_slide_D * v_s_D) + t05 * alpha_B - omega_E * (t06 * omega_E
         + Scalar(2) * t07) - t08 * alpha_E - t09;
@@ -446,38 +353,20 @@ struct Model18 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar a_s_D = q_second_rate(4);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar jerk_E = u_third_rate(5);
+    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_D = q_rate(4);
+    const Scalar a_s_D = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3), j_y_E = u_third_rate(4), omega_E = u_rate(5);
+    const Scalar alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -488,33 +377,17 @@ struct Model18 {
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t03 = slide_E_y + ED_y;
-    const Scalar t04 = u.phi_E.cos * v_s_E;
-    const Scalar t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * a_s_E;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y - slide_D_y;
-    const Scalar t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = alpha_E * t08;
-    const Scalar t10 = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    const Scalar t11 = u.phi_B.sin * a_s_B;
-    const Scalar t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
-    const Scalar t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
-    const Scalar t16 = j_x_B - j_x_E;
-    const Scalar t17 = u.phi_E.cos * a_s_E;
-    const Scalar t18 = t04 * alpha_E;
-    const Scalar t19 = u.phi_B.cos * a_s_B;
-    const Scalar t20 = j_y_B - j_y_E;
-    const Scalar t21 = slide_B_y + BG_y;
-    const Scalar t22 = slide_B_x + BG_x;
-    const Scalar t23 = slide_E_y + EF_y;
-    const Scalar t24 = slide_E_x + EF_x;
-    const Scalar t25 = omega_GF * omega_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin, t03 = slide_E_y + ED_y;
+    const Scalar t04 = u.phi_E.cos * v_s_E, t05 = slide_E_x + ED_x, t06 = u.phi_E.sin * a_s_E;
+    const Scalar t07 = slide_B_y + BC_y + slide_C_y - slide_D_y, t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = alpha_E * t08, t10 = slide_B_x + BC_x + slide_C_x - slide_D_x;
+    const Scalar t11 = u.phi_B.sin * a_s_B, t12 = u.phi_B.cos * v_s_B;
+    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C, t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C, t16 = j_x_B - j_x_E;
+    const Scalar t17 = u.phi_E.cos * a_s_E, t18 = t04 * alpha_E, t19 = u.phi_B.cos * a_s_B;
+    const Scalar t20 = j_y_B - j_y_E, t21 = slide_B_y + BG_y, t22 = slide_B_x + BG_x;
+    const Scalar t23 = slide_E_y + EF_y, t24 = slide_E_x + EF_x, t25 = omega_GF * omega_GF;
     rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
         - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
         + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
@@ -543,37 +416,19 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar omega_D_EDF = d_rate(4);
-    const Scalar v_h_D_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4), v_h_B_BCG = d_rate(0), omega_C_BCG = d_rate(1);
+    const Scalar v_h_C_BCG = d_rate(2), v_h_E_EDF = d_rate(3), omega_D_EDF = d_rate(4);
+    const Scalar v_h_D_EDF = d_rate(5), omega_D_CD = d_rate(6), v_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2), omega_E = u_rate(5);
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
     const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
         + u.phi_E.cos * d.psi_D_EDF.sin);
@@ -584,26 +439,19 @@ struct Model18 {
     const Scalar t06 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t05 - d.psi_C_BCG.sin * t06;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t06 + d.psi_C_BCG.sin * t05;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t07 = sin_slide_D * v_s_D;
-    const Scalar t08 = slide_D_x * omega_D_CD;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
+    const Scalar t07 = sin_slide_D * v_s_D, t08 = slide_D_x * omega_D_CD;
     const Scalar t09 = d.h_D_EDF * omega_D_EDF;
     const Scalar t10 = d.psi_D_EDF.cos * v_h_D_EDF - v_h_E_EDF - d.psi_D_EDF.sin * t09;
     const Scalar t11 = d.psi_D_EDF.sin * v_h_D_EDF + d.psi_D_EDF.cos * t09 - v_s_E;
     const Scalar t12 = Scalar(2) * u.phi_E.cos * v_h_D_EDF - u.phi_E.sin * t09;
     const Scalar t13 = Scalar(2) * u.phi_E.sin * v_h_D_EDF + u.phi_E.cos * t09;
-    const Scalar t14 = sin_CD * v_s_C - t07;
-    const Scalar t15 = cos_CD * v_h_C_BCG;
+    const Scalar t14 = sin_CD * v_s_C - t07, t15 = cos_CD * v_h_C_BCG;
     const Scalar t16 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
-    const Scalar t17 = omega_C_BCG + Scalar(2) * omega_B;
-    const Scalar t18 = t17 + Scalar(2) * omega_D_CD;
-    const Scalar t19 = cos_slide_D * v_s_D;
-    const Scalar t20 = slide_D_y * omega_D_CD;
-    const Scalar t21 = cos_CD * v_s_C - t19;
-    const Scalar t22 = sin_CD * v_h_C_BCG;
+    const Scalar t17 = omega_C_BCG + Scalar(2) * omega_B, t18 = t17 + Scalar(2) * omega_D_CD;
+    const Scalar t19 = cos_slide_D * v_s_D, t20 = slide_D_y * omega_D_CD;
+    const Scalar t21 = cos_CD * v_s_C - t19, t22 = sin_CD * v_h_C_BCG;
     const Scalar t23 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     rhs(0) = omega_B * (Scalar(2) * t14 + Scalar(2) * t15 - (slide_D_x - slide_C_x - slide_B_x
         - BC_x) * omega_B - Scalar(2) * t08 - Scalar(2) * t16) + omega_C_BCG * (slide_C_x * t17
@@ -631,38 +479,21 @@ struct Model18 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = BG_x + t01;
-    const Scalar t03 = u.y_B + slide_B_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin, EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.x_B + slide_B_x, t02 = BG_x + t01, t03 = u.y_B + slide_B_y;
     const Scalar t04 = BG_y + t03;
-    poses[0].x = t02;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x + EF_x;
-    poses[1].y = u.y_E + slide_E_y + EF_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = BC_x + slide_C_x + t01;
-    poses[2].y = BC_y + slide_C_y + t03;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t02;
-    poses[3].y = t04;
-    poses[3].direction.cos = q.theta_GF.cos;
-    poses[3].direction.sin = q.theta_GF.sin;
+    poses[0].x = t02;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x + EF_x;
+    poses[1].y = u.y_E + slide_E_y + EF_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = BC_x + slide_C_x + t01;
+    poses[2].y = BC_y + slide_C_y + t03;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t02;  poses[3].y = t04;
+    poses[3].direction.cos = q.theta_GF.cos;  poses[3].direction.sin = q.theta_GF.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -677,30 +508,19 @@ struct Model18 {
     P_u.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar t01 = d.h_C_BCG * sin_CD;
-    const Scalar BC_x = BG_x - t01;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t02 = d.h_C_BCG * cos_CD;
-    const Scalar BC_y = BG_y + t02;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t03 = slide_B_y + BG_y;
-    const Scalar t04 = slide_B_x + BG_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, t01 = d.h_C_BCG * sin_CD, BC_x = BG_x - t01;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, t02 = d.h_C_BCG * cos_CD, BC_y = BG_y + t02;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin, EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t03 = slide_B_y + BG_y, t04 = slide_B_x + BG_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
     P_q(4, 3) = u.phi_E.sin;
-    P_q(6, 1) = u.phi_B.cos;
-    P_q(6, 2) = cos_CD;
-    P_q(7, 1) = u.phi_B.sin;
-    P_q(7, 2) = sin_CD;
+    P_q(6, 1) = u.phi_B.cos;  P_q(6, 2) = cos_CD;
+    P_q(7, 1) = u.phi_B.sin;  P_q(7, 2) = sin_CD;
     P_q(9, 1) = u.phi_B.cos;
     P_q(10, 1) = u.phi_B.sin;
     P_q(11, 0) = Scalar(1);
@@ -708,34 +528,22 @@ struct Model18 {
     P_d(1, 0) = -u.phi_B.cos;
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
-    P_d(6, 0) = u.phi_B.sin;
-    P_d(6, 1) = -slide_C_y - t02;
-    P_d(6, 2) = -sin_CD;
-    P_d(7, 0) = -u.phi_B.cos;
-    P_d(7, 1) = slide_C_x - t01;
-    P_d(7, 2) = cos_CD;
+    P_d(6, 0) = u.phi_B.sin;  P_d(6, 1) = -slide_C_y - t02;  P_d(6, 2) = -sin_CD;
+    P_d(7, 0) = -u.phi_B.cos;  P_d(7, 1) = slide_C_x - t01;  P_d(7, 2) = cos_CD;
     P_d(8, 1) = Scalar(1);
     P_d(9, 0) = u.phi_B.sin;
     P_d(10, 0) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t03;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t04;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t03;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t04;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y - EF_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x + EF_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y - EF_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x + EF_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y - BC_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x + BC_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t03;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t04;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t03;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t04;
   }
 
   /// Velocity (vx, vy, omega) of each link's frame, one row per link.
@@ -743,46 +551,25 @@ struct Model18 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_GF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = (slide_B_y + BG_y) * omega_B - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B;
-    const Scalar t04 = (slide_B_x + BG_x) * omega_B + t03;
-    v(0, 0) = -t02;
-    v(0, 1) = t04;
-    v(0, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin, EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = (slide_B_y + BG_y) * omega_B - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B + v_y_B, t04 = (slide_B_x + BG_x) * omega_B + t03;
+    v(0, 0) = -t02;  v(0, 1) = t04;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + EF_y) * omega_E;
-    v(1, 1) = (slide_E_x + EF_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
-    v(1, 2) = omega_E;
+    v(1, 1) = (slide_E_x + EF_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;  v(1, 2) = omega_E;
     v(2, 0) = t01 + cos_CD * v_s_C - (slide_B_y + BC_y + slide_C_y) * omega_B;
-    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;
-    v(2, 2) = omega_B;
-    v(3, 0) = -t02;
-    v(3, 1) = t04;
-    v(3, 2) = omega_GF;
+    v(2, 1) = t03 + (slide_B_x + BC_x + slide_C_x) * omega_B + sin_CD * v_s_C;  v(2, 2) = omega_B;
+    v(3, 0) = -t02;  v(3, 1) = t04;  v(3, 2) = omega_GF;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -791,50 +578,27 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_GF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar alpha_GF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), v_s_E = q_rate(3);
+    const Scalar a_s_E = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = slide_B_x + BG_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin, EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = slide_B_x + BG_x, t02 = u.phi_B.sin * v_s_B, t03 = slide_B_y + BG_y;
     const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
     const Scalar t05 = omega_B * (t01 * omega_B + Scalar(2) * t02) + t03 * alpha_B - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = u.phi_B.sin * a_s_B + a_y_B;
     const Scalar t08 = omega_B * (t03 * omega_B - Scalar(2) * t06) - t01 * alpha_B - t07;
-    const Scalar t09 = slide_E_x + EF_x;
-    const Scalar t10 = slide_E_y + EF_y;
-    const Scalar t11 = slide_B_x + BC_x + slide_C_x;
+    const Scalar t09 = slide_E_x + EF_x, t10 = slide_E_y + EF_y, t11 = slide_B_x + BC_x + slide_C_x;
     const Scalar t12 = slide_B_y + BC_y + slide_C_y;
-    a(0, 0) = -t05;
-    a(0, 1) = -t08;
-    a(0, 2) = alpha_B;
+    a(0, 0) = -t05;  a(0, 1) = -t08;  a(0, 2) = alpha_B;
     a(1, 0) = u.phi_E.cos * a_s_E + a_x_E - omega_E * (t09 * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E) - t10 * alpha_E;
     a(1, 1) = t09 * alpha_E + u.phi_E.sin * a_s_E + a_y_E - omega_E * (t10 * omega_E
@@ -845,9 +609,7 @@ struct Model18 {
     a(2, 1) = t07 + omega_B * (Scalar(2) * t06 + Scalar(2) * cos_CD * v_s_C - t12 * omega_B)
         + t11 * alpha_B + sin_CD * a_s_C;
     a(2, 2) = alpha_B;
-    a(3, 0) = -t05;
-    a(3, 1) = -t08;
-    a(3, 2) = alpha_GF;
+    a(3, 0) = -t05;  a(3, 1) = -t08;  a(3, 2) = alpha_GF;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -857,45 +619,27 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_B_BCG = d_rate(0);
-    const Scalar omega_C_BCG = d_rate(1);
-    const Scalar v_h_C_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3), v_h_B_BCG = d_rate(0);
+    const Scalar omega_C_BCG = d_rate(1), v_h_C_BCG = d_rate(2), v_h_E_EDF = d_rate(3);
+    const Scalar omega_B = u_rate(2), omega_E = u_rate(5);
     p.setZero();
-    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar cos_CD = t01 - t02;
-    const Scalar t03 = d.psi_C_BCG.cos * u.phi_B.sin;
-    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar sin_CD = t03 + t04;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin;
-    const Scalar BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
+    const Scalar t01 = d.psi_C_BCG.cos * u.phi_B.cos, t02 = d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar cos_CD = t01 - t02, t03 = d.psi_C_BCG.cos * u.phi_B.sin;
+    const Scalar t04 = u.phi_B.cos * d.psi_C_BCG.sin, sin_CD = t03 + t04;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
+    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin, EF_y = -d.h_E_EDF * u.phi_E.cos;
     const Scalar t05 = u.phi_B.cos * v_h_B_BCG - u.phi_B.sin * v_s_B;
     const Scalar t06 = omega_B * ((slide_B_x + BG_x) * omega_B - Scalar(2) * t05);
     const Scalar t07 = u.phi_B.cos * v_s_B + u.phi_B.sin * v_h_B_BCG;
     const Scalar t08 = omega_B * ((slide_B_y + BG_y) * omega_B - Scalar(2) * t07);
-    const Scalar t09 = sin_CD * v_s_C;
-    const Scalar t10 = cos_CD * v_h_C_BCG;
-    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG;
-    const Scalar t12 = cos_CD * v_s_C;
+    const Scalar t09 = sin_CD * v_s_C, t10 = cos_CD * v_h_C_BCG;
+    const Scalar t11 = Scalar(2) * omega_B + omega_C_BCG, t12 = cos_CD * v_s_C;
     const Scalar t13 = sin_CD * v_h_C_BCG;
-    p(0, 0) = -t06;
-    p(0, 1) = -t08;
+    p(0, 0) = -t06;  p(0, 1) = -t08;
     p(1, 0) = -omega_E * ((slide_E_x + EF_x) * omega_E + Scalar(2) * u.phi_E.sin * v_s_E
         - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
     p(1, 1) = -omega_E * ((slide_E_y + EF_y) * omega_E - Scalar(2) * u.phi_E.cos * v_s_E
@@ -906,8 +650,7 @@ struct Model18 {
     p(2, 1) = omega_B * (Scalar(2) * t07 + Scalar(2) * t12 - (slide_B_y + slide_C_y
         + BC_y) * omega_B - Scalar(2) * t13) - omega_C_BCG * (slide_C_y * t11 + Scalar(2) * t13
         + d.h_C_BCG * (t01 * t11 - t02 * t11) - Scalar(2) * t12);
-    p(3, 0) = -t06;
-    p(3, 1) = -t08;
+    p(3, 0) = -t06;  p(3, 1) = -t08;
   }
 
   /// (cos, sin) of each sum of angles that must vanish: assembled only at (1, 0).

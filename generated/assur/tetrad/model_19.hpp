@@ -107,12 +107,10 @@ struct Model19 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar h_G_GF{};  ///< offset of the slide at G on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, ED, x_F_EDF, y_F_EDF, h_C_CD, h_G_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, ED, x_F_EDF, y_F_EDF, h_C_CD, h_G_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, ED, x_F_EDF,
+        y_F_EDF, h_C_CD, h_G_GF); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, ED, x_F_EDF,
+        y_F_EDF, h_C_CD, h_G_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -124,12 +122,8 @@ struct Model19 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -140,12 +134,8 @@ struct Model19 {
     Scalar s_C{};  ///< displacement along the slide at C of link CD against link BCG
     Scalar s_G{};  ///< displacement along the slide at G of link GF against link BCG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_EDF, s_B, s_C, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_EDF, s_B, s_C, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_EDF, s_B, s_C, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(theta_EDF, s_B, s_C, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -204,28 +194,17 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t02 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + CD_x + t01 - ED_x;
-    f(1) = slide_C_y + CD_y + t02 - ED_y;
-    f(2) = BG_x + slide_G_x + GF_x + t01 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t02 - EF_y;
+    const Scalar t01 = slide_B_x + u.x_B - u.x_E, t02 = slide_B_y + u.y_B - u.y_E;
+    f(0) = slide_C_x + CD_x + t01 - ED_x;  f(1) = slide_C_y + CD_y + t02 - ED_y;
+    f(2) = BG_x + slide_G_x + GF_x + t01 - EF_x;  f(3) = BG_y + slide_G_y + GF_y + t02 - EF_y;
   }
 
   /// J = df/dq.
@@ -237,22 +216,13 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
+    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    J(0, 0) = ED_y;
-    J(0, 1) = u.phi_B.cos;
-    J(0, 2) = cos_CD;
-    J(1, 0) = -ED_x;
-    J(1, 1) = u.phi_B.sin;
-    J(1, 2) = sin_CD;
-    J(2, 0) = EF_y;
-    J(2, 1) = u.phi_B.cos;
-    J(2, 3) = cos_GF;
-    J(3, 0) = -EF_x;
-    J(3, 1) = u.phi_B.sin;
-    J(3, 3) = sin_GF;
+    J(0, 0) = ED_y;  J(0, 1) = u.phi_B.cos;  J(0, 2) = cos_CD;
+    J(1, 0) = -ED_x;  J(1, 1) = u.phi_B.sin;  J(1, 2) = sin_CD;
+    J(2, 0) = EF_y;  J(2, 1) = u.phi_B.cos;  J(2, 3) = cos_GF;
+    J(3, 0) = -EF_x;  J(3, 1) = u.phi_B.sin;  J(3, 3) = sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -264,32 +234,16 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
     const Scalar GF_y = -d.h_G_GF * cos_GF;
-    F_d(0, 0) = -slide_C_y - CD_y;
-    F_d(0, 3) = -q.theta_EDF.cos;
-    F_d(0, 6) = sin_CD;
-    F_d(1, 0) = slide_C_x + CD_x;
-    F_d(1, 3) = -q.theta_EDF.sin;
-    F_d(1, 6) = -cos_CD;
-    F_d(2, 1) = -BG_y - slide_G_y - GF_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = -q.theta_EDF.cos;
-    F_d(2, 5) = q.theta_EDF.sin;
-    F_d(2, 7) = sin_GF;
-    F_d(3, 1) = BG_x + slide_G_x + GF_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -q.theta_EDF.sin;
-    F_d(3, 5) = -q.theta_EDF.cos;
-    F_d(3, 7) = -cos_GF;
+    F_d(0, 0) = -slide_C_y - CD_y;  F_d(0, 3) = -q.theta_EDF.cos;  F_d(0, 6) = sin_CD;
+    F_d(1, 0) = slide_C_x + CD_x;  F_d(1, 3) = -q.theta_EDF.sin;  F_d(1, 6) = -cos_CD;
+    F_d(2, 1) = -BG_y - slide_G_y - GF_y;  F_d(2, 2) = -sin_GF;  F_d(2, 4) = -q.theta_EDF.cos;
+    F_d(2, 5) = q.theta_EDF.sin;  F_d(2, 7) = sin_GF;
+    F_d(3, 1) = BG_x + slide_G_x + GF_x;  F_d(3, 2) = cos_GF;  F_d(3, 4) = -q.theta_EDF.sin;
+    F_d(3, 5) = -q.theta_EDF.cos;  F_d(3, 7) = -cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -301,29 +255,16 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
     const Scalar GF_y = -d.h_G_GF * cos_GF;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;
-    F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + slide_C_x + CD_x;
-    F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y - slide_G_y - GF_y;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;  F_u(0, 3) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + slide_C_x + CD_x;  F_u(1, 4) = -Scalar(1);
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y - slide_G_y - GF_y;
     F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
     F_u(3, 4) = -Scalar(1);
   }
 
@@ -332,29 +273,17 @@ struct Model19 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - t01;
     rhs(1) = -(slide_B_x + slide_C_x + CD_x) * omega_B - t02;
     rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t01;
@@ -368,43 +297,24 @@ struct Model19 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t04 = omega_EDF * omega_EDF;
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = a_y_B - a_y_E;
+    const Scalar t01 = slide_B_x + slide_C_x + CD_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + slide_C_y + CD_y, t04 = omega_EDF * omega_EDF;
+    const Scalar t05 = a_x_B - a_x_E, t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E;
     const Scalar t08 = slide_B_x + BG_x + slide_G_x + GF_x;
     const Scalar t09 = slide_B_y + BG_y + slide_G_y + GF_y;
     rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
@@ -425,55 +335,29 @@ struct Model19 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = t02 + sin_CD * v_s_C;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t07 = u.phi_B.sin * a_s_B;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = t08 + cos_CD * v_s_C;
-    const Scalar t10 = j_y_B - j_y_E;
-    const Scalar t11 = u.phi_B.cos * a_s_B;
-    const Scalar t12 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t13 = t02 + sin_GF * v_s_G;
-    const Scalar t14 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar t01 = slide_B_y + slide_C_y + CD_y, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = t02 + sin_CD * v_s_C, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
+    const Scalar t06 = slide_B_x + slide_C_x + CD_x, t07 = u.phi_B.sin * a_s_B;
+    const Scalar t08 = u.phi_B.cos * v_s_B, t09 = t08 + cos_CD * v_s_C, t10 = j_y_B - j_y_E;
+    const Scalar t11 = u.phi_B.cos * a_s_B, t12 = slide_B_y + BG_y + slide_G_y + GF_y;
+    const Scalar t13 = t02 + sin_GF * v_s_G, t14 = slide_B_x + BG_x + slide_G_x + GF_x;
     const Scalar t15 = t08 + cos_GF * v_s_G;
     rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
         + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
@@ -497,53 +381,29 @@ struct Model19 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_ED = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar v_ED = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_h_G_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
+    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
     const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_C_x + CD_x;
-    const Scalar t02 = t01 * omega_C_BCG;
-    const Scalar t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y + CD_y;
-    const Scalar t06 = t05 * omega_C_BCG;
-    const Scalar t07 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = t11 * omega_G_BCG;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar t01 = slide_C_x + CD_x, t02 = t01 * omega_C_BCG;
+    const Scalar t03 = sin_CD * v_s_C - cos_CD * v_h_C_CD, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_C_y + CD_y, t06 = t05 * omega_C_BCG;
+    const Scalar t07 = cos_CD * v_s_C + sin_CD * v_h_C_CD, t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF, t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x, t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G, t14 = GF_y + BG_y + slide_G_y;
     const Scalar t15 = t14 * omega_G_BCG;
     rhs(0) = omega_C_BCG * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t04
         + Scalar(2) * t03 + (slide_B_x + t01) * omega_B)
@@ -569,36 +429,18 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = q.theta_EDF.cos;
-    poses[1].direction.sin = q.theta_EDF.sin;
-    poses[2].x = t01 + slide_C_x + CD_x;
-    poses[2].y = t02 + slide_C_y + CD_y;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t01 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t02 + BG_y + slide_G_y + GF_y;
-    poses[3].direction.cos = cos_GF;
-    poses[3].direction.sin = sin_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = u.x_B + slide_B_x, t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = q.theta_EDF.cos;  poses[1].direction.sin = q.theta_EDF.sin;
+    poses[2].x = t01 + slide_C_x + CD_x;  poses[2].y = t02 + slide_C_y + CD_y;
+    poses[2].direction.cos = cos_CD;  poses[2].direction.sin = sin_CD;
+    poses[3].x = t01 + BG_x + slide_G_x + GF_x;  poses[3].y = t02 + BG_y + slide_G_y + GF_y;
+    poses[3].direction.cos = cos_GF;  poses[3].direction.sin = sin_GF;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -615,61 +457,35 @@ struct Model19 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = slide_C_y + CD_y;
-    const Scalar t02 = slide_C_x + CD_x;
-    const Scalar t03 = GF_y + BG_y + slide_G_y;
-    const Scalar t04 = GF_x + BG_x + slide_G_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = slide_C_y + CD_y, t02 = slide_C_x + CD_x;
+    const Scalar t03 = GF_y + BG_y + slide_G_y, t04 = GF_x + BG_x + slide_G_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(5, 0) = Scalar(1);
-    P_q(6, 1) = u.phi_B.cos;
-    P_q(6, 2) = cos_CD;
-    P_q(7, 1) = u.phi_B.sin;
-    P_q(7, 2) = sin_CD;
-    P_q(9, 1) = u.phi_B.cos;
-    P_q(9, 3) = cos_GF;
-    P_q(10, 1) = u.phi_B.sin;
-    P_q(10, 3) = sin_GF;
-    P_d(6, 0) = -t01;
-    P_d(6, 6) = sin_CD;
-    P_d(7, 0) = t02;
-    P_d(7, 6) = -cos_CD;
+    P_q(6, 1) = u.phi_B.cos;  P_q(6, 2) = cos_CD;
+    P_q(7, 1) = u.phi_B.sin;  P_q(7, 2) = sin_CD;
+    P_q(9, 1) = u.phi_B.cos;  P_q(9, 3) = cos_GF;
+    P_q(10, 1) = u.phi_B.sin;  P_q(10, 3) = sin_GF;
+    P_d(6, 0) = -t01;  P_d(6, 6) = sin_CD;
+    P_d(7, 0) = t02;  P_d(7, 6) = -cos_CD;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
-    P_d(9, 2) = -sin_GF;
-    P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
-    P_d(10, 2) = cos_GF;
-    P_d(10, 7) = -cos_GF;
+    P_d(9, 1) = -t03;  P_d(9, 2) = -sin_GF;  P_d(9, 7) = sin_GF;
+    P_d(10, 1) = t04;  P_d(10, 2) = cos_GF;  P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t01 - slide_B_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t02 + slide_B_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t01 - slide_B_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t02 + slide_B_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t03;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t04;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - t03;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -678,42 +494,23 @@ struct Model19 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_EDF = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t01 - slide_B_y * omega_B;
-    v(0, 1) = slide_B_x * omega_B + t02;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_EDF;
+    v(0, 0) = t01 - slide_B_y * omega_B;  v(0, 1) = slide_B_x * omega_B + t02;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_EDF;
     v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y + CD_y) * omega_B;
-    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;
-    v(2, 2) = omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;  v(2, 2) = omega_B;
     v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
     v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
@@ -725,49 +522,28 @@ struct Model19 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_EDF = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
+    const Scalar alpha_EDF = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), v_s_G = q_rate(3);
+    const Scalar a_s_G = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t05 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t06 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t07 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B, t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B, t05 = slide_B_x + slide_C_x + CD_x;
+    const Scalar t06 = slide_B_y + slide_C_y + CD_y, t07 = slide_B_x + BG_x + slide_G_x + GF_x;
     const Scalar t08 = slide_B_y + BG_y + slide_G_y + GF_y;
     a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_EDF;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_EDF;
     a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
     a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
@@ -787,46 +563,25 @@ struct Model19 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3), omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2), v_h_C_CD = d_rate(6);
+    const Scalar v_h_G_GF = d_rate(7), omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = slide_C_x + CD_x;
-    const Scalar t04 = t03 * omega_C_BCG;
-    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t06 = slide_C_y + CD_y;
-    const Scalar t07 = t06 * omega_C_BCG;
-    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = t11 * omega_G_BCG;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
+    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B, t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = slide_C_x + CD_x, t04 = t03 * omega_C_BCG;
+    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD, t06 = slide_C_y + CD_y;
+    const Scalar t07 = t06 * omega_C_BCG, t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF, t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x, t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G, t14 = GF_y + BG_y + slide_G_y;
     const Scalar t15 = t14 * omega_G_BCG;
     p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
@@ -946,8 +701,7 @@ struct Model19 {
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
     const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
@@ -980,65 +734,49 @@ struct Model19 {
         - cos_GF * s_C_per_across_slide_G;
     const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
         - cos_GF * s_G_per_across_slide_G;
-    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
-    S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
+    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(0, 2) = -EDF_per_across_slide_G;
     S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 6) = EDF_per_across_slide_C;
-    S_d(0, 7) = EDF_per_across_slide_G;
-    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(0, 6) = EDF_per_across_slide_C;  S_d(0, 7) = EDF_per_across_slide_G;
+    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(1, 2) = -s_B_per_across_slide_G;
     S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
     S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
     S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = s_B_per_across_slide_G;
+    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = s_B_per_across_slide_G;
     S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(2, 2) = -s_C_per_across_slide_G;
     S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
         + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;
-    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
     S_d(3, 2) = -s_G_per_across_slide_G;
     S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
         + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
     S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
         - sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;
-    S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
+    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
     S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
         - EDF_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
     S_u(1, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
         - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
     S_u(2, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;
     S_u(3, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
         - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(3, 3) = -s_G_per_x_B;
-    S_u(3, 4) = -s_G_per_y_B;
+    S_u(3, 3) = -s_G_per_x_B;  S_u(3, 4) = -s_G_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1046,10 +784,7 @@ struct Model19 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1076,8 +811,7 @@ struct Model19 {
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
         - sin_CD * t02;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
@@ -1094,10 +828,7 @@ struct Model19 {
         - d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_G;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1106,15 +837,9 @@ struct Model19 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1141,9 +866,7 @@ struct Model19 {
     const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
         - EDF_along_slide_C * d.psi_G_BCG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E, t03 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
     const Scalar t04 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
@@ -1159,9 +882,7 @@ struct Model19 {
     const Scalar v_s_G = EDF_across_slide_G * omega_EDF + velocity_along_slide_G - t07;
     const Scalar t08 = d.psi_C_BCG.cos * v_s_B;
     const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C - t08;
-    const Scalar t09 = a_x_B - a_x_E;
-    const Scalar t10 = a_y_B - a_y_E;
-    const Scalar t11 = omega_EDF * omega_EDF;
+    const Scalar t09 = a_x_B - a_x_E, t10 = a_y_B - a_y_E, t11 = omega_EDF * omega_EDF;
     const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
         + phi_B_across_slide_C * alpha_B + EDF_along_slide_C * t11 - cos_CD * t09 - sin_CD * t10;
     const Scalar acceleration_across_slide_C = omega_B * (t03 - Scalar(2) * t08 - Scalar(2) * v_s_C)
@@ -1178,13 +899,8 @@ struct Model19 {
         - d.psi_G_BCG.cos * a_s_B;
     const Scalar a_s_C = EDF_across_slide_C * alpha_EDF + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_G;
-    q_second_rate(0) = alpha_EDF;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
+    q_second_rate(0) = alpha_EDF;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_G;
   }
 
@@ -1196,15 +912,9 @@ struct Model19 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1222,8 +932,7 @@ struct Model19 {
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
     const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
     const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
     const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
     const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
         - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
@@ -1264,8 +973,7 @@ struct Model19 {
         - phi_B_along_slide_G * s_C_per_across_slide_G;
     const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
         - phi_B_along_slide_G * s_G_per_across_slide_G;
-    const Scalar t02 = v_x_B - v_x_E;
-    const Scalar t03 = v_y_B - v_y_E;
+    const Scalar t02 = v_x_B - v_x_E, t03 = v_y_B - v_y_E;
     const Scalar omega_EDF = EDF_per_x_B * t02 + EDF_per_y_B * t03 + EDF_per_phi_B * omega_B;
     const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
@@ -1281,67 +989,43 @@ struct Model19 {
     const Scalar centripetal_across_slide_G = EDF_across_slide_G * t04
         - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t05 = a_x_B - a_x_E;
-    const Scalar t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;
-    S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
+    const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
+    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
     S_d(0, 2) = -EDF_per_across_slide_G;
     S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
     S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
     S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 6) = EDF_per_across_slide_C;
-    S_d(0, 7) = EDF_per_across_slide_G;
-    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(0, 6) = EDF_per_across_slide_C;  S_d(0, 7) = EDF_per_across_slide_G;
+    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(1, 2) = -s_B_per_across_slide_G;
     S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
     S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
     S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = s_B_per_across_slide_G;
+    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = s_B_per_across_slide_G;
     S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(2, 2) = -s_C_per_across_slide_G;
+    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(2, 2) = -s_C_per_across_slide_G;
     S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
         + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
     S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;
-    S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
     S_d(3, 2) = -s_G_per_across_slide_G;
     S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
     S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
         + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
     S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
         - sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;
-    S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = EDF_per_x_B;
-    S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;
-    S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;
-    S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = -s_G_per_x_B;
-    S_u(3, 4) = -s_G_per_y_B;
-    q_rate(0) = omega_EDF;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_G;
+    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
+    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = -s_G_per_x_B;  S_u(3, 4) = -s_G_per_y_B;
+    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
     q_second_rate(0) = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * alpha_B
         + EDF_per_across_slide_C * centripetal_across_slide_C
         + EDF_per_across_slide_G * centripetal_across_slide_G;
@@ -1361,9 +1045,7 @@ struct Model19 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
-    const Scalar b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E, b_0_re = -Scalar(2) * d.psi_C_BCG.sin;
     const Scalar c_m1_re = d.ED * (d.psi_C_BCG.cos * u.phi_B.sin + d.psi_C_BCG.sin * u.phi_B.cos);
     const Scalar c_m1_im = -d.ED * (d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin);
     const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;
@@ -1388,8 +1070,7 @@ struct Model19 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
     const Scalar t02 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
     e(0, 1) = -Scalar(2) * d.psi_C_BCG.sin;
@@ -1406,8 +1087,7 @@ struct Model19 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = EB_x + d.y_F_EDF * q.theta_EDF.sin - d.x_F_EDF * q.theta_EDF.cos;
     const Scalar t02 = EB_y - d.y_F_EDF * q.theta_EDF.cos - d.x_F_EDF * q.theta_EDF.sin;
     q.s_C = (d.ED * (q.theta_EDF.cos * u.phi_B.cos + q.theta_EDF.sin * u.phi_B.sin) - q.s_B

@@ -107,12 +107,10 @@ struct Model20 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Scalar h_G_GF{};  ///< offset of the slide at G on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, x_F_EDF,
+        y_F_EDF, psi_D_CD, h_G_GF); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF,
+        x_F_EDF, y_F_EDF, psi_D_CD, h_G_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -124,12 +122,8 @@ struct Model20 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -140,12 +134,8 @@ struct Model20 {
     Scalar s_G{};  ///< displacement along the slide at G of link GF against link BCG
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_G, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_G, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_G, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_G, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -210,28 +200,17 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + u.x_B - u.x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = slide_B_x + u.x_B - u.x_E;
     const Scalar t04 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + t03 - ED_x - slide_D_x;
-    f(1) = slide_C_y + t04 - ED_y - slide_D_y;
-    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
+    f(0) = slide_C_x + t03 - ED_x - slide_D_x;  f(1) = slide_C_y + t04 - ED_y - slide_D_y;
+    f(2) = BG_x + slide_G_x + GF_x + t03 - EF_x;  f(3) = BG_y + slide_G_y + GF_y + t04 - EF_y;
   }
 
   /// J = df/dq.
@@ -247,16 +226,10 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 3) = -cos_EDF;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 2) = cos_GF;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 2) = sin_GF;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 3) = -cos_EDF;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 3) = -sin_EDF;
+    J(2, 0) = u.phi_B.cos;  J(2, 2) = cos_GF;
+    J(3, 0) = u.phi_B.sin;  J(3, 2) = sin_GF;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -272,42 +245,20 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = ED_y + slide_D_y;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = ED_y + slide_D_y;
     const Scalar t04 = ED_x + slide_D_x;
-    F_d(0, 0) = t03 - slide_C_y;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t03;
-    F_d(1, 0) = slide_C_x - t04;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t04;
-    F_d(2, 0) = EF_y;
-    F_d(2, 1) = -BG_y - slide_G_y - GF_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = -cos_EDF;
-    F_d(2, 5) = sin_EDF;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = sin_GF;
-    F_d(3, 0) = -EF_x;
-    F_d(3, 1) = BG_x + slide_G_x + GF_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -sin_EDF;
-    F_d(3, 5) = -cos_EDF;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = -cos_GF;
+    F_d(0, 0) = t03 - slide_C_y;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = t03;
+    F_d(1, 0) = slide_C_x - t04;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -t04;
+    F_d(2, 0) = EF_y;  F_d(2, 1) = -BG_y - slide_G_y - GF_y;  F_d(2, 2) = -sin_GF;
+    F_d(2, 4) = -cos_EDF;  F_d(2, 5) = sin_EDF;  F_d(2, 6) = EF_y;  F_d(2, 7) = sin_GF;
+    F_d(3, 0) = -EF_x;  F_d(3, 1) = BG_x + slide_G_x + GF_x;  F_d(3, 2) = cos_GF;
+    F_d(3, 4) = -sin_EDF;  F_d(3, 5) = -cos_EDF;  F_d(3, 6) = -EF_x;  F_d(3, 7) = -cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -323,33 +274,21 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = ED_y + slide_D_y - slide_B_y - slide_C_y;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = ED_y + slide_D_y - slide_B_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + slide_C_x - ED_x - slide_D_x;
     F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = EF_y - slide_B_y - BG_y - slide_G_y - GF_y;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = EF_y - slide_B_y - BG_y - slide_G_y - GF_y;
     F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
     F_u(3, 4) = -Scalar(1);
   }
 
@@ -358,10 +297,7 @@ struct Model20 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -371,23 +307,14 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = v_x_B - v_x_E;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = v_x_B - v_x_E;
     const Scalar t04 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
     rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
@@ -402,16 +329,9 @@ struct Model20 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -420,28 +340,17 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t06 = a_x_B - a_x_E;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = a_y_B - a_y_E;
+    const Scalar t03 = slide_B_x + slide_C_x - ED_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y, t06 = a_x_B - a_x_E;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = a_y_B - a_y_E;
     const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
     const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
     rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
@@ -462,21 +371,11 @@ struct Model20 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -485,36 +384,21 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
     const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t04 = j_x_B - j_x_E;
-    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
-    const Scalar t11 = j_y_B - j_y_E;
-    const Scalar t12 = u.phi_B.cos * a_s_B;
-    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
-    const Scalar t14 = t09 + sin_GF * v_s_G;
-    const Scalar t15 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t16 = t07 + cos_GF * v_s_G;
+    const Scalar t03 = slide_B_y + slide_C_y - ED_y - slide_D_y, t04 = j_x_B - j_x_E;
+    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * a_s_B;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B, t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
+    const Scalar t11 = j_y_B - j_y_E, t12 = u.phi_B.cos * a_s_B;
+    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y, t14 = t09 + sin_GF * v_s_G;
+    const Scalar t15 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x, t16 = t07 + cos_GF * v_s_G;
     rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
         + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
         + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
@@ -536,19 +420,10 @@ struct Model20 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar v_h_D_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar omega_D_CD = d_rate(6), v_h_G_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -557,46 +432,25 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
     const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = ED_x + slide_D_x;
-    const Scalar t04 = t03 * omega_D_CD;
-    const Scalar t05 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t06 = slide_C_x - t03;
-    const Scalar t07 = t06 * omega_C_BCG;
-    const Scalar t08 = t05 + t04 - sin_CD * v_s_C;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = ED_y + slide_D_y;
-    const Scalar t11 = t10 * omega_D_CD;
-    const Scalar t12 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t13 = slide_C_y - t10;
-    const Scalar t14 = t13 * omega_C_BCG;
-    const Scalar t15 = t12 - t11 - cos_CD * v_s_C;
-    const Scalar t16 = u.phi_B.cos * v_s_B;
-    const Scalar t17 = omega_C_BCG + Scalar(2) * omega_D_CD;
-    const Scalar t18 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF;
-    const Scalar t19 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t20 = cos_GF * t19 + sin_GF * v_s_G;
-    const Scalar t21 = GF_x + BG_x + slide_G_x;
-    const Scalar t22 = t21 * omega_G_BCG;
-    const Scalar t23 = omega_C_BCG + omega_D_CD;
+    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = ED_x + slide_D_x;
+    const Scalar t04 = t03 * omega_D_CD, t05 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
+    const Scalar t06 = slide_C_x - t03, t07 = t06 * omega_C_BCG, t08 = t05 + t04 - sin_CD * v_s_C;
+    const Scalar t09 = u.phi_B.sin * v_s_B, t10 = ED_y + slide_D_y, t11 = t10 * omega_D_CD;
+    const Scalar t12 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF, t13 = slide_C_y - t10;
+    const Scalar t14 = t13 * omega_C_BCG, t15 = t12 - t11 - cos_CD * v_s_C;
+    const Scalar t16 = u.phi_B.cos * v_s_B, t17 = omega_C_BCG + Scalar(2) * omega_D_CD;
+    const Scalar t18 = sin_EDF * v_x_F_EDF + cos_EDF * v_y_F_EDF, t19 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t20 = cos_GF * t19 + sin_GF * v_s_G, t21 = GF_x + BG_x + slide_G_x;
+    const Scalar t22 = t21 * omega_G_BCG, t23 = omega_C_BCG + omega_D_CD;
     const Scalar t24 = cos_EDF * v_x_F_EDF - sin_EDF * v_y_F_EDF;
-    const Scalar t25 = sin_GF * t19 - cos_GF * v_s_G;
-    const Scalar t26 = GF_y + BG_y + slide_G_y;
+    const Scalar t25 = sin_GF * t19 - cos_GF * v_s_G, t26 = GF_y + BG_y + slide_G_y;
     const Scalar t27 = t26 * omega_G_BCG;
     rhs(0) = omega_C_BCG * (t07 - Scalar(2) * t08) + omega_B * (Scalar(2) * t09 + Scalar(2) * t07
         + (slide_B_x + t06) * omega_B - Scalar(2) * t08) - omega_D_CD * (t04 + Scalar(2) * t05);
@@ -625,33 +479,17 @@ struct Model20 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t03 = u.x_B + slide_B_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t03 = u.x_B + slide_B_x;
     const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = t03 + slide_C_x;
-    poses[2].y = t04 + slide_C_y;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t04 + BG_y + slide_G_y + GF_y;
-    poses[3].direction.cos = cos_GF;
+    poses[0].x = t03;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = t03 + slide_C_x;  poses[2].y = t04 + slide_C_y;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t03 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t04 + BG_y + slide_G_y + GF_y;  poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
 
@@ -669,57 +507,35 @@ struct Model20 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = GF_y + BG_y + slide_G_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = GF_y + BG_y + slide_G_y;
     const Scalar t02 = GF_x + BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
-    P_q(9, 0) = u.phi_B.cos;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = u.phi_B.sin;
-    P_q(10, 2) = sin_GF;
-    P_d(5, 0) = Scalar(1);
-    P_d(5, 6) = Scalar(1);
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
+    P_q(9, 0) = u.phi_B.cos;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = u.phi_B.sin;  P_q(10, 2) = sin_GF;
+    P_d(5, 0) = Scalar(1);  P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t01;
-    P_d(9, 2) = -sin_GF;
-    P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t02;
-    P_d(10, 2) = cos_GF;
-    P_d(10, 7) = -cos_GF;
+    P_d(9, 1) = -t01;  P_d(9, 2) = -sin_GF;  P_d(9, 7) = sin_GF;
+    P_d(10, 1) = t02;  P_d(10, 2) = cos_GF;  P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(5, 2) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t01;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t02;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - t01;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + t02;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -728,39 +544,21 @@ struct Model20 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t01 - slide_B_y * omega_B;
-    v(0, 1) = slide_B_x * omega_B + t02;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;  v(0, 1) = slide_B_x * omega_B + t02;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_B;
     v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
-    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
-    v(2, 2) = omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;  v(2, 2) = omega_B;
     v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
     v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
@@ -772,46 +570,26 @@ struct Model20 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t05 = slide_B_x + slide_C_x;
-    const Scalar t06 = slide_B_y + slide_C_y;
-    const Scalar t07 = slide_B_x + BG_x + slide_G_x + GF_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B, t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B, t05 = slide_B_x + slide_C_x;
+    const Scalar t06 = slide_B_y + slide_C_y, t07 = slide_B_x + BG_x + slide_G_x + GF_x;
     const Scalar t08 = slide_B_y + BG_y + slide_G_y + GF_y;
     a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_B;
     a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
     a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
@@ -831,42 +609,23 @@ struct Model20 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_G_GF = d_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2), v_h_G_GF = d_rate(7);
     const Scalar omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = sin_CD * v_s_C;
-    const Scalar t04 = slide_C_x * omega_C_BCG;
-    const Scalar t05 = cos_CD * v_s_C;
-    const Scalar t06 = slide_C_y * omega_C_BCG;
-    const Scalar t07 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G;
-    const Scalar t09 = GF_x + BG_x + slide_G_x;
-    const Scalar t10 = t09 * omega_G_BCG;
-    const Scalar t11 = sin_GF * t07 - cos_GF * v_s_G;
-    const Scalar t12 = GF_y + BG_y + slide_G_y;
-    const Scalar t13 = t12 * omega_G_BCG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B, t03 = sin_CD * v_s_C, t04 = slide_C_x * omega_C_BCG;
+    const Scalar t05 = cos_CD * v_s_C, t06 = slide_C_y * omega_C_BCG, t07 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t08 = cos_GF * t07 + sin_GF * v_s_G, t09 = GF_x + BG_x + slide_G_x;
+    const Scalar t10 = t09 * omega_G_BCG, t11 = sin_GF * t07 - cos_GF * v_s_G;
+    const Scalar t12 = GF_y + BG_y + slide_G_y, t13 = t12 * omega_G_BCG;
     p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
     p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03
@@ -886,10 +645,8 @@ struct Model20 {
   static void degeneracies(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
-    p(0) = -d.psi_G_BCG.sin;
-    p(1) = -d.psi_D_CD.sin;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -d.psi_G_BCG.sin;  p(1) = -d.psi_D_CD.sin;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(1);
   }
 
@@ -945,8 +702,7 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t02 = q.s_C - t01;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t02 = q.s_C - t01;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
     const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
@@ -978,68 +734,48 @@ struct Model20 {
         - s_C_per_across_slide_G * cos_GF;
     const Scalar s_G_per_y_B = -sin_GF - s_G_per_across_slide_G * cos_GF;
     const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
-    const Scalar t06 = t04 * inverse_sin_psi_G_BCG;
-    const Scalar t07 = t04 * s_C_per_across_slide_G;
+    const Scalar t06 = t04 * inverse_sin_psi_G_BCG, t07 = t04 * s_C_per_across_slide_G;
     const Scalar t08 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
     const Scalar t09 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
     const Scalar t10 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t11 = d.x_F_EDF * t09 + d.y_F_EDF * t10;
-    const Scalar t12 = t04 * s_D_per_across_slide_G;
-    S_d(0, 0) = t06;
-    S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
+    const Scalar t11 = d.x_F_EDF * t09 + d.y_F_EDF * t10, t12 = t04 * s_D_per_across_slide_G;
+    S_d(0, 0) = t06;  S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
     S_d(0, 2) = -inverse_sin_psi_G_BCG;
     S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
     S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t06;
-    S_d(0, 7) = inverse_sin_psi_G_BCG;
+    S_d(0, 6) = t06;  S_d(0, 7) = inverse_sin_psi_G_BCG;
     S_d(1, 0) = t07 - t03 - t02 * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
     S_d(1, 3) = -t08;
     S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 6) = t07 - q.s_D * t08 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t11;
-    S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t10;
-    S_d(2, 5) = -t09;
-    S_d(2, 6) = -t11;
+    S_d(2, 0) = -t11;  S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;  S_d(2, 4) = t10;  S_d(2, 5) = -t09;  S_d(2, 6) = -t11;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t12 - t02 * inverse_sin_psi_D_CD;
-    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = t12 - t02 * inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t12 + t01 * inverse_sin_psi_D_CD;
-    S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;
-    S_u(0, 3) = -s_B_per_x_B;
+    S_d(3, 6) = t12 + t01 * inverse_sin_psi_D_CD;  S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
+    S_u(0, 2) = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;  S_u(0, 3) = -s_B_per_x_B;
     S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
     S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;
     S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(2, 3) = -s_G_per_x_B;
-    S_u(2, 4) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
+    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
         - phi_B_along_slide_G * s_D_per_across_slide_G;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1047,10 +783,7 @@ struct Model20 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1078,8 +811,7 @@ struct Model20 {
     // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse, t01 = v_x_B - v_x_E;
     const Scalar t02 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
         - sin_CD * t02;
@@ -1093,10 +825,7 @@ struct Model20 {
     const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
     const Scalar v_s_G = velocity_along_slide_G - d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1105,15 +834,9 @@ struct Model20 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
@@ -1141,10 +864,8 @@ struct Model20 {
     // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar t03 = phi_B_across_slide_C * omega_B;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse, t01 = v_x_B - v_x_E;
+    const Scalar t02 = v_y_B - v_y_E, t03 = phi_B_across_slide_C * omega_B;
     const Scalar velocity_along_slide_C = t03 - cos_CD * t01 - sin_CD * t02;
     const Scalar t04 = phi_B_along_slide_C * omega_B;
     const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02 - t04;
@@ -1155,12 +876,9 @@ struct Model20 {
     const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
     const Scalar t07 = d.psi_C_BCG.sin * v_s_B;
     const Scalar v_s_D = inverse_sin_psi_D_CD * (t07 + velocity_across_slide_C);
-    const Scalar t08 = d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_G = velocity_along_slide_G - t08;
+    const Scalar t08 = d.psi_G_BCG.cos * v_s_B, v_s_G = velocity_along_slide_G - t08;
     const Scalar t09 = d.psi_C_BCG.cos * v_s_B - d.psi_D_CD.cos * v_s_D;
-    const Scalar v_s_C = velocity_along_slide_C - t09;
-    const Scalar t10 = a_x_B - a_x_E;
-    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar v_s_C = velocity_along_slide_C - t09, t10 = a_x_B - a_x_E, t11 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t04 - Scalar(2) * t07
         - Scalar(2) * d.psi_D_CD.sin * v_s_D) + phi_B_across_slide_C * alpha_B - cos_CD * t10
         - sin_CD * t11;
@@ -1176,13 +894,8 @@ struct Model20 {
     const Scalar a_s_G = acceleration_along_slide_G - d.psi_G_BCG.cos * a_s_B;
     const Scalar a_s_C = d.psi_D_CD.cos * a_s_D + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_G;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_G;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1194,15 +907,9 @@ struct Model20 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
     S_d.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
@@ -1217,8 +924,7 @@ struct Model20 {
         cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
     const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
         sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar t02 = q.s_C - t01;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t02 = q.s_C - t01;
     const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
     const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
     const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
@@ -1257,8 +963,7 @@ struct Model20 {
         - phi_B_along_slide_G * s_G_per_across_slide_G;
     const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
         - phi_B_along_slide_G * s_D_per_across_slide_G;
-    const Scalar t06 = v_x_B - v_x_E;
-    const Scalar t07 = v_y_B - v_y_E;
+    const Scalar t06 = v_x_B - v_x_E, t07 = v_y_B - v_y_E;
     const Scalar v_s_B = s_B_per_x_B * t06 + s_B_per_y_B * t07 + s_B_per_phi_B * omega_B;
     const Scalar v_s_C = s_C_per_x_B * t06 + s_C_per_y_B * t07 + s_C_per_phi_B * omega_B;
     const Scalar v_s_G = s_G_per_x_B * t06 + s_G_per_y_B * t07 + s_G_per_phi_B * omega_B;
@@ -1271,72 +976,44 @@ struct Model20 {
         - phi_B_along_slide_G * omega_B);
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B
         + Scalar(2) * v_s_G - phi_B_across_slide_G * omega_B);
-    const Scalar t08 = t04 * inverse_sin_psi_G_BCG;
-    const Scalar t09 = t04 * s_C_per_across_slide_G;
+    const Scalar t08 = t04 * inverse_sin_psi_G_BCG, t09 = t04 * s_C_per_across_slide_G;
     const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
     const Scalar t11 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
     const Scalar t12 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
         + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t13 = d.x_F_EDF * t11 + d.y_F_EDF * t12;
-    const Scalar t14 = t04 * s_D_per_across_slide_G;
-    const Scalar t15 = a_x_B - a_x_E;
-    const Scalar t16 = a_y_B - a_y_E;
-    S_d(0, 0) = t08;
-    S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
+    const Scalar t13 = d.x_F_EDF * t11 + d.y_F_EDF * t12, t14 = t04 * s_D_per_across_slide_G;
+    const Scalar t15 = a_x_B - a_x_E, t16 = a_y_B - a_y_E;
+    S_d(0, 0) = t08;  S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
     S_d(0, 2) = -inverse_sin_psi_G_BCG;
     S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
     S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t08;
-    S_d(0, 7) = inverse_sin_psi_G_BCG;
+    S_d(0, 6) = t08;  S_d(0, 7) = inverse_sin_psi_G_BCG;
     S_d(1, 0) = t09 - t03 - t02 * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
     S_d(1, 3) = -t10;
     S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
     S_d(1, 6) = t09 - q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
         + d.psi_D_CD.sin * s_C_per_across_slide_C);
     S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t13;
-    S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t12;
-    S_d(2, 5) = -t11;
-    S_d(2, 6) = -t13;
+    S_d(2, 0) = -t13;  S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
+    S_d(2, 2) = -s_G_per_across_slide_G;  S_d(2, 4) = t12;  S_d(2, 5) = -t11;  S_d(2, 6) = -t13;
     S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t14 - t02 * inverse_sin_psi_D_CD;
-    S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;
-    S_d(3, 3) = s_C_per_across_slide_C;
+    S_d(3, 0) = t14 - t02 * inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
     S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
     S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t14 + t01 * inverse_sin_psi_D_CD;
-    S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = s_G_per_phi_B;
-    S_u(2, 3) = -s_G_per_x_B;
-    S_u(2, 4) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = -s_D_per_x_B;
-    S_u(3, 4) = -s_D_per_y_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_D;
+    S_d(3, 6) = t14 + t01 * inverse_sin_psi_D_CD;  S_d(3, 7) = s_D_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
+    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
     q_second_rate(0) = s_B_per_x_B * t15 + s_B_per_y_B * t16 + s_B_per_phi_B * alpha_B
         + inverse_sin_psi_G_BCG * centripetal_across_slide_G;
     q_second_rate(1) = s_C_per_x_B * t15 + s_C_per_y_B * t16 + s_C_per_phi_B * alpha_B
@@ -1354,8 +1031,7 @@ struct Model20 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = d.x_F_EDF * d.psi_D_CD.sin + d.y_F_EDF * d.psi_D_CD.cos;
     const Scalar t02 = d.x_F_EDF * d.psi_D_CD.cos - d.y_F_EDF * d.psi_D_CD.sin;
     const Scalar T_0_re = -Scalar(2) * ((t01 * d.psi_C_BCG.cos + t02 * d.psi_C_BCG.sin
@@ -1363,16 +1039,14 @@ struct Model20 {
         - (t02 * d.psi_C_BCG.cos - t01 * d.psi_C_BCG.sin - EB_x * u.phi_B.cos
         - EB_y * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_BCG);
     const Scalar T_1_re = -Scalar(2) * d.psi_G_BCG.sin;
-    T(0) = T_0_re;
-    T(1) = T_1_re;
+    T(0) = T_0_re;  T(1) = T_1_re;
   }
 
   /// The other unknowns, where those of the reduced equations are known.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     // A zero divisor means that the slides of s_C and s_D are parallel.
     const Scalar inverse_s_C = Scalar(1) / -d.psi_D_CD.sin;
     const Scalar t01 = EB_y * u.phi_B.cos - EB_x * u.phi_B.sin;

@@ -75,14 +75,10 @@ struct Model21 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Direction<Scalar> psi_F_GF{};  ///< angle of the slide at F on link GF from the x-axis
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD,
-          psi_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD,
-          psi_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -94,12 +90,8 @@ struct Model21 {
     Scalar x_E{};  ///< x of external joint E
     Scalar y_E{};  ///< y of external joint E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -111,12 +103,8 @@ struct Model21 {
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_G, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_G, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_G, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_G, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -180,17 +168,11 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -198,12 +180,9 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_x + u.x_B - u.x_E;
-    const Scalar t06 = slide_B_y + u.y_B - u.y_E;
-    f(0) = slide_C_x + t05 - ED_x - slide_D_x;
-    f(1) = slide_C_y + t06 - ED_y - slide_D_y;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = slide_B_x + u.x_B - u.x_E, t06 = slide_B_y + u.y_B - u.y_E;
+    f(0) = slide_C_x + t05 - ED_x - slide_D_x;  f(1) = slide_C_y + t06 - ED_y - slide_D_y;
     f(2) = BG_x + slide_G_x + t05 - EF_x - slide_F_x;
     f(3) = BG_y + slide_G_y + t06 - EF_y - slide_F_y;
   }
@@ -225,18 +204,10 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 3) = -cos_EDF;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 3) = -sin_EDF;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 2) = cos_GF;
-    J(2, 4) = -cos_slide_F;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 2) = sin_GF;
-    J(3, 4) = -sin_slide_F;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 3) = -cos_EDF;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 3) = -sin_EDF;
+    J(2, 0) = u.phi_B.cos;  J(2, 2) = cos_GF;  J(2, 4) = -cos_slide_F;
+    J(3, 0) = u.phi_B.sin;  J(3, 2) = sin_GF;  J(3, 4) = -sin_slide_F;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -252,15 +223,10 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar t03 = sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin;
     const Scalar EF_x = -d.h_F_EDF * t03;
@@ -270,30 +236,14 @@ struct Model21 {
     const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t07 = ED_y + slide_D_y;
-    const Scalar t08 = ED_x + slide_D_x;
-    F_d(0, 0) = t07 - slide_C_y;
-    F_d(0, 3) = sin_EDF;
-    F_d(0, 6) = t07;
-    F_d(1, 0) = slide_C_x - t08;
-    F_d(1, 3) = -cos_EDF;
-    F_d(1, 6) = -t08;
-    F_d(2, 0) = EF_y;
-    F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = EF_y;
-    F_d(2, 5) = t03;
-    F_d(2, 6) = EF_y;
-    F_d(2, 7) = slide_F_y;
-    F_d(3, 0) = -EF_x;
-    F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t04;
-    F_d(3, 6) = -EF_x;
-    F_d(3, 7) = -slide_F_x;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t07 = ED_y + slide_D_y, t08 = ED_x + slide_D_x;
+    F_d(0, 0) = t07 - slide_C_y;  F_d(0, 3) = sin_EDF;  F_d(0, 6) = t07;
+    F_d(1, 0) = slide_C_x - t08;  F_d(1, 3) = -cos_EDF;  F_d(1, 6) = -t08;
+    F_d(2, 0) = EF_y;  F_d(2, 1) = slide_F_y - BG_y - slide_G_y;  F_d(2, 2) = -sin_GF;
+    F_d(2, 4) = EF_y;  F_d(2, 5) = t03;  F_d(2, 6) = EF_y;  F_d(2, 7) = slide_F_y;
+    F_d(3, 0) = -EF_x;  F_d(3, 1) = BG_x + slide_G_x - slide_F_x;  F_d(3, 2) = cos_GF;
+    F_d(3, 4) = -EF_x;  F_d(3, 5) = -t04;  F_d(3, 6) = -EF_x;  F_d(3, 7) = -slide_F_x;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -309,17 +259,11 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -327,19 +271,14 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = ED_y + slide_D_y - slide_B_y - slide_C_y;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = ED_y + slide_D_y - slide_B_y - slide_C_y;
     F_u(0, 3) = -Scalar(1);
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + slide_C_x - ED_x - slide_D_x;
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + slide_C_x - ED_x - slide_D_x;
     F_u(1, 4) = -Scalar(1);
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = EF_y + slide_F_y - slide_B_y - BG_y - slide_G_y;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = EF_y + slide_F_y - slide_B_y - BG_y - slide_G_y;
     F_u(2, 3) = -Scalar(1);
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
     F_u(3, 4) = -Scalar(1);
   }
 
@@ -348,10 +287,7 @@ struct Model21 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
     const Scalar v_y_E = u_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -361,17 +297,11 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -379,10 +309,8 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
     rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
     rhs(2) = (slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y) * omega_B - t05;
@@ -396,16 +324,9 @@ struct Model21 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
     const Scalar a_y_E = u_second_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -415,17 +336,11 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -433,14 +348,10 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = a_y_B - a_y_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y, t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = a_y_B - a_y_E;
     const Scalar t11 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
     const Scalar t12 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
     rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
@@ -461,23 +372,12 @@ struct Model21 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar a_s_F = q_second_rate(4);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_F = q_rate(4);
+    const Scalar a_s_F = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
@@ -486,17 +386,11 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
     const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
@@ -504,18 +398,12 @@ struct Model21 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t06 = j_x_B - j_x_E;
-    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B;
-    const Scalar t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
-    const Scalar t13 = j_y_B - j_y_E;
-    const Scalar t14 = u.phi_B.cos * a_s_B;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y, t06 = j_x_B - j_x_E;
+    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x, t08 = u.phi_B.sin * a_s_B;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
+    const Scalar t11 = u.phi_B.sin * v_s_B, t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
+    const Scalar t13 = j_y_B - j_y_E, t14 = u.phi_B.cos * a_s_B;
     const Scalar t15 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
     const Scalar t16 = sin_slide_F * v_s_F - t11 - sin_GF * v_s_G;
     const Scalar t17 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
@@ -541,19 +429,10 @@ struct Model21 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_D_EDF = d_rate(3);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar omega_F_GF = d_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_F = q_rate(4), omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1);
+    const Scalar v_h_G_BCG = d_rate(2), v_h_D_EDF = d_rate(3), omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5), omega_D_CD = d_rate(6), omega_F_GF = d_rate(7);
     const Scalar omega_B = u_rate(2);
     const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
     const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
@@ -563,59 +442,34 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF;
-    const Scalar ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF;
-    const Scalar slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = sin_EDF * d.psi_F_EDF.cos;
-    const Scalar t04 = cos_EDF * d.psi_F_EDF.sin;
-    const Scalar t05 = t03 + t04;
-    const Scalar EF_x = -d.h_F_EDF * t05;
-    const Scalar t06 = cos_EDF * d.psi_F_EDF.cos;
-    const Scalar t07 = sin_EDF * d.psi_F_EDF.sin;
-    const Scalar t08 = t06 - t07;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
+    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t03 = sin_EDF * d.psi_F_EDF.cos;
+    const Scalar t04 = cos_EDF * d.psi_F_EDF.sin, t05 = t03 + t04, EF_x = -d.h_F_EDF * t05;
+    const Scalar t06 = cos_EDF * d.psi_F_EDF.cos, t07 = sin_EDF * d.psi_F_EDF.sin, t08 = t06 - t07;
     const Scalar EF_y = d.h_F_EDF * t08;
     const Scalar t09 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
     const Scalar t10 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t09 - d.psi_G_BCG.sin * t10;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t10 + d.psi_G_BCG.sin * t09;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t11 = ED_x + slide_D_x;
-    const Scalar t12 = t11 * omega_D_CD;
-    const Scalar t13 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF;
-    const Scalar t14 = slide_C_x - t11;
-    const Scalar t15 = t14 * omega_C_BCG;
-    const Scalar t16 = t13 + t12 - sin_CD * v_s_C;
-    const Scalar t17 = u.phi_B.sin * v_s_B;
-    const Scalar t18 = ED_y + slide_D_y;
-    const Scalar t19 = t18 * omega_D_CD;
-    const Scalar t20 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF;
-    const Scalar t21 = slide_C_y - t18;
-    const Scalar t22 = t21 * omega_C_BCG;
-    const Scalar t23 = t20 - t19 - cos_CD * v_s_C;
-    const Scalar t24 = u.phi_B.cos * v_s_B;
-    const Scalar t25 = sin_slide_F * v_s_F;
-    const Scalar t26 = slide_F_x * omega_F_GF;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t11 = ED_x + slide_D_x, t12 = t11 * omega_D_CD;
+    const Scalar t13 = sin_EDF * v_s_D + cos_EDF * v_h_D_EDF, t14 = slide_C_x - t11;
+    const Scalar t15 = t14 * omega_C_BCG, t16 = t13 + t12 - sin_CD * v_s_C;
+    const Scalar t17 = u.phi_B.sin * v_s_B, t18 = ED_y + slide_D_y, t19 = t18 * omega_D_CD;
+    const Scalar t20 = cos_EDF * v_s_D - sin_EDF * v_h_D_EDF, t21 = slide_C_y - t18;
+    const Scalar t22 = t21 * omega_C_BCG, t23 = t20 - t19 - cos_CD * v_s_C;
+    const Scalar t24 = u.phi_B.cos * v_s_B, t25 = sin_slide_F * v_s_F, t26 = slide_F_x * omega_F_GF;
     const Scalar t27 = omega_D_CD + omega_F_EDF;
     const Scalar t28 = omega_F_EDF * (Scalar(2) * omega_D_CD + omega_F_EDF)
         + omega_D_CD * omega_D_CD + omega_C_BCG * (omega_C_BCG + Scalar(2) * t27);
-    const Scalar t29 = omega_C_BCG + t27;
-    const Scalar t30 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t31 = t30 * omega_G_BCG;
-    const Scalar t32 = sin_GF * v_s_G - t25 + cos_GF * v_h_G_BCG - t26;
-    const Scalar t33 = cos_slide_F * v_s_F;
-    const Scalar t34 = slide_F_y * omega_F_GF;
-    const Scalar t35 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t36 = t35 * omega_G_BCG;
+    const Scalar t29 = omega_C_BCG + t27, t30 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t31 = t30 * omega_G_BCG, t32 = sin_GF * v_s_G - t25 + cos_GF * v_h_G_BCG - t26;
+    const Scalar t33 = cos_slide_F * v_s_F, t34 = slide_F_y * omega_F_GF;
+    const Scalar t35 = slide_F_y - BG_y - slide_G_y, t36 = t35 * omega_G_BCG;
     const Scalar t37 = cos_GF * v_s_G - t33 + t34 - sin_GF * v_h_G_BCG;
     rhs(0) = omega_C_BCG * (t15 - Scalar(2) * t16) + omega_B * (Scalar(2) * t17 + Scalar(2) * t15
         + (slide_B_x + t14) * omega_B - Scalar(2) * t16) - omega_D_CD * (t12 + Scalar(2) * t13);
@@ -644,31 +498,16 @@ struct Model21 {
     const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.x_B + slide_B_x;
-    const Scalar t04 = u.y_B + slide_B_y;
-    poses[0].x = t03;
-    poses[0].y = t04;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E;
-    poses[1].y = u.y_E;
-    poses[1].direction.cos = cos_EDF;
-    poses[1].direction.sin = sin_EDF;
-    poses[2].x = t03 + slide_C_x;
-    poses[2].y = t04 + slide_C_y;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t03 + BG_x + slide_G_x;
-    poses[3].y = t04 + BG_y + slide_G_y;
-    poses[3].direction.cos = cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar t03 = u.x_B + slide_B_x, t04 = u.y_B + slide_B_y;
+    poses[0].x = t03;  poses[0].y = t04;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E;  poses[1].y = u.y_E;
+    poses[1].direction.cos = cos_EDF;  poses[1].direction.sin = sin_EDF;
+    poses[2].x = t03 + slide_C_x;  poses[2].y = t04 + slide_C_y;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t03 + BG_x + slide_G_x;
+    poses[3].y = t04 + BG_y + slide_G_y;  poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
 
@@ -686,53 +525,34 @@ struct Model21 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = BG_y + slide_G_y;
-    const Scalar t02 = BG_x + slide_G_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar t01 = BG_y + slide_G_y, t02 = BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
-    P_q(9, 0) = u.phi_B.cos;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = u.phi_B.sin;
-    P_q(10, 2) = sin_GF;
-    P_d(5, 0) = Scalar(1);
-    P_d(5, 6) = Scalar(1);
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
+    P_q(9, 0) = u.phi_B.cos;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = u.phi_B.sin;  P_q(10, 2) = sin_GF;
+    P_d(5, 0) = Scalar(1);  P_d(5, 6) = Scalar(1);
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t01;
-    P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t02;
-    P_d(10, 2) = cos_GF;
+    P_d(9, 1) = -t01;  P_d(9, 2) = -sin_GF;
+    P_d(10, 1) = t02;  P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
     P_u(3, 3) = Scalar(1);
     P_u(4, 4) = Scalar(1);
     P_u(5, 2) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t01 - slide_B_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t02 + slide_B_x;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t01 - slide_B_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t02 + slide_B_x;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -741,40 +561,22 @@ struct Model21 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3), v_y_E = u_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t01 - slide_B_y * omega_B;
-    v(0, 1) = slide_B_x * omega_B + t02;
-    v(0, 2) = omega_B;
-    v(1, 0) = v_x_E;
-    v(1, 1) = v_y_E;
-    v(1, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;  v(0, 1) = slide_B_x * omega_B + t02;  v(0, 2) = omega_B;
+    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;  v(1, 2) = omega_B;
     v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
-    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
-    v(2, 2) = omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;  v(2, 2) = omega_B;
     v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y) * omega_B;
-    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;
-    v(3, 2) = omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -783,44 +585,25 @@ struct Model21 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t05 = slide_B_x + slide_C_x;
-    const Scalar t06 = slide_B_y + slide_C_y;
-    const Scalar t07 = slide_B_x + BG_x + slide_G_x;
-    const Scalar t08 = slide_B_y + BG_y + slide_G_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B, t02 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t03 = u.phi_B.cos * v_s_B, t04 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t05 = slide_B_x + slide_C_x, t06 = slide_B_y + slide_C_y;
+    const Scalar t07 = slide_B_x + BG_x + slide_G_x, t08 = slide_B_y + BG_y + slide_G_y;
     a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
     a(0, 2) = alpha_B;
-    a(1, 0) = a_x_E;
-    a(1, 1) = a_y_E;
-    a(1, 2) = alpha_B;
+    a(1, 0) = a_x_E;  a(1, 1) = a_y_E;  a(1, 2) = alpha_B;
     a(2, 0) = cos_CD * a_s_C + t02 - omega_B * (Scalar(2) * t01 + t05 * omega_B
         + Scalar(2) * sin_CD * v_s_C) - t06 * alpha_B;
     a(2, 1) = omega_B * (Scalar(2) * t03 + Scalar(2) * cos_CD * v_s_C - t06 * omega_B)
@@ -840,38 +623,21 @@ struct Model21 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2), omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = sin_CD * v_s_C;
-    const Scalar t04 = slide_C_x * omega_C_BCG;
-    const Scalar t05 = cos_CD * v_s_C;
-    const Scalar t06 = slide_C_y * omega_C_BCG;
-    const Scalar t07 = BG_x + slide_G_x;
-    const Scalar t08 = t07 * omega_G_BCG;
-    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t10 = BG_y + slide_G_y;
-    const Scalar t11 = t10 * omega_G_BCG;
-    const Scalar t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar t01 = u.phi_B.sin * v_s_B, t02 = u.phi_B.cos * v_s_B, t03 = sin_CD * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BCG, t05 = cos_CD * v_s_C, t06 = slide_C_y * omega_C_BCG;
+    const Scalar t07 = BG_x + slide_G_x, t08 = t07 * omega_G_BCG;
+    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG, t10 = BG_y + slide_G_y;
+    const Scalar t11 = t10 * omega_G_BCG, t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
     p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
     p(2, 0) = -omega_B * (Scalar(2) * t01 + (slide_B_x + slide_C_x) * omega_B + Scalar(2) * t03

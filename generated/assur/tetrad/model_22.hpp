@@ -108,12 +108,10 @@ struct Model22 {
     Scalar h_C_CD{};  ///< offset of the slide at C on link CD, positive to the left
     Scalar h_G_GF{};  ///< offset of the slide at G on link GF, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_E_EDF, x_F_EDF, y_F_EDF, h_C_CD, h_G_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_E_EDF, x_F_EDF, y_F_EDF, h_C_CD, h_G_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_E_EDF, x_F_EDF,
+        y_F_EDF, h_C_CD, h_G_GF); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, h_E_EDF,
+        x_F_EDF, y_F_EDF, h_C_CD, h_G_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -126,12 +124,8 @@ struct Model22 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -142,12 +136,8 @@ struct Model22 {
     Scalar s_G{};  ///< displacement along the slide at G of link GF against link BCG
     Scalar s_E{};  ///< displacement along the slide at E of link EDF against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_G, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_G, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_G, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_G, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -207,31 +197,19 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
     const Scalar t02 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t03 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = slide_C_x + CD_x + t02 - ED_x;
-    f(1) = slide_C_y + CD_y + t03 - ED_y;
-    f(2) = BG_x + slide_G_x + GF_x + t02 - EF_x;
-    f(3) = BG_y + slide_G_y + GF_y + t03 - EF_y;
+    f(0) = slide_C_x + CD_x + t02 - ED_x;  f(1) = slide_C_y + CD_y + t03 - ED_y;
+    f(2) = BG_x + slide_G_x + GF_x + t02 - EF_x;  f(3) = BG_y + slide_G_y + GF_y + t03 - EF_y;
   }
 
   /// J = df/dq.
@@ -243,18 +221,10 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 3) = -u.phi_E.cos;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 3) = -u.phi_E.sin;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 2) = cos_GF;
-    J(2, 3) = -u.phi_E.cos;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 2) = sin_GF;
-    J(3, 3) = -u.phi_E.sin;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 3) = -u.phi_E.cos;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 3) = -u.phi_E.sin;
+    J(2, 0) = u.phi_B.cos;  J(2, 2) = cos_GF;  J(2, 3) = -u.phi_E.cos;
+    J(3, 0) = u.phi_B.sin;  J(3, 2) = sin_GF;  J(3, 3) = -u.phi_E.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -266,34 +236,16 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
+    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
     const Scalar GF_y = -d.h_G_GF * cos_GF;
-    F_d(0, 0) = -slide_C_y - CD_y;
-    F_d(0, 3) = -u.phi_E.sin;
-    F_d(0, 6) = sin_CD;
-    F_d(1, 0) = slide_C_x + CD_x;
-    F_d(1, 3) = u.phi_E.cos;
-    F_d(1, 6) = -cos_CD;
-    F_d(2, 1) = -BG_y - slide_G_y - GF_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 3) = -u.phi_E.sin;
-    F_d(2, 4) = -u.phi_E.cos;
-    F_d(2, 5) = u.phi_E.sin;
-    F_d(2, 7) = sin_GF;
-    F_d(3, 1) = BG_x + slide_G_x + GF_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 3) = u.phi_E.cos;
-    F_d(3, 4) = -u.phi_E.sin;
-    F_d(3, 5) = -u.phi_E.cos;
-    F_d(3, 7) = -cos_GF;
+    F_d(0, 0) = -slide_C_y - CD_y;  F_d(0, 3) = -u.phi_E.sin;  F_d(0, 6) = sin_CD;
+    F_d(1, 0) = slide_C_x + CD_x;  F_d(1, 3) = u.phi_E.cos;  F_d(1, 6) = -cos_CD;
+    F_d(2, 1) = -BG_y - slide_G_y - GF_y;  F_d(2, 2) = -sin_GF;  F_d(2, 3) = -u.phi_E.sin;
+    F_d(2, 4) = -u.phi_E.cos;  F_d(2, 5) = u.phi_E.sin;  F_d(2, 7) = sin_GF;
+    F_d(3, 1) = BG_x + slide_G_x + GF_x;  F_d(3, 2) = cos_GF;  F_d(3, 3) = u.phi_E.cos;
+    F_d(3, 4) = -u.phi_E.sin;  F_d(3, 5) = -u.phi_E.cos;  F_d(3, 7) = -cos_GF;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -305,41 +257,23 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;
-    F_u(0, 3) = -Scalar(1);
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = -slide_B_y - slide_C_y - CD_y;  F_u(0, 3) = -Scalar(1);
     F_u(0, 5) = slide_E_y + ED_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + slide_C_x + CD_x;
-    F_u(1, 4) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + slide_C_x + CD_x;  F_u(1, 4) = -Scalar(1);
     F_u(1, 5) = -slide_E_x - ED_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = -slide_B_y - BG_y - slide_G_y - GF_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(2, 5) = slide_E_y + EF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
-    F_u(3, 4) = -Scalar(1);
-    F_u(3, 5) = -slide_E_x - EF_x;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y - slide_G_y - GF_y;
+    F_u(2, 3) = -Scalar(1);  F_u(2, 5) = slide_E_y + EF_y;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
+    F_u(3, 4) = -Scalar(1);  F_u(3, 5) = -slide_E_x - EF_x;
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -347,36 +281,21 @@ struct Model22 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = v_x_B - v_x_E;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = v_x_B - v_x_E;
     const Scalar t03 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
     rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + slide_C_x + CD_x) * omega_B - t03;
@@ -391,54 +310,29 @@ struct Model22 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
     const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * v_s_E;
-    const Scalar t07 = slide_E_y + ED_y;
-    const Scalar t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = u.phi_E.cos * v_s_E;
-    const Scalar t11 = a_y_B - a_y_E;
+    const Scalar t02 = slide_B_x + slide_C_x + CD_x, t03 = u.phi_B.sin * v_s_B;
+    const Scalar t04 = slide_B_y + slide_C_y + CD_y, t05 = slide_E_x + ED_x;
+    const Scalar t06 = u.phi_E.sin * v_s_E, t07 = slide_E_y + ED_y, t08 = a_x_B - a_x_E;
+    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = u.phi_E.cos * v_s_E, t11 = a_y_B - a_y_E;
     const Scalar t12 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t14 = slide_E_x + EF_x;
+    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y, t14 = slide_E_x + EF_x;
     const Scalar t15 = slide_E_y + EF_y;
     rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
         + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
@@ -458,71 +352,34 @@ struct Model22 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
-    const Scalar jerk_E = u_third_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
+    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_E_y + ED_y;
-    const Scalar t03 = u.phi_E.cos * v_s_E;
-    const Scalar t04 = slide_E_x + ED_x;
-    const Scalar t05 = u.phi_E.sin * a_s_E;
-    const Scalar t06 = slide_B_y + slide_C_y + CD_y;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = t07 + sin_CD * v_s_C;
-    const Scalar t09 = u.phi_E.sin * v_s_E;
-    const Scalar t10 = alpha_E * t09;
-    const Scalar t11 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B;
-    const Scalar t14 = t13 + cos_CD * v_s_C;
-    const Scalar t15 = j_x_B - j_x_E;
-    const Scalar t16 = u.phi_E.cos * a_s_E;
-    const Scalar t17 = t03 * alpha_E;
-    const Scalar t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = j_y_B - j_y_E;
-    const Scalar t20 = slide_E_y + EF_y;
-    const Scalar t21 = slide_E_x + EF_x;
-    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t23 = t07 + sin_GF * v_s_G;
-    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t25 = t13 + cos_GF * v_s_G;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = slide_E_y + ED_y;
+    const Scalar t03 = u.phi_E.cos * v_s_E, t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * a_s_E;
+    const Scalar t06 = slide_B_y + slide_C_y + CD_y, t07 = u.phi_B.sin * v_s_B;
+    const Scalar t08 = t07 + sin_CD * v_s_C, t09 = u.phi_E.sin * v_s_E, t10 = alpha_E * t09;
+    const Scalar t11 = slide_B_x + slide_C_x + CD_x, t12 = u.phi_B.sin * a_s_B;
+    const Scalar t13 = u.phi_B.cos * v_s_B, t14 = t13 + cos_CD * v_s_C, t15 = j_x_B - j_x_E;
+    const Scalar t16 = u.phi_E.cos * a_s_E, t17 = t03 * alpha_E, t18 = u.phi_B.cos * a_s_B;
+    const Scalar t19 = j_y_B - j_y_E, t20 = slide_E_y + EF_y, t21 = slide_E_x + EF_x;
+    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y, t23 = t07 + sin_GF * v_s_G;
+    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x, t25 = t13 + cos_GF * v_s_G;
     rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
         - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
         + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
@@ -549,60 +406,31 @@ struct Model22 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_x_F_EDF = d_rate(4);
-    const Scalar v_y_F_EDF = d_rate(5);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3), v_x_F_EDF = d_rate(4), v_y_F_EDF = d_rate(5);
+    const Scalar v_h_C_CD = d_rate(6), v_h_G_GF = d_rate(7), omega_B = u_rate(2);
     const Scalar omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
     const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_C_x + CD_x;
-    const Scalar t03 = t02 * omega_C_BCG;
-    const Scalar t04 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t05 = u.phi_B.sin * v_s_B;
-    const Scalar t06 = slide_C_y + CD_y;
-    const Scalar t07 = t06 * omega_C_BCG;
-    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t09 = u.phi_B.cos * v_s_B;
-    const Scalar t10 = v_h_E_EDF - v_y_F_EDF;
-    const Scalar t11 = v_s_E + v_x_F_EDF;
-    const Scalar t12 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t13 = cos_GF * t12 + sin_GF * v_s_G;
-    const Scalar t14 = GF_x + BG_x + slide_G_x;
-    const Scalar t15 = t14 * omega_G_BCG;
-    const Scalar t16 = sin_GF * t12 - cos_GF * v_s_G;
-    const Scalar t17 = GF_y + BG_y + slide_G_y;
-    const Scalar t18 = t17 * omega_G_BCG;
+    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = slide_C_x + CD_x;
+    const Scalar t03 = t02 * omega_C_BCG, t04 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
+    const Scalar t05 = u.phi_B.sin * v_s_B, t06 = slide_C_y + CD_y, t07 = t06 * omega_C_BCG;
+    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD, t09 = u.phi_B.cos * v_s_B;
+    const Scalar t10 = v_h_E_EDF - v_y_F_EDF, t11 = v_s_E + v_x_F_EDF, t12 = v_h_G_BCG - v_h_G_GF;
+    const Scalar t13 = cos_GF * t12 + sin_GF * v_s_G, t14 = GF_x + BG_x + slide_G_x;
+    const Scalar t15 = t14 * omega_G_BCG, t16 = sin_GF * t12 - cos_GF * v_s_G;
+    const Scalar t17 = GF_y + BG_y + slide_G_y, t18 = t17 * omega_G_BCG;
     rhs(0) = omega_C_BCG * (t03 + Scalar(2) * t04) + omega_B * (Scalar(2) * t03 + Scalar(2) * t05
         + Scalar(2) * t04 + (slide_B_x + t02) * omega_B) - omega_E * ((slide_E_x + ED_x) * omega_E
         + Scalar(2) * u.phi_E.sin * v_s_E - Scalar(2) * u.phi_E.cos * v_h_E_EDF);
@@ -625,39 +453,21 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x + ED_x;
-    poses[1].y = u.y_E + slide_E_y + ED_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t01 + slide_C_x + CD_x;
-    poses[2].y = t02 + slide_C_y + CD_y;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t01 + BG_x + slide_G_x + GF_x;
-    poses[3].y = t02 + BG_y + slide_G_y + GF_y;
-    poses[3].direction.cos = cos_GF;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x + ED_x;
+    poses[1].y = u.y_E + slide_E_y + ED_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = t01 + slide_C_x + CD_x;
+    poses[2].y = t02 + slide_C_y + CD_y;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t01 + BG_x + slide_G_x + GF_x;
+    poses[3].y = t02 + BG_y + slide_G_y + GF_y;  poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
 
@@ -675,71 +485,42 @@ struct Model22 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = slide_C_y + CD_y;
-    const Scalar t02 = slide_C_x + CD_x;
-    const Scalar t03 = GF_y + BG_y + slide_G_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = slide_C_y + CD_y;
+    const Scalar t02 = slide_C_x + CD_x, t03 = GF_y + BG_y + slide_G_y;
     const Scalar t04 = GF_x + BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
     P_q(4, 3) = u.phi_E.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
-    P_q(9, 0) = u.phi_B.cos;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = u.phi_B.sin;
-    P_q(10, 2) = sin_GF;
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
+    P_q(9, 0) = u.phi_B.cos;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = u.phi_B.sin;  P_q(10, 2) = sin_GF;
     P_d(3, 3) = u.phi_E.sin;
     P_d(4, 3) = -u.phi_E.cos;
-    P_d(6, 0) = -t01;
-    P_d(6, 6) = sin_CD;
-    P_d(7, 0) = t02;
-    P_d(7, 6) = -cos_CD;
+    P_d(6, 0) = -t01;  P_d(6, 6) = sin_CD;
+    P_d(7, 0) = t02;  P_d(7, 6) = -cos_CD;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t03;
-    P_d(9, 2) = -sin_GF;
-    P_d(9, 7) = sin_GF;
-    P_d(10, 1) = t04;
-    P_d(10, 2) = cos_GF;
-    P_d(10, 7) = -cos_GF;
+    P_d(9, 1) = -t03;  P_d(9, 2) = -sin_GF;  P_d(9, 7) = sin_GF;
+    P_d(10, 1) = t04;  P_d(10, 2) = cos_GF;  P_d(10, 7) = -cos_GF;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y - ED_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x + ED_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y - ED_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x + ED_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -t01 - slide_B_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = t02 + slide_B_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -t01 - slide_B_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = t02 + slide_B_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -slide_B_y - t03;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = slide_B_x + t04;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -slide_B_y - t03;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = slide_B_x + t04;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -748,47 +529,26 @@ struct Model22 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t01 - slide_B_y * omega_B;
-    v(0, 1) = slide_B_x * omega_B + t02;
-    v(0, 2) = omega_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;  v(0, 1) = slide_B_x * omega_B + t02;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - (slide_E_y + ED_y) * omega_E;
-    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;
-    v(1, 2) = omega_E;
+    v(1, 1) = (slide_E_x + ED_x) * omega_E + u.phi_E.sin * v_s_E + v_y_E;  v(1, 2) = omega_E;
     v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y + CD_y) * omega_B;
-    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;
-    v(2, 2) = omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x + CD_x) * omega_B + sin_CD * v_s_C + t02;  v(2, 2) = omega_B;
     v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B;
     v(3, 1) = (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B + sin_GF * v_s_G + t02;
     v(3, 2) = omega_B;
@@ -800,50 +560,26 @@ struct Model22 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3), a_y_E = u_second_rate(4), omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t05 = slide_E_x + ED_x;
-    const Scalar t06 = slide_E_y + ED_y;
-    const Scalar t07 = slide_B_x + slide_C_x + CD_x;
-    const Scalar t08 = slide_B_y + slide_C_y + CD_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B, t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B, t05 = slide_E_x + ED_x, t06 = slide_E_y + ED_y;
+    const Scalar t07 = slide_B_x + slide_C_x + CD_x, t08 = slide_B_y + slide_C_y + CD_y;
     const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x;
     const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y;
     a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
@@ -873,53 +609,28 @@ struct Model22 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar v_h_E_EDF = d_rate(3);
-    const Scalar v_h_C_CD = d_rate(6);
-    const Scalar v_h_G_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar v_h_E_EDF = d_rate(3), v_h_C_CD = d_rate(6), v_h_G_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2), omega_E = u_rate(5);
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = slide_C_x + CD_x;
-    const Scalar t04 = t03 * omega_C_BCG;
-    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD;
-    const Scalar t06 = slide_C_y + CD_y;
-    const Scalar t07 = t06 * omega_C_BCG;
-    const Scalar t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
-    const Scalar t09 = v_h_G_BCG - v_h_G_GF;
-    const Scalar t10 = cos_GF * t09 + sin_GF * v_s_G;
-    const Scalar t11 = GF_x + BG_x + slide_G_x;
-    const Scalar t12 = t11 * omega_G_BCG;
-    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G;
-    const Scalar t14 = GF_y + BG_y + slide_G_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
+    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
+    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
+    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
+    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
+    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * v_s_B, t03 = slide_C_x + CD_x, t04 = t03 * omega_C_BCG;
+    const Scalar t05 = sin_CD * v_s_C - cos_CD * v_h_C_CD, t06 = slide_C_y + CD_y;
+    const Scalar t07 = t06 * omega_C_BCG, t08 = cos_CD * v_s_C + sin_CD * v_h_C_CD;
+    const Scalar t09 = v_h_G_BCG - v_h_G_GF, t10 = cos_GF * t09 + sin_GF * v_s_G;
+    const Scalar t11 = GF_x + BG_x + slide_G_x, t12 = t11 * omega_G_BCG;
+    const Scalar t13 = sin_GF * t09 - cos_GF * v_s_G, t14 = GF_y + BG_y + slide_G_y;
     const Scalar t15 = t14 * omega_G_BCG;
     p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
@@ -947,10 +658,8 @@ struct Model22 {
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
         - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    p(0) = -sin_phi_B_minus_phi_E;
-    p(1) = sin_psi_C_BCG_minus_psi_G_BCG;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -sin_phi_B_minus_phi_E;  p(1) = sin_psi_C_BCG_minus_psi_G_BCG;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(2);
   }
 
@@ -1032,10 +741,8 @@ struct Model22 {
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
-    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin, t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
@@ -1078,70 +785,49 @@ struct Model22 {
     const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
     const Scalar t09 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
         - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
-    S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
+    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = -s_B_per_across_slide_G;
     S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t07;
-    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(0, 5) = t07;
-    S_d(0, 6) = s_B_per_across_slide_C;
-    S_d(0, 7) = s_B_per_across_slide_G;
+    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;  S_d(0, 5) = t07;
+    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = s_B_per_across_slide_G;
     S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
     S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t08;
-    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = t08;
-    S_d(1, 6) = s_C_per_across_slide_C;
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
-    S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;  S_d(1, 5) = t08;
+    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
     S_d(2, 3) = t09 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
     S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
         + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(2, 5) = -t09;
-    S_d(2, 6) = s_G_per_across_slide_C;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;
-    S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
-    S_d(3, 2) = -s_E_per_across_slide_G;
-    S_d(3, 3) = -t05 - t06;
-    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
-    S_d(3, 5) = t06;
-    S_d(3, 6) = s_E_per_across_slide_C;
-    S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
+    S_d(2, 5) = -t09;  S_d(2, 6) = s_G_per_across_slide_C;  S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
+    S_d(3, 2) = -s_E_per_across_slide_G;  S_d(3, 3) = -t05 - t06;
+    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;  S_d(3, 5) = t06;
+    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = s_E_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
     S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
         - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
     S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
         - phi_E_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
     S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
         - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
     S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
         - phi_E_along_slide_G * s_C_per_across_slide_G;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;
     S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
         - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(2, 3) = -s_G_per_x_B;
-    S_u(2, 4) = -s_G_per_y_B;
+    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
     S_u(2, 5) = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
         - phi_E_along_slide_G * s_G_per_across_slide_G;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
     S_u(3, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
         - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
     S_u(3, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
         - phi_E_along_slide_G * s_E_per_across_slide_G;
   }
@@ -1151,12 +837,8 @@ struct Model22 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
@@ -1177,8 +859,7 @@ struct Model22 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar phi_E_across_slide_G = t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
@@ -1191,8 +872,7 @@ struct Model22 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
     const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
         + phi_E_across_slide_C * omega_E - cos_CD * t03 - sin_CD * t04;
     const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04
@@ -1210,10 +890,7 @@ struct Model22 {
         - d.psi_G_BCG.cos * v_s_B;
     const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
         - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_E;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1222,18 +899,10 @@ struct Model22 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
@@ -1254,8 +923,7 @@ struct Model22 {
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
     const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF;
-    const Scalar t02 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
     const Scalar phi_E_across_slide_G = t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
@@ -1268,32 +936,24 @@ struct Model22 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
     const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    const Scalar t05 = phi_B_across_slide_C * omega_B;
+    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E, t05 = phi_B_across_slide_C * omega_B;
     const Scalar t06 = phi_E_across_slide_C * omega_E;
     const Scalar velocity_along_slide_C = t05 + t06 - cos_CD * t03 - sin_CD * t04;
-    const Scalar t07 = phi_B_along_slide_C * omega_B;
-    const Scalar t08 = phi_E_along_slide_C * omega_E;
+    const Scalar t07 = phi_B_along_slide_C * omega_B, t08 = phi_E_along_slide_C * omega_E;
     const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04 - t07 - t08;
-    const Scalar t09 = phi_B_across_slide_G * omega_B;
-    const Scalar t10 = phi_E_across_slide_G * omega_E;
+    const Scalar t09 = phi_B_across_slide_G * omega_B, t10 = phi_E_across_slide_G * omega_E;
     const Scalar velocity_along_slide_G = t09 + t10 - cos_GF * t03 - sin_GF * t04;
-    const Scalar t11 = phi_B_along_slide_G * omega_B;
-    const Scalar t12 = phi_E_along_slide_G * omega_E;
+    const Scalar t11 = phi_B_along_slide_G * omega_B, t12 = phi_E_along_slide_G * omega_E;
     const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04 - t11 - t12;
     const Scalar t13 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
     const Scalar v_s_B = t13 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
         - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C);
     const Scalar v_s_E = -t13 * (d.psi_C_BCG.sin * velocity_across_slide_G
         - d.psi_G_BCG.sin * velocity_across_slide_C);
-    const Scalar t14 = d.psi_G_BCG.cos * v_s_B;
-    const Scalar t15 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E;
-    const Scalar v_s_G = t15 + velocity_along_slide_G - t14;
-    const Scalar t16 = d.psi_C_BCG.cos * v_s_B;
+    const Scalar t14 = d.psi_G_BCG.cos * v_s_B, t15 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E;
+    const Scalar v_s_G = t15 + velocity_along_slide_G - t14, t16 = d.psi_C_BCG.cos * v_s_B;
     const Scalar t17 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E;
-    const Scalar v_s_C = t17 + velocity_along_slide_C - t16;
-    const Scalar t18 = a_x_B - a_x_E;
+    const Scalar v_s_C = t17 + velocity_along_slide_C - t16, t18 = a_x_B - a_x_E;
     const Scalar t19 = a_y_B - a_y_E;
     const Scalar acceleration_along_slide_C = omega_B * (t07 - Scalar(2) * d.psi_C_BCG.sin * v_s_B)
         + omega_E * (t08 - Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E)
@@ -1317,13 +977,8 @@ struct Model22 {
         - d.psi_G_BCG.cos * a_s_B;
     const Scalar a_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * a_s_E + acceleration_along_slide_C
         - d.psi_C_BCG.cos * a_s_B;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_G;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_E;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_G;
     q_second_rate(3) = a_s_E;
   }
 
@@ -1335,18 +990,10 @@ struct Model22 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
+    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
@@ -1365,10 +1012,8 @@ struct Model22 {
         - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
     const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
         - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
-    const Scalar t02 = q.s_E + d.x_F_EDF;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin, t02 = q.s_E + d.x_F_EDF;
     const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
     const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
         - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
@@ -1423,8 +1068,7 @@ struct Model22 {
         - phi_E_along_slide_G * s_G_per_across_slide_G;
     const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
         - phi_E_along_slide_G * s_E_per_across_slide_G;
-    const Scalar t07 = v_x_B - v_x_E;
-    const Scalar t08 = v_y_B - v_y_E;
+    const Scalar t07 = v_x_B - v_x_E, t08 = v_y_B - v_y_E;
     const Scalar v_s_B = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * omega_B
         + s_B_per_phi_E * omega_E;
     const Scalar v_s_C = s_C_per_x_B * t07 + s_C_per_y_B * t08 + s_C_per_phi_B * omega_B
@@ -1453,70 +1097,37 @@ struct Model22 {
     const Scalar t10 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
     const Scalar t11 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
         - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t12 = a_x_B - a_x_E;
-    const Scalar t13 = a_y_B - a_y_E;
-    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;
-    S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
+    const Scalar t12 = a_x_B - a_x_E, t13 = a_y_B - a_y_E;
+    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
     S_d(0, 2) = -s_B_per_across_slide_G;
     S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t09;
-    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(0, 5) = t09;
-    S_d(0, 6) = s_B_per_across_slide_C;
-    S_d(0, 7) = s_B_per_across_slide_G;
+    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;  S_d(0, 5) = t09;
+    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = s_B_per_across_slide_G;
     S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;
+    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
     S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
         - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t10;
-    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = t10;
-    S_d(1, 6) = s_C_per_across_slide_C;
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
-    S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
+    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;  S_d(1, 5) = t10;
+    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = s_C_per_across_slide_G;
+    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
     S_d(2, 2) = -s_G_per_across_slide_G;
     S_d(2, 3) = t11 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
     S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
         + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(2, 5) = -t11;
-    S_d(2, 6) = s_G_per_across_slide_C;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;
-    S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
-    S_d(3, 2) = -s_E_per_across_slide_G;
-    S_d(3, 3) = -t05 - t06;
-    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
-    S_d(3, 5) = t06;
-    S_d(3, 6) = s_E_per_across_slide_C;
-    S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = s_B_per_phi_E;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;
-    S_u(1, 4) = -s_C_per_y_B;
-    S_u(1, 5) = s_C_per_phi_E;
-    S_u(2, 0) = s_G_per_x_B;
-    S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = s_G_per_phi_B;
-    S_u(2, 3) = -s_G_per_x_B;
-    S_u(2, 4) = -s_G_per_y_B;
-    S_u(2, 5) = s_G_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;
-    S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = s_E_per_phi_E;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_G;
-    q_rate(3) = v_s_E;
+    S_d(2, 5) = -t11;  S_d(2, 6) = s_G_per_across_slide_C;  S_d(2, 7) = s_G_per_across_slide_G;
+    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
+    S_d(3, 2) = -s_E_per_across_slide_G;  S_d(3, 3) = -t05 - t06;
+    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;  S_d(3, 5) = t06;
+    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = s_E_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
+    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
+    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;  S_u(2, 5) = s_G_per_phi_E;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_E;
     q_second_rate(0) = s_B_per_x_B * t12 + s_B_per_y_B * t13 + s_B_per_phi_B * alpha_B
         + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
         + s_B_per_across_slide_G * centripetal_across_slide_G;
@@ -1536,8 +1147,7 @@ struct Model22 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar b_0_re = Scalar(2) * (d.psi_C_BCG.cos * sin_phi_B_minus_phi_E
@@ -1554,8 +1164,7 @@ struct Model22 {
     const Scalar f_0_re = Scalar(2) * ((t02 * u.phi_B.cos - t03 * u.phi_B.sin) * d.psi_G_BCG.cos
         + d.h_G_BCG - (t03 * u.phi_B.cos + t02 * u.phi_B.sin) * d.psi_G_BCG.sin - d.h_G_GF);
     const Scalar f_1_re = -Scalar(2) * d.psi_G_BCG.sin;
-    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
-    T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;  T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
   /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
@@ -1564,8 +1173,7 @@ struct Model22 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar cos_phi_B_minus_phi_E = u.phi_B.cos * u.phi_E.cos + u.phi_E.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
     const Scalar t01 = d.h_E_EDF - d.y_F_EDF;
@@ -1586,12 +1194,10 @@ struct Model22 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar EB_x = u.x_B - u.x_E;
-    const Scalar EB_y = u.y_B - u.y_E;
+    const Scalar EB_x = u.x_B - u.x_E, EB_y = u.y_B - u.y_E;
     const Scalar t01 = q.s_E * u.phi_E.cos + d.h_E_EDF * u.phi_E.sin - EB_x;
     const Scalar t02 = q.s_E * u.phi_E.sin - d.h_E_EDF * u.phi_E.cos - EB_y;
-    const Scalar t03 = q.s_E + d.x_F_EDF;
-    const Scalar t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
     const Scalar t05 = EB_x - t03 * u.phi_E.cos - t04 * u.phi_E.sin;
     const Scalar t06 = EB_y + t04 * u.phi_E.cos - t03 * u.phi_E.sin;
     q.s_C = (t01 * u.phi_B.cos + t02 * u.phi_B.sin - q.s_B) * d.psi_C_BCG.cos + (t02 * u.phi_B.cos

@@ -78,14 +78,10 @@ struct Model24 {
     Direction<Scalar> psi_D_CD{};  ///< angle of the slide at D on link CD from the x-axis
     Direction<Scalar> psi_F_GF{};  ///< angle of the slide at F on link GF from the x-axis
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, psi_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD,
-          psi_F_GF);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, psi_D_EDF, psi_F_EDF, h_F_EDF, psi_D_CD,
-          psi_F_GF);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, psi_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF); }
+    [[nodiscard]] auto members() const { return std::tie(psi_C_BCG, psi_G_BCG, h_G_BCG, psi_D_EDF,
+        psi_F_EDF, h_F_EDF, psi_D_CD, psi_F_GF); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -98,12 +94,8 @@ struct Model24 {
     Scalar y_E{};  ///< y of a point on the base's slide at E
     Direction<Scalar> phi_E{};  ///< angle of the base's slide at E
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_E, y_E, phi_E); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -116,12 +108,8 @@ struct Model24 {
     Scalar s_D{};  ///< displacement along the slide at D of link CD against link EDF
     Scalar s_F{};  ///< displacement along the slide at F of link GF against link EDF
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_G, s_E, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_G, s_E, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_G, s_E, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_G, s_E, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -182,21 +170,15 @@ struct Model24 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
         + u.phi_E.cos * d.psi_F_EDF.sin);
@@ -205,12 +187,10 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
     const Scalar t05 = u.x_B - u.x_E + slide_B_x - slide_E_x;
     const Scalar t06 = u.y_B - u.y_E + slide_B_y - slide_E_y;
-    f(0) = slide_C_x + t05 - slide_D_x;
-    f(1) = slide_C_y + t06 - slide_D_y;
+    f(0) = slide_C_x + t05 - slide_D_x;  f(1) = slide_C_y + t06 - slide_D_y;
     f(2) = BG_x + slide_G_x + t05 - EF_x - slide_F_x;
     f(3) = BG_y + slide_G_y + t06 - EF_y - slide_F_y;
   }
@@ -232,22 +212,10 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    J(0, 0) = u.phi_B.cos;
-    J(0, 1) = cos_CD;
-    J(0, 3) = -u.phi_E.cos;
-    J(0, 4) = -cos_slide_D;
-    J(1, 0) = u.phi_B.sin;
-    J(1, 1) = sin_CD;
-    J(1, 3) = -u.phi_E.sin;
-    J(1, 4) = -sin_slide_D;
-    J(2, 0) = u.phi_B.cos;
-    J(2, 2) = cos_GF;
-    J(2, 3) = -u.phi_E.cos;
-    J(2, 5) = -cos_slide_F;
-    J(3, 0) = u.phi_B.sin;
-    J(3, 2) = sin_GF;
-    J(3, 3) = -u.phi_E.sin;
-    J(3, 5) = -sin_slide_F;
+    J(0, 0) = u.phi_B.cos;  J(0, 1) = cos_CD;  J(0, 3) = -u.phi_E.cos;  J(0, 4) = -cos_slide_D;
+    J(1, 0) = u.phi_B.sin;  J(1, 1) = sin_CD;  J(1, 3) = -u.phi_E.sin;  J(1, 4) = -sin_slide_D;
+    J(2, 0) = u.phi_B.cos;  J(2, 2) = cos_GF;  J(2, 3) = -u.phi_E.cos;  J(2, 5) = -cos_slide_F;
+    J(3, 0) = u.phi_B.sin;  J(3, 2) = sin_GF;  J(3, 3) = -u.phi_E.sin;  J(3, 5) = -sin_slide_F;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -259,17 +227,13 @@ struct Model24 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar t03 = d.psi_F_EDF.cos * u.phi_E.sin + d.psi_F_EDF.sin * u.phi_E.cos;
     const Scalar EF_x = -d.h_F_EDF * t03;
@@ -279,22 +243,13 @@ struct Model24 {
     const Scalar t06 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t05 - d.psi_G_BCG.sin * t06;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t06 + d.psi_G_BCG.sin * t05;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    F_d(0, 0) = slide_D_y - slide_C_y;
-    F_d(0, 6) = slide_D_y;
-    F_d(1, 0) = slide_C_x - slide_D_x;
-    F_d(1, 6) = -slide_D_x;
-    F_d(2, 1) = slide_F_y - BG_y - slide_G_y;
-    F_d(2, 2) = -sin_GF;
-    F_d(2, 4) = EF_y;
-    F_d(2, 5) = t03;
-    F_d(2, 7) = slide_F_y;
-    F_d(3, 1) = BG_x + slide_G_x - slide_F_x;
-    F_d(3, 2) = cos_GF;
-    F_d(3, 4) = -EF_x;
-    F_d(3, 5) = -t04;
-    F_d(3, 7) = -slide_F_x;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    F_d(0, 0) = slide_D_y - slide_C_y;  F_d(0, 6) = slide_D_y;
+    F_d(1, 0) = slide_C_x - slide_D_x;  F_d(1, 6) = -slide_D_x;
+    F_d(2, 1) = slide_F_y - BG_y - slide_G_y;  F_d(2, 2) = -sin_GF;  F_d(2, 4) = EF_y;
+    F_d(2, 5) = t03;  F_d(2, 7) = slide_F_y;
+    F_d(3, 1) = BG_x + slide_G_x - slide_F_x;  F_d(3, 2) = cos_GF;  F_d(3, 4) = -EF_x;
+    F_d(3, 5) = -t04;  F_d(3, 7) = -slide_F_x;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -306,21 +261,15 @@ struct Model24 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
         + u.phi_E.cos * d.psi_F_EDF.sin);
@@ -329,24 +278,15 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    F_u(0, 0) = Scalar(1);
-    F_u(0, 2) = slide_D_y - slide_B_y - slide_C_y;
-    F_u(0, 3) = -Scalar(1);
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    F_u(0, 0) = Scalar(1);  F_u(0, 2) = slide_D_y - slide_B_y - slide_C_y;  F_u(0, 3) = -Scalar(1);
     F_u(0, 5) = slide_E_y;
-    F_u(1, 1) = Scalar(1);
-    F_u(1, 2) = slide_B_x + slide_C_x - slide_D_x;
-    F_u(1, 4) = -Scalar(1);
+    F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + slide_C_x - slide_D_x;  F_u(1, 4) = -Scalar(1);
     F_u(1, 5) = -slide_E_x;
-    F_u(2, 0) = Scalar(1);
-    F_u(2, 2) = slide_F_y - slide_B_y - BG_y - slide_G_y;
-    F_u(2, 3) = -Scalar(1);
-    F_u(2, 5) = slide_E_y + EF_y;
-    F_u(3, 1) = Scalar(1);
-    F_u(3, 2) = slide_B_x + BG_x + slide_G_x - slide_F_x;
-    F_u(3, 4) = -Scalar(1);
-    F_u(3, 5) = -slide_E_x - EF_x;
+    F_u(2, 0) = Scalar(1);  F_u(2, 2) = slide_F_y - slide_B_y - BG_y - slide_G_y;
+    F_u(2, 3) = -Scalar(1);  F_u(2, 5) = slide_E_y + EF_y;
+    F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x - slide_F_x;
+    F_u(3, 4) = -Scalar(1);  F_u(3, 5) = -slide_E_x - EF_x;
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -354,31 +294,21 @@ struct Model24 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
         + u.phi_E.cos * d.psi_F_EDF.sin);
@@ -387,10 +317,8 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
     rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - slide_E_y * omega_E - t05;
     rhs(1) = slide_E_x * omega_E - (slide_B_x + slide_C_x - slide_D_x) * omega_B - t06;
     rhs(2) = (slide_B_y + BG_y + slide_G_y - slide_F_y) * omega_B - (slide_E_y + EF_y) * omega_E
@@ -406,39 +334,24 @@ struct Model24 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar v_s_F = q_rate(5);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4), v_s_F = q_rate(5), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3), a_y_E = u_second_rate(4), omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
         + u.phi_E.cos * d.psi_F_EDF.sin);
@@ -447,19 +360,12 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = a_x_B - a_x_E;
-    const Scalar t10 = u.phi_B.cos * v_s_B;
-    const Scalar t11 = u.phi_E.cos * v_s_E;
-    const Scalar t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x + slide_G_x - slide_F_x;
-    const Scalar t14 = slide_B_y + BG_y + slide_G_y - slide_F_y;
-    const Scalar t15 = slide_E_x + EF_x;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = slide_B_x + slide_C_x - slide_D_x, t06 = u.phi_B.sin * v_s_B;
+    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y, t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = a_x_B - a_x_E, t10 = u.phi_B.cos * v_s_B, t11 = u.phi_E.cos * v_s_E;
+    const Scalar t12 = a_y_B - a_y_E, t13 = slide_B_x + BG_x + slide_G_x - slide_F_x;
+    const Scalar t14 = slide_B_y + BG_y + slide_G_y - slide_F_y, t15 = slide_E_x + EF_x;
     const Scalar t16 = slide_E_y + EF_y;
     rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
         - Scalar(2) * sin_slide_D * v_s_D) + t07 * alpha_B - omega_E * (Scalar(2) * t08
@@ -483,47 +389,27 @@ struct Model24 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar a_s_D = q_second_rate(4);
-    const Scalar v_s_F = q_rate(5);
-    const Scalar a_s_F = q_second_rate(5);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3);
-    const Scalar j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_D = q_rate(4);
+    const Scalar a_s_D = q_second_rate(4), v_s_F = q_rate(5), a_s_F = q_second_rate(5);
+    const Scalar j_x_B = u_third_rate(0), j_y_B = u_third_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), jerk_B = u_third_rate(2), j_x_E = u_third_rate(3);
+    const Scalar j_y_E = u_third_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
     const Scalar jerk_E = u_third_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
     const Scalar slide_G_y = q.s_G * sin_GF;
     const Scalar EF_x = -d.h_F_EDF * (u.phi_E.sin * d.psi_F_EDF.cos
         + u.phi_E.cos * d.psi_F_EDF.sin);
@@ -532,26 +418,15 @@ struct Model24 {
     const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = u.phi_E.cos * v_s_E;
-    const Scalar t06 = u.phi_E.sin * a_s_E;
-    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = alpha_E * t08;
-    const Scalar t10 = slide_B_x + slide_C_x - slide_D_x;
-    const Scalar t11 = u.phi_B.sin * a_s_B;
-    const Scalar t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
-    const Scalar t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
-    const Scalar t16 = j_x_B - j_x_E;
-    const Scalar t17 = u.phi_E.cos * a_s_E;
-    const Scalar t18 = t05 * alpha_E;
-    const Scalar t19 = u.phi_B.cos * a_s_B;
-    const Scalar t20 = j_y_B - j_y_E;
-    const Scalar t21 = slide_E_y + EF_y;
-    const Scalar t22 = slide_E_x + EF_x;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t05 = u.phi_E.cos * v_s_E, t06 = u.phi_E.sin * a_s_E;
+    const Scalar t07 = slide_B_y + slide_C_y - slide_D_y, t08 = u.phi_E.sin * v_s_E;
+    const Scalar t09 = alpha_E * t08, t10 = slide_B_x + slide_C_x - slide_D_x;
+    const Scalar t11 = u.phi_B.sin * a_s_B, t12 = u.phi_B.cos * v_s_B;
+    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C, t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C, t16 = j_x_B - j_x_E;
+    const Scalar t17 = u.phi_E.cos * a_s_E, t18 = t05 * alpha_E, t19 = u.phi_B.cos * a_s_B;
+    const Scalar t20 = j_y_B - j_y_E, t21 = slide_E_y + EF_y, t22 = slide_E_x + EF_x;
     const Scalar t23 = slide_B_y + BG_y + slide_G_y - slide_F_y;
     const Scalar t24 = sin_slide_F * v_s_F - t14 - sin_GF * v_s_G;
     const Scalar t25 = slide_B_x + BG_x + slide_G_x - slide_F_x;
@@ -585,77 +460,44 @@ struct Model24 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4);
-    const Scalar v_s_F = q_rate(5);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar omega_F_EDF = d_rate(4);
-    const Scalar v_h_F_EDF = d_rate(5);
-    const Scalar omega_D_CD = d_rate(6);
-    const Scalar omega_F_GF = d_rate(7);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_D = q_rate(4), v_s_F = q_rate(5), omega_C_BCG = d_rate(0);
+    const Scalar omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2), omega_F_EDF = d_rate(4);
+    const Scalar v_h_F_EDF = d_rate(5), omega_D_CD = d_rate(6), omega_F_GF = d_rate(7);
+    const Scalar omega_B = u_rate(2), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
     const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
     const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
     const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
     const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D;
-    const Scalar slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t03 = u.phi_E.sin * d.psi_F_EDF.cos;
-    const Scalar t04 = t03 + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar EF_x = -d.h_F_EDF * t04;
-    const Scalar t05 = u.phi_E.cos * d.psi_F_EDF.cos;
-    const Scalar t06 = t05 - u.phi_E.sin * d.psi_F_EDF.sin;
+    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t03 = u.phi_E.sin * d.psi_F_EDF.cos;
+    const Scalar t04 = t03 + u.phi_E.cos * d.psi_F_EDF.sin, EF_x = -d.h_F_EDF * t04;
+    const Scalar t05 = u.phi_E.cos * d.psi_F_EDF.cos, t06 = t05 - u.phi_E.sin * d.psi_F_EDF.sin;
     const Scalar EF_y = d.h_F_EDF * t06;
     const Scalar t07 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
     const Scalar t08 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
     const Scalar cos_slide_F = d.psi_G_BCG.cos * t07 - d.psi_G_BCG.sin * t08;
     const Scalar sin_slide_F = d.psi_G_BCG.cos * t08 + d.psi_G_BCG.sin * t07;
-    const Scalar slide_F_x = q.s_F * cos_slide_F;
-    const Scalar slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t09 = sin_slide_D * v_s_D;
-    const Scalar t10 = slide_D_x * omega_D_CD;
-    const Scalar t11 = slide_C_x - slide_D_x;
-    const Scalar t12 = t11 * omega_C_BCG;
-    const Scalar t13 = t10 + t09 - sin_CD * v_s_C;
-    const Scalar t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = cos_slide_D * v_s_D;
-    const Scalar t16 = slide_D_y * omega_D_CD;
-    const Scalar t17 = slide_C_y - slide_D_y;
-    const Scalar t18 = t17 * omega_C_BCG;
-    const Scalar t19 = t16 + cos_CD * v_s_C - t15;
-    const Scalar t20 = u.phi_B.cos * v_s_B;
-    const Scalar t21 = EF_x * omega_F_EDF;
-    const Scalar t22 = sin_slide_F * v_s_F;
-    const Scalar t23 = slide_F_x * omega_F_GF;
-    const Scalar t24 = v_s_E - d.psi_F_EDF.sin * v_h_F_EDF;
-    const Scalar t25 = slide_F_x - BG_x - slide_G_x;
-    const Scalar t26 = t25 * omega_G_BCG;
-    const Scalar t27 = sin_GF * v_s_G - t22 + cos_GF * v_h_G_BCG - t23;
-    const Scalar t28 = EF_y * omega_F_EDF;
-    const Scalar t29 = cos_slide_F * v_s_F;
-    const Scalar t30 = slide_F_y * omega_F_GF;
-    const Scalar t31 = slide_F_y - BG_y - slide_G_y;
-    const Scalar t32 = t31 * omega_G_BCG;
+    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
+    const Scalar t09 = sin_slide_D * v_s_D, t10 = slide_D_x * omega_D_CD;
+    const Scalar t11 = slide_C_x - slide_D_x, t12 = t11 * omega_C_BCG;
+    const Scalar t13 = t10 + t09 - sin_CD * v_s_C, t14 = u.phi_B.sin * v_s_B;
+    const Scalar t15 = cos_slide_D * v_s_D, t16 = slide_D_y * omega_D_CD;
+    const Scalar t17 = slide_C_y - slide_D_y, t18 = t17 * omega_C_BCG;
+    const Scalar t19 = t16 + cos_CD * v_s_C - t15, t20 = u.phi_B.cos * v_s_B;
+    const Scalar t21 = EF_x * omega_F_EDF, t22 = sin_slide_F * v_s_F, t23 = slide_F_x * omega_F_GF;
+    const Scalar t24 = v_s_E - d.psi_F_EDF.sin * v_h_F_EDF, t25 = slide_F_x - BG_x - slide_G_x;
+    const Scalar t26 = t25 * omega_G_BCG, t27 = sin_GF * v_s_G - t22 + cos_GF * v_h_G_BCG - t23;
+    const Scalar t28 = EF_y * omega_F_EDF, t29 = cos_slide_F * v_s_F, t30 = slide_F_y * omega_F_GF;
+    const Scalar t31 = slide_F_y - BG_y - slide_G_y, t32 = t31 * omega_G_BCG;
     const Scalar t33 = cos_GF * v_s_G - t29 + t30 - sin_GF * v_h_G_BCG;
     rhs(0) = omega_C_BCG * (t12 - Scalar(2) * t13) + omega_B * (Scalar(2) * t12 + Scalar(2) * t14
         + (slide_B_x + t11) * omega_B - Scalar(2) * t13) - omega_D_CD * (Scalar(2) * t09 + t10)
@@ -683,33 +525,18 @@ struct Model24 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = u.phi_B.cos;
-    poses[0].direction.sin = u.phi_B.sin;
-    poses[1].x = u.x_E + slide_E_x;
-    poses[1].y = u.y_E + slide_E_y;
-    poses[1].direction.cos = u.phi_E.cos;
-    poses[1].direction.sin = u.phi_E.sin;
-    poses[2].x = t01 + slide_C_x;
-    poses[2].y = t02 + slide_C_y;
-    poses[2].direction.cos = cos_CD;
-    poses[2].direction.sin = sin_CD;
-    poses[3].x = t01 + BG_x + slide_G_x;
-    poses[3].y = t02 + BG_y + slide_G_y;
-    poses[3].direction.cos = cos_GF;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = u.x_B + slide_B_x, t02 = u.y_B + slide_B_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = u.phi_B.cos;
+    poses[0].direction.sin = u.phi_B.sin;  poses[1].x = u.x_E + slide_E_x;
+    poses[1].y = u.y_E + slide_E_y;  poses[1].direction.cos = u.phi_E.cos;
+    poses[1].direction.sin = u.phi_E.sin;  poses[2].x = t01 + slide_C_x;
+    poses[2].y = t02 + slide_C_y;  poses[2].direction.cos = cos_CD;
+    poses[2].direction.sin = sin_CD;  poses[3].x = t01 + BG_x + slide_G_x;
+    poses[3].y = t02 + BG_y + slide_G_y;  poses[3].direction.cos = cos_GF;
     poses[3].direction.sin = sin_GF;
   }
 
@@ -727,57 +554,36 @@ struct Model24 {
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = BG_y + slide_G_y;
-    const Scalar t02 = BG_x + slide_G_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = BG_y + slide_G_y, t02 = BG_x + slide_G_x;
     P_q(0, 0) = u.phi_B.cos;
     P_q(1, 0) = u.phi_B.sin;
     P_q(3, 3) = u.phi_E.cos;
     P_q(4, 3) = u.phi_E.sin;
-    P_q(6, 0) = u.phi_B.cos;
-    P_q(6, 1) = cos_CD;
-    P_q(7, 0) = u.phi_B.sin;
-    P_q(7, 1) = sin_CD;
-    P_q(9, 0) = u.phi_B.cos;
-    P_q(9, 2) = cos_GF;
-    P_q(10, 0) = u.phi_B.sin;
-    P_q(10, 2) = sin_GF;
+    P_q(6, 0) = u.phi_B.cos;  P_q(6, 1) = cos_CD;
+    P_q(7, 0) = u.phi_B.sin;  P_q(7, 1) = sin_CD;
+    P_q(9, 0) = u.phi_B.cos;  P_q(9, 2) = cos_GF;
+    P_q(10, 0) = u.phi_B.sin;  P_q(10, 2) = sin_GF;
     P_d(6, 0) = -slide_C_y;
     P_d(7, 0) = slide_C_x;
     P_d(8, 0) = Scalar(1);
-    P_d(9, 1) = -t01;
-    P_d(9, 2) = -sin_GF;
-    P_d(10, 1) = t02;
-    P_d(10, 2) = cos_GF;
+    P_d(9, 1) = -t01;  P_d(9, 2) = -sin_GF;
+    P_d(10, 1) = t02;  P_d(10, 2) = cos_GF;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 3) = Scalar(1);
-    P_u(3, 5) = -slide_E_y;
-    P_u(4, 4) = Scalar(1);
-    P_u(4, 5) = slide_E_x;
+    P_u(3, 3) = Scalar(1);  P_u(3, 5) = -slide_E_y;
+    P_u(4, 4) = Scalar(1);  P_u(4, 5) = slide_E_x;
     P_u(5, 5) = Scalar(1);
-    P_u(6, 0) = Scalar(1);
-    P_u(6, 2) = -slide_C_y - slide_B_y;
-    P_u(7, 1) = Scalar(1);
-    P_u(7, 2) = slide_C_x + slide_B_x;
+    P_u(6, 0) = Scalar(1);  P_u(6, 2) = -slide_C_y - slide_B_y;
+    P_u(7, 1) = Scalar(1);  P_u(7, 2) = slide_C_x + slide_B_x;
     P_u(8, 2) = Scalar(1);
-    P_u(9, 0) = Scalar(1);
-    P_u(9, 2) = -t01 - slide_B_y;
-    P_u(10, 1) = Scalar(1);
-    P_u(10, 2) = t02 + slide_B_x;
+    P_u(9, 0) = Scalar(1);  P_u(9, 2) = -t01 - slide_B_y;
+    P_u(10, 1) = Scalar(1);  P_u(10, 2) = t02 + slide_B_x;
     P_u(11, 2) = Scalar(1);
   }
 
@@ -786,44 +592,26 @@ struct Model24 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
+    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = u.phi_B.cos * v_s_B + v_x_B;
     const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = t01 - slide_B_y * omega_B;
-    v(0, 1) = slide_B_x * omega_B + t02;
-    v(0, 2) = omega_B;
+    v(0, 0) = t01 - slide_B_y * omega_B;  v(0, 1) = slide_B_x * omega_B + t02;  v(0, 2) = omega_B;
     v(1, 0) = u.phi_E.cos * v_s_E + v_x_E - slide_E_y * omega_E;
-    v(1, 1) = u.phi_E.sin * v_s_E + v_y_E + slide_E_x * omega_E;
-    v(1, 2) = omega_E;
+    v(1, 1) = u.phi_E.sin * v_s_E + v_y_E + slide_E_x * omega_E;  v(1, 2) = omega_E;
     v(2, 0) = cos_CD * v_s_C + t01 - (slide_B_y + slide_C_y) * omega_B;
-    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;
-    v(2, 2) = omega_B;
+    v(2, 1) = (slide_B_x + slide_C_x) * omega_B + sin_CD * v_s_C + t02;  v(2, 2) = omega_B;
     v(3, 0) = cos_GF * v_s_G + t01 - (slide_B_y + BG_y + slide_G_y) * omega_B;
-    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;
-    v(3, 2) = omega_B;
+    v(3, 1) = (slide_B_x + BG_x + slide_G_x) * omega_B + sin_GF * v_s_G + t02;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -832,43 +620,24 @@ struct Model24 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_E = u_second_rate(3), a_y_E = u_second_rate(4), omega_E = u_rate(5);
     const Scalar alpha_E = u_second_rate(5);
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t03 = u.phi_B.cos * v_s_B;
-    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t05 = slide_B_x + slide_C_x;
-    const Scalar t06 = slide_B_y + slide_C_y;
-    const Scalar t07 = slide_B_x + BG_x + slide_G_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = u.phi_B.sin * v_s_B;
+    const Scalar t02 = u.phi_B.cos * a_s_B + a_x_B, t03 = u.phi_B.cos * v_s_B;
+    const Scalar t04 = u.phi_B.sin * a_s_B + a_y_B, t05 = slide_B_x + slide_C_x;
+    const Scalar t06 = slide_B_y + slide_C_y, t07 = slide_B_x + BG_x + slide_G_x;
     const Scalar t08 = slide_B_y + BG_y + slide_G_y;
     a(0, 0) = t02 - omega_B * (Scalar(2) * t01 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(0, 1) = omega_B * (Scalar(2) * t03 - slide_B_y * omega_B) + slide_B_x * alpha_B + t04;
@@ -897,42 +666,23 @@ struct Model24 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_G = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar omega_C_BCG = d_rate(0);
-    const Scalar omega_G_BCG = d_rate(1);
-    const Scalar v_h_G_BCG = d_rate(2);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_E = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
+    const Scalar omega_C_BCG = d_rate(0), omega_G_BCG = d_rate(1), v_h_G_BCG = d_rate(2);
+    const Scalar omega_B = u_rate(2), omega_E = u_rate(5);
     p.setZero();
     const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
     const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
     const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
     const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD;
-    const Scalar slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = u.phi_B.cos * v_s_B;
-    const Scalar t03 = sin_CD * v_s_C;
-    const Scalar t04 = slide_C_x * omega_C_BCG;
-    const Scalar t05 = cos_CD * v_s_C;
-    const Scalar t06 = slide_C_y * omega_C_BCG;
-    const Scalar t07 = BG_x + slide_G_x;
-    const Scalar t08 = t07 * omega_G_BCG;
-    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG;
-    const Scalar t10 = BG_y + slide_G_y;
-    const Scalar t11 = t10 * omega_G_BCG;
-    const Scalar t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
+    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
+    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
+    const Scalar slide_G_y = q.s_G * sin_GF, t01 = u.phi_B.sin * v_s_B, t02 = u.phi_B.cos * v_s_B;
+    const Scalar t03 = sin_CD * v_s_C, t04 = slide_C_x * omega_C_BCG, t05 = cos_CD * v_s_C;
+    const Scalar t06 = slide_C_y * omega_C_BCG, t07 = BG_x + slide_G_x, t08 = t07 * omega_G_BCG;
+    const Scalar t09 = sin_GF * v_s_G + cos_GF * v_h_G_BCG, t10 = BG_y + slide_G_y;
+    const Scalar t11 = t10 * omega_G_BCG, t12 = cos_GF * v_s_G - sin_GF * v_h_G_BCG;
     p(0, 0) = -omega_B * (Scalar(2) * t01 + slide_B_x * omega_B);
     p(0, 1) = omega_B * (Scalar(2) * t02 - slide_B_y * omega_B);
     p(1, 0) = -omega_E * (Scalar(2) * u.phi_E.sin * v_s_E + slide_E_x * omega_E);

@@ -96,12 +96,8 @@ struct Model01 {
     Scalar DE{};  ///< distance from D to E on link DE
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(CE, x_G_CEG, y_G_CEG, BC, DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(CE, x_G_CEG, y_G_CEG, BC, DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(CE, x_G_CEG, y_G_CEG, BC, DE, FG); }
+    [[nodiscard]] auto members() const { return std::tie(CE, x_G_CEG, y_G_CEG, BC, DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -114,12 +110,8 @@ struct Model01 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -130,12 +122,8 @@ struct Model01 {
     Direction<Scalar> theta_DE{};  ///< angle of link DE
     Direction<Scalar> theta_FG{};  ///< angle of link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, theta_BC, theta_DE, theta_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, theta_BC, theta_DE, theta_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, theta_BC, theta_DE, theta_FG); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, theta_BC, theta_DE, theta_FG); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -188,22 +176,15 @@ struct Model01 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = u.x_B + BC_x;
-    const Scalar t02 = u.y_B + BC_y;
-    f(0) = u.x_D + DE_x - CE_x - t01;
-    f(1) = u.y_D + DE_y - CE_y - t02;
-    f(2) = u.x_F + FG_x - CG_x - t01;
-    f(3) = u.y_F + FG_y - CG_y - t02;
+    const Scalar t01 = u.x_B + BC_x, t02 = u.y_B + BC_y;
+    f(0) = u.x_D + DE_x - CE_x - t01;  f(1) = u.y_D + DE_y - CE_y - t02;
+    f(2) = u.x_F + FG_x - CG_x - t01;  f(3) = u.y_F + FG_y - CG_y - t02;
   }
 
   /// J = df/dq.
@@ -211,28 +192,16 @@ struct Model01 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    J(0, 0) = CE_y;
-    J(0, 1) = BC_y;
-    J(0, 2) = -DE_y;
-    J(1, 0) = -CE_x;
-    J(1, 1) = -BC_x;
-    J(1, 2) = DE_x;
-    J(2, 0) = CG_y;
-    J(2, 1) = BC_y;
-    J(2, 3) = -FG_y;
-    J(3, 0) = -CG_x;
-    J(3, 1) = -BC_x;
-    J(3, 3) = FG_x;
+    J(0, 0) = CE_y;  J(0, 1) = BC_y;  J(0, 2) = -DE_y;
+    J(1, 0) = -CE_x;  J(1, 1) = -BC_x;  J(1, 2) = DE_x;
+    J(2, 0) = CG_y;  J(2, 1) = BC_y;  J(2, 3) = -FG_y;
+    J(3, 0) = -CG_x;  J(3, 1) = -BC_x;  J(3, 3) = FG_x;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -240,19 +209,11 @@ struct Model01 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_CEG.cos;
-    F_d(0, 3) = -q.theta_BC.cos;
-    F_d(0, 4) = q.theta_DE.cos;
-    F_d(1, 0) = -q.theta_CEG.sin;
-    F_d(1, 3) = -q.theta_BC.sin;
-    F_d(1, 4) = q.theta_DE.sin;
-    F_d(2, 1) = -q.theta_CEG.cos;
-    F_d(2, 2) = q.theta_CEG.sin;
-    F_d(2, 3) = -q.theta_BC.cos;
+    F_d(0, 0) = -q.theta_CEG.cos;  F_d(0, 3) = -q.theta_BC.cos;  F_d(0, 4) = q.theta_DE.cos;
+    F_d(1, 0) = -q.theta_CEG.sin;  F_d(1, 3) = -q.theta_BC.sin;  F_d(1, 4) = q.theta_DE.sin;
+    F_d(2, 1) = -q.theta_CEG.cos;  F_d(2, 2) = q.theta_CEG.sin;  F_d(2, 3) = -q.theta_BC.cos;
     F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 1) = -q.theta_CEG.sin;
-    F_d(3, 2) = -q.theta_CEG.cos;
-    F_d(3, 3) = -q.theta_BC.sin;
+    F_d(3, 1) = -q.theta_CEG.sin;  F_d(3, 2) = -q.theta_CEG.cos;  F_d(3, 3) = -q.theta_BC.sin;
     F_d(3, 5) = q.theta_FG.sin;
   }
 
@@ -261,14 +222,10 @@ struct Model01 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 4) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 5) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -276,15 +233,9 @@ struct Model01 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
-    rhs(2) = v_x_B - v_x_F;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
     rhs(3) = v_y_B - v_y_F;
   }
 
@@ -295,36 +246,20 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_BC = q_rate(1);
-    const Scalar omega_DE = q_rate(2);
-    const Scalar omega_FG = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
+    const Scalar omega_CEG = q_rate(0), omega_BC = q_rate(1), omega_DE = q_rate(2);
+    const Scalar omega_FG = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3), a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = omega_BC * omega_BC;
-    const Scalar t04 = a_x_B - BC_x * t03;
-    const Scalar t05 = a_y_B - BC_y * t03;
-    const Scalar t06 = omega_FG * omega_FG;
-    rhs(0) = DE_x * t02 + t04 - a_x_D - CE_x * t01;
-    rhs(1) = DE_y * t02 + t05 - a_y_D - CE_y * t01;
-    rhs(2) = FG_x * t06 + t04 - a_x_F - CG_x * t01;
-    rhs(3) = FG_y * t06 + t05 - a_y_F - CG_y * t01;
+    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = omega_BC * omega_BC;
+    const Scalar t04 = a_x_B - BC_x * t03, t05 = a_y_B - BC_y * t03, t06 = omega_FG * omega_FG;
+    rhs(0) = DE_x * t02 + t04 - a_x_D - CE_x * t01;  rhs(1) = DE_y * t02 + t05 - a_y_D - CE_y * t01;
+    rhs(2) = FG_x * t06 + t04 - a_x_F - CG_x * t01;  rhs(3) = FG_y * t06 + t05 - a_y_F - CG_y * t01;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -335,33 +270,18 @@ struct Model01 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_BC = q_rate(1);
-    const Scalar alpha_BC = q_second_rate(1);
-    const Scalar omega_DE = q_rate(2);
-    const Scalar alpha_DE = q_second_rate(2);
-    const Scalar omega_FG = q_rate(3);
-    const Scalar alpha_FG = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4);
-    const Scalar j_y_F = u_third_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_BC = q_rate(1);
+    const Scalar alpha_BC = q_second_rate(1), omega_DE = q_rate(2), alpha_DE = q_second_rate(2);
+    const Scalar omega_FG = q_rate(3), alpha_FG = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = omega_BC * omega_BC;
+    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = omega_BC * omega_BC;
     const Scalar t04 = j_x_B - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t03);
     const Scalar t05 = j_y_B - omega_BC * (Scalar(3) * BC_y * alpha_BC + BC_x * t03);
     const Scalar t06 = omega_FG * omega_FG;
@@ -382,24 +302,13 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_BC = q_rate(1);
-    const Scalar omega_DE = q_rate(2);
-    const Scalar omega_FG = q_rate(3);
-    const Scalar v_CE = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar v_BC = d_rate(3);
-    const Scalar v_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_BC = q_rate(1), omega_DE = q_rate(2);
+    const Scalar omega_FG = q_rate(3), v_CE = d_rate(0), v_x_G_CEG = d_rate(1);
+    const Scalar v_y_G_CEG = d_rate(2), v_BC = d_rate(3), v_DE = d_rate(4), v_FG = d_rate(5);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC);
@@ -420,23 +329,13 @@ struct Model01 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    poses[0].x = u.x_B + BC_x;
-    poses[0].y = u.y_B + BC_y;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = u.x_B;
-    poses[1].y = u.y_B;
-    poses[1].direction.cos = q.theta_BC.cos;
-    poses[1].direction.sin = q.theta_BC.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_DE.cos;
-    poses[2].direction.sin = q.theta_DE.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    poses[0].x = u.x_B + BC_x;  poses[0].y = u.y_B + BC_y;
+    poses[0].direction.cos = q.theta_CEG.cos;  poses[0].direction.sin = q.theta_CEG.sin;
+    poses[1].x = u.x_B;  poses[1].y = u.y_B;  poses[1].direction.cos = q.theta_BC.cos;
+    poses[1].direction.sin = q.theta_BC.sin;  poses[2].x = u.x_D;  poses[2].y = u.y_D;
+    poses[2].direction.cos = q.theta_DE.cos;  poses[2].direction.sin = q.theta_DE.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = q.theta_FG.cos;
     poses[3].direction.sin = q.theta_FG.sin;
   }
 
@@ -450,8 +349,7 @@ struct Model01 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
     P_q(0, 1) = -BC_y;
     P_q(1, 1) = BC_x;
     P_q(2, 0) = Scalar(1);
@@ -475,30 +373,14 @@ struct Model01 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_BC = q_rate(1);
-    const Scalar omega_DE = q_rate(2);
-    const Scalar omega_FG = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
-    v(0, 0) = v_x_B - BC_y * omega_BC;
-    v(0, 1) = BC_x * omega_BC + v_y_B;
-    v(0, 2) = omega_CEG;
-    v(1, 0) = v_x_B;
-    v(1, 1) = v_y_B;
-    v(1, 2) = omega_BC;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_DE;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    const Scalar omega_CEG = q_rate(0), omega_BC = q_rate(1), omega_DE = q_rate(2);
+    const Scalar omega_FG = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2);
+    const Scalar v_y_D = u_rate(3), v_x_F = u_rate(4), v_y_F = u_rate(5);
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
+    v(0, 0) = v_x_B - BC_y * omega_BC;  v(0, 1) = BC_x * omega_BC + v_y_B;  v(0, 2) = omega_CEG;
+    v(1, 0) = v_x_B;  v(1, 1) = v_y_B;  v(1, 2) = omega_BC;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_DE;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -507,32 +389,17 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_BC = q_rate(1);
-    const Scalar alpha_BC = q_second_rate(1);
-    const Scalar alpha_DE = q_second_rate(2);
-    const Scalar alpha_FG = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
+    const Scalar alpha_CEG = q_second_rate(0), omega_BC = q_rate(1), alpha_BC = q_second_rate(1);
+    const Scalar alpha_DE = q_second_rate(2), alpha_FG = q_second_rate(3), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
+    const Scalar a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
     const Scalar t01 = omega_BC * omega_BC;
-    a(0, 0) = a_x_B - BC_y * alpha_BC - BC_x * t01;
-    a(0, 1) = BC_x * alpha_BC + a_y_B - BC_y * t01;
+    a(0, 0) = a_x_B - BC_y * alpha_BC - BC_x * t01;  a(0, 1) = BC_x * alpha_BC + a_y_B - BC_y * t01;
     a(0, 2) = alpha_CEG;
-    a(1, 0) = a_x_B;
-    a(1, 1) = a_y_B;
-    a(1, 2) = alpha_BC;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_DE;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(1, 0) = a_x_B;  a(1, 1) = a_y_B;  a(1, 2) = alpha_BC;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_DE;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -542,11 +409,9 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_BC = q_rate(1);
-    const Scalar v_BC = d_rate(3);
+    const Scalar omega_BC = q_rate(1), v_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = d.BC * q.theta_BC.cos;
-    const Scalar BC_y = d.BC * q.theta_BC.sin;
+    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
     p(0, 0) = -omega_BC * (Scalar(2) * q.theta_BC.sin * v_BC + BC_x * omega_BC);
     p(0, 1) = omega_BC * (Scalar(2) * q.theta_BC.cos * v_BC - BC_y * omega_BC);
   }
@@ -569,20 +434,15 @@ struct Model01 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
-    const Scalar t02 = abs(d.FG) + t01;
+    const Scalar t01 = abs(d.x_G_CEG) + abs(d.y_G_CEG), t02 = abs(d.FG) + t01;
     const Scalar t03 = abs(d.DE) + abs(d.CE) + abs(d.BC);
-    p(0) = determinant;
-    p(1) = d.FG;
-    p(2) = d.DE;
+    p(0) = determinant;  p(1) = d.FG;  p(2) = d.DE;
     size(0) = Scalar(2) * (abs(d.CE) * t02 + abs(d.DE) * t02 + abs(d.BC) * (t02 + t03));
-    size(1) = abs(d.BC) + t02;
-    size(2) = t03;
+    size(1) = abs(d.BC) + t02;  size(2) = t03;
     terms = abs(d.BC) * (abs(d.CE) + t01);
   }
 
@@ -606,23 +466,17 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
-    const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
@@ -674,23 +528,17 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
-    const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
@@ -723,51 +571,34 @@ struct Model01 {
     S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;
-    S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;  S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
     S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
-    S_d(1, 4) = -BC_per_along_DE;
-    S_d(1, 5) = -BC_per_along_FG;
+    S_d(1, 4) = -BC_per_along_DE;  S_d(1, 5) = -BC_per_along_FG;
     S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
     S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
     S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
     S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
         + DE_per_along_FG * cos_BC_minus_FG;
-    S_d(2, 4) = -DE_per_along_DE;
-    S_d(2, 5) = -DE_per_along_FG;
+    S_d(2, 4) = -DE_per_along_DE;  S_d(2, 5) = -DE_per_along_FG;
     S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
     S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
         + inverse_FG * sin_BC_minus_FG;
-    S_d(3, 4) = -FG_per_along_DE;
-    S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
+    S_d(3, 4) = -FG_per_along_DE;  S_d(3, 5) = -FG_per_along_FG;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
     S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -BC_per_x_D - BC_per_x_F;
-    S_u(1, 1) = -BC_per_y_D - BC_per_y_F;
-    S_u(1, 2) = BC_per_x_D;
-    S_u(1, 3) = BC_per_y_D;
-    S_u(1, 4) = BC_per_x_F;
+    S_u(1, 0) = -BC_per_x_D - BC_per_x_F;  S_u(1, 1) = -BC_per_y_D - BC_per_y_F;
+    S_u(1, 2) = BC_per_x_D;  S_u(1, 3) = BC_per_y_D;  S_u(1, 4) = BC_per_x_F;
     S_u(1, 5) = BC_per_y_F;
-    S_u(2, 0) = -DE_per_x_D - DE_per_x_F;
-    S_u(2, 1) = -DE_per_y_D - DE_per_y_F;
-    S_u(2, 2) = DE_per_x_D;
-    S_u(2, 3) = DE_per_y_D;
-    S_u(2, 4) = DE_per_x_F;
+    S_u(2, 0) = -DE_per_x_D - DE_per_x_F;  S_u(2, 1) = -DE_per_y_D - DE_per_y_F;
+    S_u(2, 2) = DE_per_x_D;  S_u(2, 3) = DE_per_y_D;  S_u(2, 4) = DE_per_x_F;
     S_u(2, 5) = DE_per_y_F;
-    S_u(3, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(3, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(3, 2) = FG_per_x_D;
-    S_u(3, 3) = FG_per_y_D;
-    S_u(3, 4) = FG_per_x_F;
+    S_u(3, 0) = -FG_per_x_D - FG_per_x_F;  S_u(3, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(3, 2) = FG_per_x_D;  S_u(3, 3) = FG_per_y_D;  S_u(3, 4) = FG_per_x_F;
     S_u(3, 5) = FG_per_y_F;
   }
 
@@ -776,12 +607,8 @@ struct Model01 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -798,29 +625,21 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
-    const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
-    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02, t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05;
     const Scalar omega_CEG = inverse_determinant * (BC_across_DE * velocity_along_FG
@@ -831,10 +650,7 @@ struct Model01 {
         - velocity_across_FG);
     const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + BC_along_DE * omega_BC
         - velocity_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_BC;
-    q_rate(2) = omega_DE;
-    q_rate(3) = omega_FG;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_BC;  q_rate(2) = omega_DE;  q_rate(3) = omega_FG;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -843,18 +659,10 @@ struct Model01 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -871,29 +679,21 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
-    const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
-    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02, t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05;
     const Scalar omega_CEG = inverse_determinant * (BC_across_DE * velocity_along_FG
@@ -904,16 +704,13 @@ struct Model01 {
         - velocity_across_FG);
     const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + BC_along_DE * omega_BC
         - velocity_across_DE);
-    const Scalar t07 = a_x_B - a_x_D;
-    const Scalar t08 = a_y_B - a_y_D;
-    const Scalar t09 = omega_CEG * omega_CEG;
+    const Scalar t07 = a_x_B - a_x_D, t08 = a_y_B - a_y_D, t09 = omega_CEG * omega_CEG;
     const Scalar t10 = omega_BC * omega_BC;
     const Scalar acceleration_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08
         + d.DE * omega_DE * omega_DE + CEG_along_DE * t09 + BC_along_DE * t10;
     const Scalar acceleration_across_DE = q.theta_DE.cos * t08 + CEG_across_DE * t09
         + BC_across_DE * t10 - q.theta_DE.sin * t07;
-    const Scalar t11 = a_x_B - a_x_F;
-    const Scalar t12 = a_y_B - a_y_F;
+    const Scalar t11 = a_x_B - a_x_F, t12 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t11 + q.theta_FG.sin * t12
         + d.FG * omega_FG * omega_FG + CEG_along_FG * t09 + BC_along_FG * t10;
     const Scalar acceleration_across_FG = q.theta_FG.cos * t12 + CEG_across_FG * t09
@@ -926,13 +723,8 @@ struct Model01 {
         - acceleration_across_FG);
     const Scalar alpha_DE = -inverse_DE * (CEG_along_DE * alpha_CEG + BC_along_DE * alpha_BC
         - acceleration_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_BC;
-    q_rate(2) = omega_DE;
-    q_rate(3) = omega_FG;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = alpha_BC;
-    q_second_rate(2) = alpha_DE;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_BC;  q_rate(2) = omega_DE;  q_rate(3) = omega_FG;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = alpha_BC;  q_second_rate(2) = alpha_DE;
     q_second_rate(3) = alpha_FG;
   }
 
@@ -944,18 +736,10 @@ struct Model01 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -972,23 +756,17 @@ struct Model01 {
         + q.theta_BC.sin * q.theta_FG.sin;
     const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
         - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE;
-    const Scalar BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG;
-    const Scalar BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
     const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
     const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
@@ -1033,8 +811,7 @@ struct Model01 {
         + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
     const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
         + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
-    const Scalar t03 = omega_CEG * omega_CEG;
-    const Scalar t04 = omega_BC * omega_BC;
+    const Scalar t03 = omega_CEG * omega_CEG, t04 = omega_BC * omega_BC;
     const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t03
         + BC_along_DE * t04;
     const Scalar centripetal_across_DE = CEG_across_DE * t03 + BC_across_DE * t04;
@@ -1045,56 +822,32 @@ struct Model01 {
     S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;
-    S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;  S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
     S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
-    S_d(1, 4) = -BC_per_along_DE;
-    S_d(1, 5) = -BC_per_along_FG;
+    S_d(1, 4) = -BC_per_along_DE;  S_d(1, 5) = -BC_per_along_FG;
     S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
     S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
     S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
     S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
         + DE_per_along_FG * cos_BC_minus_FG;
-    S_d(2, 4) = -DE_per_along_DE;
-    S_d(2, 5) = -DE_per_along_FG;
+    S_d(2, 4) = -DE_per_along_DE;  S_d(2, 5) = -DE_per_along_FG;
     S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
     S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
         + inverse_FG * sin_BC_minus_FG;
-    S_d(3, 4) = -FG_per_along_DE;
-    S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = BC_per_x_B;
-    S_u(1, 1) = BC_per_y_B;
-    S_u(1, 2) = BC_per_x_D;
-    S_u(1, 3) = BC_per_y_D;
-    S_u(1, 4) = BC_per_x_F;
-    S_u(1, 5) = BC_per_y_F;
-    S_u(2, 0) = DE_per_x_B;
-    S_u(2, 1) = DE_per_y_B;
-    S_u(2, 2) = DE_per_x_D;
-    S_u(2, 3) = DE_per_y_D;
-    S_u(2, 4) = DE_per_x_F;
-    S_u(2, 5) = DE_per_y_F;
-    S_u(3, 0) = FG_per_x_B;
-    S_u(3, 1) = FG_per_y_B;
-    S_u(3, 2) = FG_per_x_D;
-    S_u(3, 3) = FG_per_y_D;
-    S_u(3, 4) = FG_per_x_F;
-    S_u(3, 5) = FG_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_BC;
-    q_rate(2) = omega_DE;
-    q_rate(3) = omega_FG;
+    S_d(3, 4) = -FG_per_along_DE;  S_d(3, 5) = -FG_per_along_FG;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = BC_per_x_B;  S_u(1, 1) = BC_per_y_B;  S_u(1, 2) = BC_per_x_D;
+    S_u(1, 3) = BC_per_y_D;  S_u(1, 4) = BC_per_x_F;  S_u(1, 5) = BC_per_y_F;
+    S_u(2, 0) = DE_per_x_B;  S_u(2, 1) = DE_per_y_B;  S_u(2, 2) = DE_per_x_D;
+    S_u(2, 3) = DE_per_y_D;  S_u(2, 4) = DE_per_x_F;  S_u(2, 5) = DE_per_y_F;
+    S_u(3, 0) = FG_per_x_B;  S_u(3, 1) = FG_per_y_B;  S_u(3, 2) = FG_per_x_D;
+    S_u(3, 3) = FG_per_y_D;  S_u(3, 4) = FG_per_x_F;  S_u(3, 5) = FG_per_y_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_BC;  q_rate(2) = omega_DE;  q_rate(3) = omega_FG;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
         + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_along_DE * centripetal_along_DE + CEG_per_along_FG * centripetal_along_FG;
@@ -1116,21 +869,12 @@ struct Model01 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar P1_m1_re = Scalar(2) * d.CE * d.BC;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar P1_0_re = Scalar(2) * d.BC * t01;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar P1_0_im = -Scalar(2) * d.BC * t02;
-    const Scalar P2_m1_re = Scalar(2) * d.BC * d.x_G_CEG;
-    const Scalar P2_m1_im = -Scalar(2) * d.BC * d.y_G_CEG;
-    const Scalar P2_0_re = Scalar(2) * d.BC * FB_x;
-    const Scalar P2_0_im = -Scalar(2) * d.BC * FB_y;
-    const Scalar C1_m1_re = d.CE * t01;
-    const Scalar C1_m1_im = d.CE * t02;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, P1_m1_re = Scalar(2) * d.CE * d.BC, t01 = FB_x - FD_x;
+    const Scalar P1_0_re = Scalar(2) * d.BC * t01, t02 = FB_y - FD_y;
+    const Scalar P1_0_im = -Scalar(2) * d.BC * t02, P2_m1_re = Scalar(2) * d.BC * d.x_G_CEG;
+    const Scalar P2_m1_im = -Scalar(2) * d.BC * d.y_G_CEG, P2_0_re = Scalar(2) * d.BC * FB_x;
+    const Scalar P2_0_im = -Scalar(2) * d.BC * FB_y, C1_m1_re = d.CE * t01, C1_m1_im = d.CE * t02;
     const Scalar t03 = d.BC * d.BC;
     const Scalar C1_0_re = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y)
         + d.CE * d.CE + t03 + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
@@ -1138,12 +882,9 @@ struct Model01 {
     const Scalar C2_m1_im = FB_y * d.x_G_CEG - FB_x * d.y_G_CEG;
     const Scalar C2_0_re = t03 + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG + FB_x * FB_x
         + FB_y * FB_y - d.FG * d.FG;
-    const Scalar t04 = P2_m1_im * C1_m1_im;
-    const Scalar t05 = P1_m1_re * C2_m1_re - P2_m1_re * C1_m1_re;
-    const Scalar U_m2_re = t04 + t05;
-    const Scalar t06 = C1_m1_re * P2_m1_im;
-    const Scalar t07 = P1_m1_re * C2_m1_im - P2_m1_re * C1_m1_im;
-    const Scalar U_m2_im = t07 - t06;
+    const Scalar t04 = P2_m1_im * C1_m1_im, t05 = P1_m1_re * C2_m1_re - P2_m1_re * C1_m1_re;
+    const Scalar U_m2_re = t04 + t05, t06 = C1_m1_re * P2_m1_im;
+    const Scalar t07 = P1_m1_re * C2_m1_im - P2_m1_re * C1_m1_im, U_m2_im = t07 - t06;
     const Scalar t08 = C2_m1_re * P1_0_re - C1_m1_re * P2_0_re;
     const Scalar t09 = C2_m1_im * P1_0_im - C1_m1_im * P2_0_im;
     const Scalar U_m1_re = P1_m1_re * C2_0_re + t08 - P2_m1_re * C1_0_re - t09;
@@ -1151,16 +892,14 @@ struct Model01 {
     const Scalar t11 = C2_m1_re * P1_0_im - C1_m1_re * P2_0_im;
     const Scalar U_m1_im = t10 + t11 - P2_m1_im * C1_0_re;
     const Scalar U_0_re = C2_0_re * P1_0_re + t05 - t04 - C1_0_re * P2_0_re;
-    const Scalar U_0_im = C2_0_re * P1_0_im - t06 - C1_0_re * P2_0_im - t07;
-    const Scalar U_1_re = t08 + t09;
+    const Scalar U_0_im = C2_0_re * P1_0_im - t06 - C1_0_re * P2_0_im - t07, U_1_re = t08 + t09;
     const Scalar U_1_im = t11 - t10;
     const Scalar V_m1_re = -Scalar(0.5) * (P1_m1_re * P2_0_im + P2_m1_im * P1_0_re
         - P2_m1_re * P1_0_im);
     const Scalar V_m1_im = -Scalar(0.5) * (P1_m1_re * P2_0_re - P2_m1_re * P1_0_re
         - P2_m1_im * P1_0_im);
     const Scalar V_0_re = P1_0_im * P2_0_re - P1_m1_re * P2_m1_im - P1_0_re * P2_0_im;
-    const Scalar t12 = V_m1_re * V_m1_re;
-    const Scalar t13 = V_m1_im * V_m1_im;
+    const Scalar t12 = V_m1_re * V_m1_re, t13 = V_m1_im * V_m1_im;
     T.cosine[0] = U_m2_re * U_m2_re + U_m2_im * U_m2_im + U_m1_re * U_m1_re + U_m1_im * U_m1_im
         + U_0_re * U_0_re + U_0_im * U_0_im + U_1_re * U_1_re + U_1_im * U_1_im - Scalar(2) * t12
         - Scalar(2) * t13 - V_0_re * V_0_re;
@@ -1182,13 +921,8 @@ struct Model01 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar t03 = d.BC * d.BC;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y, t03 = d.BC * d.BC;
     e(0, 0) = Scalar(2) * d.BC * (d.CE * q.theta_CEG.cos + t01);
     e(0, 1) = Scalar(2) * d.BC * (d.CE * q.theta_CEG.sin + t02);
     e(0, 2) = d.CE * (d.CE + Scalar(2) * t01 * q.theta_CEG.cos + Scalar(2) * t02 * q.theta_CEG.sin)
@@ -1206,16 +940,13 @@ struct Model01 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
-    const Scalar t01 = d.BC * q.theta_BC.cos + FB_x;
-    const Scalar t02 = d.BC * q.theta_BC.sin + FB_y;
+    const Scalar t01 = d.BC * q.theta_BC.cos + FB_x, t02 = d.BC * q.theta_BC.sin + FB_y;
     q.theta_DE.cos = inverse_theta_DE * (d.CE * q.theta_CEG.cos + t01 - FD_x);
     q.theta_DE.sin = inverse_theta_DE * (d.CE * q.theta_CEG.sin + t02 - FD_y);
     q.theta_FG.cos = inverse_theta_FG * (d.x_G_CEG * q.theta_CEG.cos + t01

@@ -96,12 +96,9 @@ struct Model02 {
     Scalar DE{};  ///< distance from D to E on link DE
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, h_C_BC, DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, h_C_BC, DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, h_C_BC, DE, FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, h_C_BC, DE,
+        FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -114,12 +111,8 @@ struct Model02 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -130,12 +123,8 @@ struct Model02 {
     Direction<Scalar> theta_FG{};  ///< angle of link FG
     Scalar s_C{};  ///< displacement along the slide at C of link BC against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, theta_DE, theta_FG, s_C);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, theta_DE, theta_FG, s_C);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, theta_DE, theta_FG, s_C); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, theta_DE, theta_FG, s_C); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -190,25 +179,17 @@ struct Model02 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
     const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = slide_C_x - u.x_B - BC_x;
-    const Scalar t03 = slide_C_y - u.y_B - BC_y;
-    f(0) = u.x_D + DE_x + t02 - CE_x;
-    f(1) = u.y_D + DE_y + t03 - CE_y;
-    f(2) = u.x_F + FG_x + t02 - CG_x;
-    f(3) = u.y_F + FG_y + t03 - CG_y;
+    const Scalar t02 = slide_C_x - u.x_B - BC_x, t03 = slide_C_y - u.y_B - BC_y;
+    f(0) = u.x_D + DE_x + t02 - CE_x;  f(1) = u.y_D + DE_y + t03 - CE_y;
+    f(2) = u.x_F + FG_x + t02 - CG_x;  f(3) = u.y_F + FG_y + t03 - CG_y;
   }
 
   /// J = df/dq.
@@ -216,33 +197,19 @@ struct Model02 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
-    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = BC_y - slide_C_y;
+    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos, t02 = BC_y - slide_C_y;
     const Scalar t03 = BC_x - slide_C_x;
-    J(0, 0) = CE_y + t02;
-    J(0, 1) = -DE_y;
-    J(0, 3) = q.theta_CEG.cos;
-    J(1, 0) = -CE_x - t03;
-    J(1, 1) = DE_x;
-    J(1, 3) = q.theta_CEG.sin;
-    J(2, 0) = CG_y + t02;
-    J(2, 2) = -FG_y;
-    J(2, 3) = q.theta_CEG.cos;
-    J(3, 0) = -CG_x - t03;
-    J(3, 2) = FG_x;
-    J(3, 3) = q.theta_CEG.sin;
+    J(0, 0) = CE_y + t02;  J(0, 1) = -DE_y;  J(0, 3) = q.theta_CEG.cos;
+    J(1, 0) = -CE_x - t03;  J(1, 1) = DE_x;  J(1, 3) = q.theta_CEG.sin;
+    J(2, 0) = CG_y + t02;  J(2, 2) = -FG_y;  J(2, 3) = q.theta_CEG.cos;
+    J(3, 0) = -CG_x - t03;  J(3, 2) = FG_x;  J(3, 3) = q.theta_CEG.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -250,22 +217,12 @@ struct Model02 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_CEG.sin;
-    F_d(0, 3) = q.theta_CEG.sin;
-    F_d(0, 4) = q.theta_DE.cos;
-    F_d(1, 0) = q.theta_CEG.cos;
-    F_d(1, 3) = -q.theta_CEG.cos;
-    F_d(1, 4) = q.theta_DE.sin;
-    F_d(2, 0) = -q.theta_CEG.sin;
-    F_d(2, 1) = -q.theta_CEG.cos;
-    F_d(2, 2) = q.theta_CEG.sin;
-    F_d(2, 3) = q.theta_CEG.sin;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = q.theta_CEG.cos;
-    F_d(3, 1) = -q.theta_CEG.sin;
-    F_d(3, 2) = -q.theta_CEG.cos;
-    F_d(3, 3) = -q.theta_CEG.cos;
-    F_d(3, 5) = q.theta_FG.sin;
+    F_d(0, 0) = -q.theta_CEG.sin;  F_d(0, 3) = q.theta_CEG.sin;  F_d(0, 4) = q.theta_DE.cos;
+    F_d(1, 0) = q.theta_CEG.cos;  F_d(1, 3) = -q.theta_CEG.cos;  F_d(1, 4) = q.theta_DE.sin;
+    F_d(2, 0) = -q.theta_CEG.sin;  F_d(2, 1) = -q.theta_CEG.cos;  F_d(2, 2) = q.theta_CEG.sin;
+    F_d(2, 3) = q.theta_CEG.sin;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = q.theta_CEG.cos;  F_d(3, 1) = -q.theta_CEG.sin;  F_d(3, 2) = -q.theta_CEG.cos;
+    F_d(3, 3) = -q.theta_CEG.cos;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -273,14 +230,10 @@ struct Model02 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 4) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 5) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -288,15 +241,9 @@ struct Model02 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
-    rhs(2) = v_x_B - v_x_F;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
     rhs(3) = v_y_B - v_y_F;
   }
 
@@ -307,35 +254,20 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3), a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
     const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = q.theta_CEG.sin * v_s_C;
-    const Scalar t04 = BC_x - slide_C_x;
-    const Scalar t05 = q.theta_CEG.cos * v_s_C;
-    const Scalar t06 = BC_y - slide_C_y;
-    const Scalar t07 = omega_FG * omega_FG;
+    const Scalar t02 = omega_DE * omega_DE, t03 = q.theta_CEG.sin * v_s_C, t04 = BC_x - slide_C_x;
+    const Scalar t05 = q.theta_CEG.cos * v_s_C, t06 = BC_y - slide_C_y, t07 = omega_FG * omega_FG;
     rhs(0) = a_x_B + DE_x * t02 + omega_CEG * (Scalar(2) * t03 - (CE_x + t04) * omega_CEG) - a_x_D;
     rhs(1) = a_y_B + DE_y * t02 - a_y_D - omega_CEG * (Scalar(2) * t05 + (CE_y + t06) * omega_CEG);
     rhs(2) = a_x_B + FG_x * t07 + omega_CEG * (Scalar(2) * t03 - (CG_x + t04) * omega_CEG) - a_x_F;
@@ -350,47 +282,25 @@ struct Model02 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar alpha_DE = q_second_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar alpha_FG = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4);
-    const Scalar j_y_F = u_third_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_DE = q_rate(1);
+    const Scalar alpha_DE = q_second_rate(1), omega_FG = q_rate(2), alpha_FG = q_second_rate(2);
+    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
     const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = q.theta_CEG.sin * a_s_C;
-    const Scalar t04 = q.theta_CEG.cos * v_s_C;
-    const Scalar t05 = BC_y - slide_C_y;
-    const Scalar t06 = CE_y + t05;
-    const Scalar t07 = BC_x - slide_C_x;
-    const Scalar t08 = CE_x + t07;
-    const Scalar t09 = q.theta_CEG.sin * v_s_C;
-    const Scalar t10 = j_x_B + Scalar(3) * alpha_CEG * t09;
-    const Scalar t11 = q.theta_CEG.cos * a_s_C;
-    const Scalar t12 = j_y_B - Scalar(3) * t04 * alpha_CEG;
-    const Scalar t13 = omega_FG * omega_FG;
-    const Scalar t14 = CG_y + t05;
-    const Scalar t15 = CG_x + t07;
+    const Scalar t02 = omega_DE * omega_DE, t03 = q.theta_CEG.sin * a_s_C;
+    const Scalar t04 = q.theta_CEG.cos * v_s_C, t05 = BC_y - slide_C_y, t06 = CE_y + t05;
+    const Scalar t07 = BC_x - slide_C_x, t08 = CE_x + t07, t09 = q.theta_CEG.sin * v_s_C;
+    const Scalar t10 = j_x_B + Scalar(3) * alpha_CEG * t09, t11 = q.theta_CEG.cos * a_s_C;
+    const Scalar t12 = j_y_B - Scalar(3) * t04 * alpha_CEG, t13 = omega_FG * omega_FG;
+    const Scalar t14 = CG_y + t05, t15 = CG_x + t07;
     rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + omega_CEG * (Scalar(3) * t03
         + omega_CEG * (Scalar(3) * t04 + t06 * omega_CEG) - Scalar(3) * t08 * alpha_CEG) + t10
         - j_x_D;
@@ -412,34 +322,19 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar v_h_C_BC = d_rate(3);
-    const Scalar v_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_C = q_rate(3), v_h_C_CEG = d_rate(0), v_x_G_CEG = d_rate(1);
+    const Scalar v_y_G_CEG = d_rate(2), v_h_C_BC = d_rate(3), v_DE = d_rate(4), v_FG = d_rate(5);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
     const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = v_h_C_CEG - v_h_C_BC;
-    const Scalar t03 = BC_x - slide_C_x;
-    const Scalar t04 = BC_y - slide_C_y;
-    const Scalar t05 = v_s_C - v_x_G_CEG;
-    const Scalar t06 = t02 - v_y_G_CEG;
+    const Scalar t02 = v_h_C_CEG - v_h_C_BC, t03 = BC_x - slide_C_x, t04 = BC_y - slide_C_y;
+    const Scalar t05 = v_s_C - v_x_G_CEG, t06 = t02 - v_y_G_CEG;
     rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE)
         + omega_CEG * (Scalar(2) * q.theta_CEG.cos * t02 + Scalar(2) * q.theta_CEG.sin * v_s_C
         - (CE_x + t03) * omega_CEG);
@@ -458,27 +353,15 @@ struct Model02 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    poses[0].x = u.x_B + BC_x + CE_x - slide_C_x;
-    poses[0].y = u.y_B + BC_y + CE_y - slide_C_y;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = u.x_B;
-    poses[1].y = u.y_B;
-    poses[1].direction.cos = q.theta_CEG.cos;
-    poses[1].direction.sin = q.theta_CEG.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_DE.cos;
-    poses[2].direction.sin = q.theta_DE.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    poses[0].x = u.x_B + BC_x + CE_x - slide_C_x;  poses[0].y = u.y_B + BC_y + CE_y - slide_C_y;
+    poses[0].direction.cos = q.theta_CEG.cos;  poses[0].direction.sin = q.theta_CEG.sin;
+    poses[1].x = u.x_B;  poses[1].y = u.y_B;  poses[1].direction.cos = q.theta_CEG.cos;
+    poses[1].direction.sin = q.theta_CEG.sin;  poses[2].x = u.x_D;  poses[2].y = u.y_D;
+    poses[2].direction.cos = q.theta_DE.cos;  poses[2].direction.sin = q.theta_DE.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = q.theta_FG.cos;
     poses[3].direction.sin = q.theta_FG.sin;
   }
 
@@ -492,24 +375,17 @@ struct Model02 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    P_q(0, 0) = slide_C_y - BC_y - CE_y;
-    P_q(0, 3) = -q.theta_CEG.cos;
-    P_q(1, 0) = BC_x + CE_x - slide_C_x;
-    P_q(1, 3) = -q.theta_CEG.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    P_q(0, 0) = slide_C_y - BC_y - CE_y;  P_q(0, 3) = -q.theta_CEG.cos;
+    P_q(1, 0) = BC_x + CE_x - slide_C_x;  P_q(1, 3) = -q.theta_CEG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(8, 1) = Scalar(1);
     P_q(11, 2) = Scalar(1);
-    P_d(0, 0) = q.theta_CEG.sin;
-    P_d(0, 3) = -q.theta_CEG.sin;
-    P_d(1, 0) = -q.theta_CEG.cos;
-    P_d(1, 3) = q.theta_CEG.cos;
+    P_d(0, 0) = q.theta_CEG.sin;  P_d(0, 3) = -q.theta_CEG.sin;
+    P_d(1, 0) = -q.theta_CEG.cos;  P_d(1, 3) = q.theta_CEG.cos;
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
     P_u(3, 0) = Scalar(1);
@@ -525,34 +401,18 @@ struct Model02 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_C = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2);
+    const Scalar v_y_D = u_rate(3), v_x_F = u_rate(4), v_y_F = u_rate(5);
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     v(0, 0) = v_x_B - (BC_y + CE_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
     v(0, 1) = (BC_x + CE_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
-    v(1, 0) = v_x_B;
-    v(1, 1) = v_y_B;
-    v(1, 2) = omega_CEG;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_DE;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(1, 0) = v_x_B;  v(1, 1) = v_y_B;  v(1, 2) = omega_CEG;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_DE;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -561,40 +421,22 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar alpha_DE = q_second_rate(1);
-    const Scalar alpha_FG = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t01 = BC_x + CE_x - slide_C_x;
-    const Scalar t02 = BC_y + CE_y - slide_C_y;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), alpha_DE = q_second_rate(1);
+    const Scalar alpha_FG = q_second_rate(2), v_s_C = q_rate(3), a_s_C = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
+    const Scalar a_y_D = u_second_rate(3), a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar t01 = BC_x + CE_x - slide_C_x, t02 = BC_y + CE_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
     a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
-    a(1, 0) = a_x_B;
-    a(1, 1) = a_y_B;
-    a(1, 2) = alpha_CEG;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_DE;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(1, 0) = a_x_B;  a(1, 1) = a_y_B;  a(1, 2) = alpha_CEG;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_DE;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -604,17 +446,12 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(3), v_h_C_CEG = d_rate(0);
     const Scalar v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = v_h_C_CEG - v_h_C_BC;
     p(0, 0) = -omega_CEG * ((BC_x + CE_x - slide_C_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.cos * t01 - Scalar(2) * q.theta_CEG.sin * v_s_C);
@@ -644,14 +481,9 @@ struct Model02 {
         - d.y_G_CEG) * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
     const Scalar t02 = abs(d.h_C_BC) + abs(q.s_C) + abs(d.h_C_CEG);
-    const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
-    const Scalar t04 = abs(d.FG) + t03;
-    p(0) = determinant;
-    p(1) = d.FG;
-    p(2) = d.DE;
-    size(0) = abs(d.DE) + Scalar(2) * t02 + t04;
-    size(1) = t02 + t04;
-    size(2) = abs(d.DE) + t02;
+    const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG), t04 = abs(d.FG) + t03;
+    p(0) = determinant;  p(1) = d.FG;  p(2) = d.DE;
+    size(0) = abs(d.DE) + Scalar(2) * t02 + t04;  size(1) = t02 + t04;  size(2) = abs(d.DE) + t02;
     terms = Scalar(2) * t02 + t03;
   }
 
@@ -670,19 +502,15 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t04;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04;
-    const Scalar t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05;
-    const Scalar inverse_DE = d.FG * t05;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
     const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
@@ -729,19 +557,15 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t04;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04;
-    const Scalar t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05;
-    const Scalar inverse_DE = d.FG * t05;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
     const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
@@ -775,55 +599,28 @@ struct Model02 {
     const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
     const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
     const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12;
-    const Scalar t14 = t06 + t07;
-    S_d(0, 0) = t09;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -t08;
-    S_d(0, 3) = -t09;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t11;
-    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
-    S_d(1, 2) = -t10;
-    S_d(1, 3) = t11;
-    S_d(1, 4) = -DE_per_along_DE;
-    S_d(1, 5) = -DE_per_along_FG;
+    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12, t14 = t06 + t07;
+    S_d(0, 0) = t09;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;  S_d(0, 2) = -t08;
+    S_d(0, 3) = -t09;  S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+    S_d(1, 0) = -t11;  S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;  S_d(1, 2) = -t10;
+    S_d(1, 3) = t11;  S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
     S_d(2, 0) = t13;
     S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(2, 2) = t12;
-    S_d(2, 3) = -t13;
-    S_d(2, 4) = -FG_per_along_DE;
+    S_d(2, 2) = t12;  S_d(2, 3) = -t13;  S_d(2, 4) = -FG_per_along_DE;
     S_d(2, 5) = -FG_per_along_FG;
-    S_d(3, 0) = t14;
-    S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t07;
-    S_d(3, 3) = -t14;
-    S_d(3, 4) = -s_C_per_along_DE;
-    S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
+    S_d(3, 0) = t14;  S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;  S_d(3, 2) = -t07;
+    S_d(3, 3) = -t14;  S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
     S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;
-    S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
-    S_u(1, 2) = DE_per_x_D;
-    S_u(1, 3) = DE_per_y_D;
-    S_u(1, 4) = DE_per_x_F;
+    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;  S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
+    S_u(1, 2) = DE_per_x_D;  S_u(1, 3) = DE_per_y_D;  S_u(1, 4) = DE_per_x_F;
     S_u(1, 5) = DE_per_y_F;
-    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(2, 2) = FG_per_x_D;
-    S_u(2, 3) = FG_per_y_D;
-    S_u(2, 4) = FG_per_x_F;
+    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;  S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(2, 2) = FG_per_x_D;  S_u(2, 3) = FG_per_y_D;  S_u(2, 4) = FG_per_x_F;
     S_u(2, 5) = FG_per_y_F;
-    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(3, 2) = s_C_per_x_D;
-    S_u(3, 3) = s_C_per_y_D;
-    S_u(3, 4) = s_C_per_x_F;
+    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(3, 2) = s_C_per_x_D;  S_u(3, 3) = s_C_per_y_D;  S_u(3, 4) = s_C_per_x_F;
     S_u(3, 5) = s_C_per_y_F;
   }
 
@@ -832,12 +629,8 @@ struct Model02 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -849,25 +642,19 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t04;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04;
-    const Scalar t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05;
-    const Scalar inverse_DE = d.FG * t05;
-    const Scalar t06 = v_x_B - v_x_D;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05, t06 = v_x_B - v_x_D;
     const Scalar t07 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t06 + q.theta_DE.sin * t07;
     const Scalar velocity_across_DE = q.theta_DE.cos * t07 - q.theta_DE.sin * t06;
-    const Scalar t08 = v_x_B - v_x_F;
-    const Scalar t09 = v_y_B - v_y_F;
+    const Scalar t08 = v_x_B - v_x_F, t09 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t08 + q.theta_FG.sin * t09;
     const Scalar velocity_across_FG = q.theta_FG.cos * t09 - q.theta_FG.sin * t08;
     const Scalar omega_CEG = -inverse_determinant * (cos_CEG_minus_DE * velocity_along_FG
@@ -878,10 +665,7 @@ struct Model02 {
         - velocity_across_FG);
     const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + sin_CEG_minus_DE * v_s_C
         - velocity_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_C;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_C;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -890,18 +674,10 @@ struct Model02 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -913,46 +689,36 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t04;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04;
-    const Scalar t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05;
-    const Scalar inverse_DE = d.FG * t05;
-    const Scalar t06 = v_x_B - v_x_D;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05, t06 = v_x_B - v_x_D;
     const Scalar t07 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t06 + q.theta_DE.sin * t07;
     const Scalar velocity_across_DE = q.theta_DE.cos * t07 - q.theta_DE.sin * t06;
-    const Scalar t08 = v_x_B - v_x_F;
-    const Scalar t09 = v_y_B - v_y_F;
+    const Scalar t08 = v_x_B - v_x_F, t09 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t08 + q.theta_FG.sin * t09;
     const Scalar velocity_across_FG = q.theta_FG.cos * t09 - q.theta_FG.sin * t08;
     const Scalar omega_CEG = -inverse_determinant * (cos_CEG_minus_DE * velocity_along_FG
         - cos_CEG_minus_FG * velocity_along_DE);
     const Scalar v_s_C = -inverse_determinant * (CEG_across_DE * velocity_along_FG
         - CEG_across_FG * velocity_along_DE);
-    const Scalar t10 = CEG_along_FG * omega_CEG;
-    const Scalar t11 = sin_CEG_minus_FG * v_s_C;
+    const Scalar t10 = CEG_along_FG * omega_CEG, t11 = sin_CEG_minus_FG * v_s_C;
     const Scalar omega_FG = -inverse_FG * (t10 + t11 - velocity_across_FG);
-    const Scalar t12 = CEG_along_DE * omega_CEG;
-    const Scalar t13 = sin_CEG_minus_DE * v_s_C;
-    const Scalar omega_DE = -inverse_DE * (t12 + t13 - velocity_across_DE);
-    const Scalar t14 = a_x_B - a_x_D;
+    const Scalar t12 = CEG_along_DE * omega_CEG, t13 = sin_CEG_minus_DE * v_s_C;
+    const Scalar omega_DE = -inverse_DE * (t12 + t13 - velocity_across_DE), t14 = a_x_B - a_x_D;
     const Scalar t15 = a_y_B - a_y_D;
     const Scalar acceleration_along_DE = q.theta_DE.cos * t14 + q.theta_DE.sin * t15
         + omega_CEG * (t12 + Scalar(2) * t13) + d.DE * omega_DE * omega_DE;
     const Scalar acceleration_across_DE = q.theta_DE.cos * t15
         + omega_CEG * (CEG_across_DE * omega_CEG - Scalar(2) * cos_CEG_minus_DE * v_s_C)
         - q.theta_DE.sin * t14;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar t16 = a_x_B - a_x_F, t17 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t16 + q.theta_FG.sin * t17
         + omega_CEG * (t10 + Scalar(2) * t11) + d.FG * omega_FG * omega_FG;
     const Scalar acceleration_across_FG = q.theta_FG.cos * t17
@@ -966,13 +732,8 @@ struct Model02 {
         - acceleration_across_FG);
     const Scalar alpha_DE = -inverse_DE * (CEG_along_DE * alpha_CEG + sin_CEG_minus_DE * a_s_C
         - acceleration_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_C;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = alpha_DE;
-    q_second_rate(2) = alpha_FG;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_C;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = alpha_DE;  q_second_rate(2) = alpha_FG;
     q_second_rate(3) = a_s_C;
   }
 
@@ -984,18 +745,10 @@ struct Model02 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
         + q.theta_CEG.sin * q.theta_DE.sin;
     const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
@@ -1007,19 +760,15 @@ struct Model02 {
     const Scalar t01 = d.h_C_CEG - d.h_C_BC;
     const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
     const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
     const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t04;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04;
-    const Scalar t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05;
-    const Scalar inverse_DE = d.FG * t05;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
     const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
@@ -1077,60 +826,26 @@ struct Model02 {
     const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
     const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
     const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12;
-    const Scalar t14 = t06 + t07;
-    S_d(0, 0) = t09;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -t08;
-    S_d(0, 3) = -t09;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t11;
-    S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
-    S_d(1, 2) = -t10;
-    S_d(1, 3) = t11;
-    S_d(1, 4) = -DE_per_along_DE;
-    S_d(1, 5) = -DE_per_along_FG;
+    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12, t14 = t06 + t07;
+    S_d(0, 0) = t09;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;  S_d(0, 2) = -t08;
+    S_d(0, 3) = -t09;  S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+    S_d(1, 0) = -t11;  S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;  S_d(1, 2) = -t10;
+    S_d(1, 3) = t11;  S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
     S_d(2, 0) = t13;
     S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(2, 2) = t12;
-    S_d(2, 3) = -t13;
-    S_d(2, 4) = -FG_per_along_DE;
+    S_d(2, 2) = t12;  S_d(2, 3) = -t13;  S_d(2, 4) = -FG_per_along_DE;
     S_d(2, 5) = -FG_per_along_FG;
-    S_d(3, 0) = t14;
-    S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t07;
-    S_d(3, 3) = -t14;
-    S_d(3, 4) = -s_C_per_along_DE;
-    S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = DE_per_x_B;
-    S_u(1, 1) = DE_per_y_B;
-    S_u(1, 2) = DE_per_x_D;
-    S_u(1, 3) = DE_per_y_D;
-    S_u(1, 4) = DE_per_x_F;
-    S_u(1, 5) = DE_per_y_F;
-    S_u(2, 0) = FG_per_x_B;
-    S_u(2, 1) = FG_per_y_B;
-    S_u(2, 2) = FG_per_x_D;
-    S_u(2, 3) = FG_per_y_D;
-    S_u(2, 4) = FG_per_x_F;
-    S_u(2, 5) = FG_per_y_F;
-    S_u(3, 0) = s_C_per_x_B;
-    S_u(3, 1) = s_C_per_y_B;
-    S_u(3, 2) = s_C_per_x_D;
-    S_u(3, 3) = s_C_per_y_D;
-    S_u(3, 4) = s_C_per_x_F;
-    S_u(3, 5) = s_C_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_C;
+    S_d(3, 0) = t14;  S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;  S_d(3, 2) = -t07;
+    S_d(3, 3) = -t14;  S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = DE_per_x_B;  S_u(1, 1) = DE_per_y_B;  S_u(1, 2) = DE_per_x_D;
+    S_u(1, 3) = DE_per_y_D;  S_u(1, 4) = DE_per_x_F;  S_u(1, 5) = DE_per_y_F;
+    S_u(2, 0) = FG_per_x_B;  S_u(2, 1) = FG_per_y_B;  S_u(2, 2) = FG_per_x_D;
+    S_u(2, 3) = FG_per_y_D;  S_u(2, 4) = FG_per_x_F;  S_u(2, 5) = FG_per_y_F;
+    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_x_D;
+    S_u(3, 3) = s_C_per_y_D;  S_u(3, 4) = s_C_per_x_F;  S_u(3, 5) = s_C_per_y_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_C;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
         + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_along_DE * centripetal_along_DE + CEG_per_along_FG * centripetal_along_FG;
@@ -1152,39 +867,27 @@ struct Model02 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_m1_re = FD_x - FB_x;
-    const Scalar b_m1_im = FD_y - FB_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_m1_re = FD_x - FB_x, b_m1_im = FD_y - FB_y;
     const Scalar c_m1_re = d.h_C_CEG * b_m1_im - d.h_C_BC * b_m1_im;
     const Scalar c_m1_im = d.h_C_BC * b_m1_re - d.h_C_CEG * b_m1_re;
-    const Scalar t01 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
-    const Scalar t02 = d.h_C_BC * d.h_C_BC;
+    const Scalar t01 = d.h_C_CEG - Scalar(2) * d.h_C_BC, t02 = d.h_C_BC * d.h_C_BC;
     const Scalar c_0_re = d.h_C_CEG * t01 + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
         - Scalar(2) * FD_y) + t02 + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
-    const Scalar e_0_re = -Scalar(2) * d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.h_C_BC - d.y_G_CEG;
-    const Scalar f_m1_re = FB_x * d.x_G_CEG - FB_y * t03;
-    const Scalar f_m1_im = FB_x * t03 + FB_y * d.x_G_CEG;
+    const Scalar e_0_re = -Scalar(2) * d.x_G_CEG, t03 = d.h_C_CEG - d.h_C_BC - d.y_G_CEG;
+    const Scalar f_m1_re = FB_x * d.x_G_CEG - FB_y * t03, f_m1_im = FB_x * t03 + FB_y * d.x_G_CEG;
     const Scalar f_0_re = t02 + d.y_G_CEG * (Scalar(2) * d.h_C_BC + d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (t01
         - Scalar(2) * d.y_G_CEG) - d.FG * d.FG;
-    const Scalar M_m1_re = f_m1_re - c_m1_re;
-    const Scalar M_m1_im = f_m1_im - c_m1_im;
-    const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar t04 = FB_x * c_m1_re + f_m1_re * b_m1_re;
-    const Scalar t05 = FB_y * c_m1_im + f_m1_im * b_m1_im;
+    const Scalar M_m1_re = f_m1_re - c_m1_re, M_m1_im = f_m1_im - c_m1_im, M_0_re = f_0_re - c_0_re;
+    const Scalar t04 = FB_x * c_m1_re + f_m1_re * b_m1_re, t05 = FB_y * c_m1_im + f_m1_im * b_m1_im;
     const Scalar O_m2_re = t04 - t05;
     const Scalar O_m2_im = FB_x * c_m1_im + FB_y * c_m1_re + f_m1_im * b_m1_re + f_m1_re * b_m1_im;
     const Scalar O_m1_re = FB_x * c_0_re + f_0_re * b_m1_re - c_m1_re * e_0_re;
     const Scalar O_m1_im = FB_y * c_0_re + f_0_re * b_m1_im - c_m1_im * e_0_re;
     const Scalar O_0_re = Scalar(2) * t04 + Scalar(2) * t05 - c_0_re * e_0_re;
-    const Scalar t06 = FD_x * O_m1_re + M_m1_re * M_m1_re;
-    const Scalar t07 = FD_y * O_m1_im + M_m1_im * M_m1_im;
-    const Scalar t08 = FD_y * O_m2_im;
-    const Scalar t09 = FD_x * O_m2_im;
+    const Scalar t06 = FD_x * O_m1_re + M_m1_re * M_m1_re, t07 = FD_y * O_m1_im + M_m1_im * M_m1_im;
+    const Scalar t08 = FD_y * O_m2_im, t09 = FD_x * O_m2_im;
     T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t06 + Scalar(2) * t07 - e_0_re * O_0_re;
     T.cosine[1] = Scalar(2) * (FD_x * (O_0_re + O_m2_re) + t08 + Scalar(2) * M_m1_re * M_0_re
         - e_0_re * O_m1_re);
@@ -1203,12 +906,8 @@ struct Model02 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_m1_re = FD_x - FB_x;
-    const Scalar b_m1_im = FD_y - FB_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_m1_re = FD_x - FB_x, b_m1_im = FD_y - FB_y;
     const Scalar t01 = b_m1_im * q.theta_CEG.cos - b_m1_re * q.theta_CEG.sin;
     const Scalar t02 = d.h_C_CEG - Scalar(2) * d.h_C_BC;
     const Scalar t03 = FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin;
@@ -1218,8 +917,7 @@ struct Model02 {
     e(0, 2) = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
         + FD_y * FD_y + d.h_C_BC * (d.h_C_BC - Scalar(2) * t01) + d.h_C_CEG * (t02
         + Scalar(2) * t01) - d.DE * d.DE;
-    e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (d.x_G_CEG + t03);
+    e(1, 0) = Scalar(1);  e(1, 1) = -Scalar(2) * (d.x_G_CEG + t03);
     e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.y_G_CEG * (Scalar(2) * d.h_C_BC + d.y_G_CEG
         + Scalar(2) * t04) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t04) + d.h_C_CEG * (t02
         - Scalar(2) * d.y_G_CEG - Scalar(2) * t04) + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * t03)
@@ -1230,17 +928,13 @@ struct Model02 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = t01 - d.y_G_CEG;
+    const Scalar t01 = d.h_C_CEG - d.h_C_BC, t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
     q.theta_DE.cos = (t01 * q.theta_CEG.sin + FB_x - q.s_C * q.theta_CEG.cos
         - FD_x) * inverse_theta_DE;
     q.theta_DE.sin = -inverse_theta_DE * (t01 * q.theta_CEG.cos + q.s_C * q.theta_CEG.sin + FD_y

@@ -96,12 +96,8 @@ struct Model03 {
     Scalar DE{};  ///< distance from D to E on link DE
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, DE, FG); }
+    [[nodiscard]] auto members() const { return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -115,12 +111,8 @@ struct Model03 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -131,12 +123,8 @@ struct Model03 {
     Direction<Scalar> theta_FG{};  ///< angle of link FG
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, theta_DE, theta_FG, s_B);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, theta_DE, theta_FG, s_B);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, theta_DE, theta_FG, s_B); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, theta_DE, theta_FG, s_B); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -192,24 +180,16 @@ struct Model03 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = BC_x + u.x_B + slide_B_x;
-    const Scalar t02 = BC_y + u.y_B + slide_B_y;
-    f(0) = u.x_D + DE_x - CE_x - t01;
-    f(1) = u.y_D + DE_y - CE_y - t02;
-    f(2) = u.x_F + FG_x - CG_x - t01;
-    f(3) = u.y_F + FG_y - CG_y - t02;
+    const Scalar t01 = BC_x + u.x_B + slide_B_x, t02 = BC_y + u.y_B + slide_B_y;
+    f(0) = u.x_D + DE_x - CE_x - t01;  f(1) = u.y_D + DE_y - CE_y - t02;
+    f(2) = u.x_F + FG_x - CG_x - t01;  f(3) = u.y_F + FG_y - CG_y - t02;
   }
 
   /// J = df/dq.
@@ -217,26 +197,15 @@ struct Model03 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    J(0, 0) = CE_y;
-    J(0, 1) = -DE_y;
-    J(0, 3) = -u.phi_B.cos;
-    J(1, 0) = -CE_x;
-    J(1, 1) = DE_x;
-    J(1, 3) = -u.phi_B.sin;
-    J(2, 0) = CG_y;
-    J(2, 2) = -FG_y;
-    J(2, 3) = -u.phi_B.cos;
-    J(3, 0) = -CG_x;
-    J(3, 2) = FG_x;
-    J(3, 3) = -u.phi_B.sin;
+    J(0, 0) = CE_y;  J(0, 1) = -DE_y;  J(0, 3) = -u.phi_B.cos;
+    J(1, 0) = -CE_x;  J(1, 1) = DE_x;  J(1, 3) = -u.phi_B.sin;
+    J(2, 0) = CG_y;  J(2, 2) = -FG_y;  J(2, 3) = -u.phi_B.cos;
+    J(3, 0) = -CG_x;  J(3, 2) = FG_x;  J(3, 3) = -u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -244,19 +213,11 @@ struct Model03 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_CEG.cos;
-    F_d(0, 3) = -u.phi_B.sin;
-    F_d(0, 4) = q.theta_DE.cos;
-    F_d(1, 0) = -q.theta_CEG.sin;
-    F_d(1, 3) = u.phi_B.cos;
-    F_d(1, 4) = q.theta_DE.sin;
-    F_d(2, 1) = -q.theta_CEG.cos;
-    F_d(2, 2) = q.theta_CEG.sin;
-    F_d(2, 3) = -u.phi_B.sin;
+    F_d(0, 0) = -q.theta_CEG.cos;  F_d(0, 3) = -u.phi_B.sin;  F_d(0, 4) = q.theta_DE.cos;
+    F_d(1, 0) = -q.theta_CEG.sin;  F_d(1, 3) = u.phi_B.cos;  F_d(1, 4) = q.theta_DE.sin;
+    F_d(2, 1) = -q.theta_CEG.cos;  F_d(2, 2) = q.theta_CEG.sin;  F_d(2, 3) = -u.phi_B.sin;
     F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 1) = -q.theta_CEG.sin;
-    F_d(3, 2) = -q.theta_CEG.cos;
-    F_d(3, 3) = u.phi_B.cos;
+    F_d(3, 1) = -q.theta_CEG.sin;  F_d(3, 2) = -q.theta_CEG.cos;  F_d(3, 3) = u.phi_B.cos;
     F_d(3, 5) = q.theta_FG.sin;
   }
 
@@ -265,24 +226,13 @@ struct Model03 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t01;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t02;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t01;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -t02;
-    F_u(3, 6) = Scalar(1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = t01;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -290,23 +240,13 @@ struct Model03 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
-    rhs(0) = -v_x_D - t01;
-    rhs(1) = t02 - v_y_D;
-    rhs(2) = -v_x_F - t01;
-    rhs(3) = t02 - v_y_F;
+    rhs(0) = -v_x_D - t01;  rhs(1) = t02 - v_y_D;  rhs(2) = -v_x_F - t01;  rhs(3) = t02 - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -316,43 +256,26 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_B = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = slide_B_x + BC_x;
+    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = slide_B_x + BC_x;
     const Scalar t04 = slide_B_y + BC_y;
     const Scalar t05 = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t04 * alpha_B;
     const Scalar t06 = a_y_B + t03 * alpha_B - omega_B * (t04 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
     const Scalar t07 = omega_FG * omega_FG;
-    rhs(0) = DE_x * t02 + t05 - a_x_D - CE_x * t01;
-    rhs(1) = DE_y * t02 + t06 - a_y_D - CE_y * t01;
-    rhs(2) = FG_x * t07 + t05 - a_x_F - CG_x * t01;
-    rhs(3) = FG_y * t07 + t06 - a_y_F - CG_y * t01;
+    rhs(0) = DE_x * t02 + t05 - a_x_D - CE_x * t01;  rhs(1) = DE_y * t02 + t06 - a_y_D - CE_y * t01;
+    rhs(2) = FG_x * t07 + t05 - a_x_F - CG_x * t01;  rhs(3) = FG_y * t07 + t06 - a_y_F - CG_y * t01;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -363,41 +286,21 @@ struct Model03 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar alpha_DE = q_second_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar alpha_FG = q_second_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_s_B = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_DE = q_rate(1);
+    const Scalar alpha_DE = q_second_rate(1), omega_FG = q_rate(2), alpha_FG = q_second_rate(2);
+    const Scalar v_s_B = q_rate(3), a_s_B = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = slide_B_y + BC_y;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = slide_B_x + BC_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B;
+    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = slide_B_y + BC_y;
+    const Scalar t04 = u.phi_B.cos * v_s_B, t05 = slide_B_x + BC_x, t06 = u.phi_B.sin * v_s_B;
     const Scalar t07 = omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04)
         - Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t03 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t06;
@@ -422,27 +325,14 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_CE = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar v_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_B = q_rate(3), v_CE = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar v_h_B_BC = d_rate(3), v_DE = d_rate(4), v_FG = d_rate(5), omega_B = u_rate(2);
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
@@ -465,28 +355,15 @@ struct Model03 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = u.x_B + slide_B_x + BC_x;
-    const Scalar t02 = u.y_B + slide_B_y + BC_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_DE.cos;
-    poses[2].direction.sin = q.theta_DE.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
-    poses[3].direction.sin = q.theta_FG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = u.x_B + slide_B_x + BC_x, t02 = u.y_B + slide_B_y + BC_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = q.theta_CEG.cos;
+    poses[0].direction.sin = q.theta_CEG.sin;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = q.theta_DE.cos;
+    poses[2].direction.sin = q.theta_DE.sin;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = q.theta_FG.cos;  poses[3].direction.sin = q.theta_FG.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -499,12 +376,9 @@ struct Model03 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
     P_q(0, 3) = u.phi_B.cos;
     P_q(1, 3) = u.phi_B.sin;
     P_q(2, 0) = Scalar(1);
@@ -516,14 +390,10 @@ struct Model03 {
     P_d(1, 3) = -u.phi_B.cos;
     P_d(3, 3) = u.phi_B.sin;
     P_d(4, 3) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t01;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t02;
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -t01;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t01;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t02;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -t01;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = t02;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -536,35 +406,17 @@ struct Model03 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_DE = q_rate(1);
-    const Scalar omega_FG = q_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
+    const Scalar v_s_B = q_rate(3), v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2);
+    const Scalar v_x_D = u_rate(3), v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = -t01;
-    v(0, 1) = t02;
-    v(0, 2) = omega_CEG;
-    v(1, 0) = -t01;
-    v(1, 1) = t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_DE;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(0, 0) = -t01;  v(0, 1) = t02;  v(0, 2) = omega_CEG;
+    v(1, 0) = -t01;  v(1, 1) = t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_DE;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -573,41 +425,22 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar alpha_DE = q_second_rate(1);
-    const Scalar alpha_FG = q_second_rate(2);
-    const Scalar v_s_B = q_rate(3);
-    const Scalar a_s_B = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar alpha_CEG = q_second_rate(0), alpha_DE = q_second_rate(1);
+    const Scalar alpha_FG = q_second_rate(2), v_s_B = q_rate(3), a_s_B = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
     const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
-    a(0, 0) = -t03;
-    a(0, 1) = -t04;
-    a(0, 2) = alpha_CEG;
-    a(1, 0) = -t03;
-    a(1, 1) = -t04;
-    a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_DE;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(0, 0) = -t03;  a(0, 1) = -t04;  a(0, 2) = alpha_CEG;
+    a(1, 0) = -t03;  a(1, 1) = -t04;  a(1, 2) = alpha_B;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_DE;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -617,22 +450,16 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(3);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(3), v_h_B_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    p(0, 0) = -t01;
-    p(0, 1) = -t02;
-    p(1, 0) = -t01;
-    p(1, 1) = -t02;
+    p(0, 0) = -t01;  p(0, 1) = -t02;
+    p(1, 0) = -t01;  p(1, 1) = -t02;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -655,16 +482,10 @@ struct Model03 {
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC);
-    const Scalar t02 = abs(d.CE) + abs(d.DE);
-    const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
-    const Scalar t04 = abs(d.FG) + t03;
-    p(0) = determinant;
-    p(1) = d.FG;
-    p(2) = d.DE;
-    size(0) = Scalar(2) * t01 + t02 + t04;
-    size(1) = t01 + t04;
-    size(2) = t01 + t02;
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC), t02 = abs(d.CE) + abs(d.DE);
+    const Scalar t03 = abs(d.x_G_CEG) + abs(d.y_G_CEG), t04 = abs(d.FG) + t03;
+    p(0) = determinant;  p(1) = d.FG;  p(2) = d.DE;
+    size(0) = Scalar(2) * t01 + t02 + t04;  size(1) = t01 + t04;  size(2) = t01 + t02;
     terms = abs(d.CE) + t03;
   }
 
@@ -684,20 +505,16 @@ struct Model03 {
         + q.theta_CEG.sin * q.theta_FG.sin;
     const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
         - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
@@ -747,22 +564,18 @@ struct Model03 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
     const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
@@ -795,57 +608,40 @@ struct Model03 {
     S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_DE * sin_phi_B_minus_DE + CEG_per_along_FG * sin_phi_B_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
+    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
     S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
     S_d(1, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = DE_per_along_DE * sin_phi_B_minus_DE + DE_per_along_FG * sin_phi_B_minus_FG
         - inverse_DE * cos_phi_B_minus_DE;
-    S_d(1, 4) = -DE_per_along_DE;
-    S_d(1, 5) = -DE_per_along_FG;
+    S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
     S_d(2, 0) = FG_per_along_DE * cos_CEG_minus_DE;
     S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(2, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(2, 3) = FG_per_along_DE * sin_phi_B_minus_DE + FG_per_along_FG * sin_phi_B_minus_FG
         - inverse_FG * cos_phi_B_minus_FG;
-    S_d(2, 4) = -FG_per_along_DE;
-    S_d(2, 5) = -FG_per_along_FG;
+    S_d(2, 4) = -FG_per_along_DE;  S_d(2, 5) = -FG_per_along_FG;
     S_d(3, 0) = cos_CEG_minus_DE * s_B_per_along_DE;
     S_d(3, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(3, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;
-    S_d(3, 3) = t03 + t04;
-    S_d(3, 4) = -s_B_per_along_DE;
-    S_d(3, 5) = -s_B_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_d(3, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(3, 3) = t03 + t04;
+    S_d(3, 4) = -s_B_per_along_DE;  S_d(3, 5) = -s_B_per_along_FG;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = CEG_per_along_DE * phi_B_across_DE + CEG_per_along_FG * phi_B_across_FG;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;
-    S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
+    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;  S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
     S_u(1, 2) = DE_per_along_DE * phi_B_across_DE + DE_per_along_FG * phi_B_across_FG
         - inverse_DE * phi_B_along_DE;
-    S_u(1, 3) = DE_per_x_D;
-    S_u(1, 4) = DE_per_y_D;
-    S_u(1, 5) = DE_per_x_F;
+    S_u(1, 3) = DE_per_x_D;  S_u(1, 4) = DE_per_y_D;  S_u(1, 5) = DE_per_x_F;
     S_u(1, 6) = DE_per_y_F;
-    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;  S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(2, 2) = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
         - inverse_FG * phi_B_along_FG;
-    S_u(2, 3) = FG_per_x_D;
-    S_u(2, 4) = FG_per_y_D;
-    S_u(2, 5) = FG_per_x_F;
+    S_u(2, 3) = FG_per_x_D;  S_u(2, 4) = FG_per_y_D;  S_u(2, 5) = FG_per_x_F;
     S_u(2, 6) = FG_per_y_F;
-    S_u(3, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(3, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(3, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(3, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(3, 2) = phi_B_across_DE * s_B_per_along_DE + phi_B_across_FG * s_B_per_along_FG;
-    S_u(3, 3) = s_B_per_x_D;
-    S_u(3, 4) = s_B_per_y_D;
-    S_u(3, 5) = s_B_per_x_F;
+    S_u(3, 3) = s_B_per_x_D;  S_u(3, 4) = s_B_per_y_D;  S_u(3, 5) = s_B_per_x_F;
     S_u(3, 6) = s_B_per_y_F;
   }
 
@@ -854,13 +650,8 @@ struct Model03 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.cos + q.theta_DE.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.sin - u.phi_B.cos * q.theta_DE.sin;
     const Scalar cos_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.cos
@@ -875,30 +666,24 @@ struct Model03 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
     const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
-    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02, t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04
         + phi_B_across_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03
         - phi_B_along_DE * omega_B;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06
         + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05
@@ -911,10 +696,7 @@ struct Model03 {
         - velocity_across_FG);
     const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG - sin_phi_B_minus_DE * v_s_B
         - velocity_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_B;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_B;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -923,20 +705,11 @@ struct Model03 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.cos + q.theta_DE.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.sin - u.phi_B.cos * q.theta_DE.sin;
     const Scalar cos_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.cos
@@ -951,31 +724,23 @@ struct Model03 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
     const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = phi_B_across_DE * omega_B;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02, t03 = v_x_B - v_x_D;
+    const Scalar t04 = v_y_B - v_y_D, t05 = phi_B_across_DE * omega_B;
     const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04 + t05;
     const Scalar t06 = phi_B_along_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03 - t06;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = phi_B_across_FG * omega_B;
+    const Scalar t07 = v_x_B - v_x_F, t08 = v_y_B - v_y_F, t09 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08 + t09;
     const Scalar t10 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07 - t10;
@@ -987,17 +752,14 @@ struct Model03 {
     const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - t11 - velocity_across_FG);
     const Scalar t12 = sin_phi_B_minus_DE * v_s_B;
     const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG - t12 - velocity_across_DE);
-    const Scalar t13 = a_x_B - a_x_D;
-    const Scalar t14 = a_y_B - a_y_D;
-    const Scalar t15 = omega_CEG * omega_CEG;
+    const Scalar t13 = a_x_B - a_x_D, t14 = a_y_B - a_y_D, t15 = omega_CEG * omega_CEG;
     const Scalar acceleration_along_DE = q.theta_DE.cos * t13 + q.theta_DE.sin * t14
         + omega_B * (t06 - Scalar(2) * t12) + d.DE * omega_DE * omega_DE + phi_B_across_DE * alpha_B
         + CEG_along_DE * t15;
     const Scalar acceleration_across_DE = q.theta_DE.cos * t14 + omega_B * (t05
         + Scalar(2) * cos_phi_B_minus_DE * v_s_B) + CEG_across_DE * t15 - q.theta_DE.sin * t13
         - phi_B_along_DE * alpha_B;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar t16 = a_x_B - a_x_F, t17 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t16 + q.theta_FG.sin * t17
         + omega_B * (t10 - Scalar(2) * t11) + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B
         + CEG_along_FG * t15;
@@ -1012,13 +774,8 @@ struct Model03 {
         - acceleration_across_FG);
     const Scalar alpha_DE = -inverse_DE * (CEG_along_DE * alpha_CEG - sin_phi_B_minus_DE * a_s_B
         - acceleration_across_DE);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_B;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = alpha_DE;
-    q_second_rate(2) = alpha_FG;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_B;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = alpha_DE;  q_second_rate(2) = alpha_FG;
     q_second_rate(3) = a_s_B;
   }
 
@@ -1030,20 +787,11 @@ struct Model03 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.cos + q.theta_DE.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_DE = q.theta_DE.cos * u.phi_B.sin - u.phi_B.cos * q.theta_DE.sin;
     const Scalar cos_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.cos
@@ -1058,22 +806,18 @@ struct Model03 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar phi_B_along_DE = -q.s_B * cos_phi_B_minus_DE - d.h_B_BC * sin_phi_B_minus_DE;
     const Scalar phi_B_across_DE = d.h_B_BC * cos_phi_B_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE;
-    const Scalar CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
     const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
     const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = CEG_across_DE * cos_phi_B_minus_FG
         - CEG_across_FG * cos_phi_B_minus_DE;
-    const Scalar t01 = d.DE * d.FG;
-    const Scalar pivot_product = determinant * t01;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
     // A zero divisor means a dead centre, or FG = 0, or DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01;
-    const Scalar t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02;
-    const Scalar inverse_DE = d.FG * t02;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
     const Scalar CEG_per_along_DE = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_along_DE = CEG_across_FG * inverse_determinant;
     const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
@@ -1139,60 +883,36 @@ struct Model03 {
     S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_DE * sin_phi_B_minus_DE + CEG_per_along_FG * sin_phi_B_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;
-    S_d(0, 5) = -CEG_per_along_FG;
+    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
     S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;
     S_d(1, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = DE_per_along_DE * sin_phi_B_minus_DE + DE_per_along_FG * sin_phi_B_minus_FG
         - inverse_DE * cos_phi_B_minus_DE;
-    S_d(1, 4) = -DE_per_along_DE;
-    S_d(1, 5) = -DE_per_along_FG;
+    S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
     S_d(2, 0) = FG_per_along_DE * cos_CEG_minus_DE;
     S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(2, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(2, 3) = FG_per_along_DE * sin_phi_B_minus_DE + FG_per_along_FG * sin_phi_B_minus_FG
         - inverse_FG * cos_phi_B_minus_FG;
-    S_d(2, 4) = -FG_per_along_DE;
-    S_d(2, 5) = -FG_per_along_FG;
+    S_d(2, 4) = -FG_per_along_DE;  S_d(2, 5) = -FG_per_along_FG;
     S_d(3, 0) = cos_CEG_minus_DE * s_B_per_along_DE;
     S_d(3, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(3, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;
-    S_d(3, 3) = t03 + t04;
-    S_d(3, 4) = -s_B_per_along_DE;
-    S_d(3, 5) = -s_B_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_d(3, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(3, 3) = t03 + t04;
+    S_d(3, 4) = -s_B_per_along_DE;  S_d(3, 5) = -s_B_per_along_FG;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = DE_per_x_B;
-    S_u(1, 1) = DE_per_y_B;
-    S_u(1, 2) = DE_per_phi_B;
-    S_u(1, 3) = DE_per_x_D;
-    S_u(1, 4) = DE_per_y_D;
-    S_u(1, 5) = DE_per_x_F;
+    S_u(1, 0) = DE_per_x_B;  S_u(1, 1) = DE_per_y_B;  S_u(1, 2) = DE_per_phi_B;
+    S_u(1, 3) = DE_per_x_D;  S_u(1, 4) = DE_per_y_D;  S_u(1, 5) = DE_per_x_F;
     S_u(1, 6) = DE_per_y_F;
-    S_u(2, 0) = FG_per_x_B;
-    S_u(2, 1) = FG_per_y_B;
-    S_u(2, 2) = FG_per_phi_B;
-    S_u(2, 3) = FG_per_x_D;
-    S_u(2, 4) = FG_per_y_D;
-    S_u(2, 5) = FG_per_x_F;
+    S_u(2, 0) = FG_per_x_B;  S_u(2, 1) = FG_per_y_B;  S_u(2, 2) = FG_per_phi_B;
+    S_u(2, 3) = FG_per_x_D;  S_u(2, 4) = FG_per_y_D;  S_u(2, 5) = FG_per_x_F;
     S_u(2, 6) = FG_per_y_F;
-    S_u(3, 0) = s_B_per_x_B;
-    S_u(3, 1) = s_B_per_y_B;
-    S_u(3, 2) = s_B_per_phi_B;
-    S_u(3, 3) = s_B_per_x_D;
-    S_u(3, 4) = s_B_per_y_D;
-    S_u(3, 5) = s_B_per_x_F;
+    S_u(3, 0) = s_B_per_x_B;  S_u(3, 1) = s_B_per_y_B;  S_u(3, 2) = s_B_per_phi_B;
+    S_u(3, 3) = s_B_per_x_D;  S_u(3, 4) = s_B_per_y_D;  S_u(3, 5) = s_B_per_x_F;
     S_u(3, 6) = s_B_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_DE;
-    q_rate(2) = omega_FG;
-    q_rate(3) = v_s_B;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_B;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
         + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_along_DE * centripetal_along_DE + CEG_per_along_FG * centripetal_along_FG;
@@ -1214,41 +934,27 @@ struct Model03 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_m1_re = d.CE * u.phi_B.cos;
-    const Scalar b_m1_im = d.CE * u.phi_B.sin;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_m1_re = d.CE * u.phi_B.cos, b_m1_im = d.CE * u.phi_B.sin;
+    const Scalar t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar b_0_re = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar c_m1_re = d.CE * (t01 + BC_x);
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar c_m1_im = d.CE * (t02 + BC_y);
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, c_m1_re = d.CE * (t01 + BC_x);
+    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos, c_m1_im = d.CE * (t02 + BC_y);
     const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin
         - Scalar(2) * t02 * u.phi_B.cos) + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y
         - Scalar(2) * FD_y) + d.CE * d.CE + FD_x * FD_x + FD_y * FD_y - d.DE * d.DE;
     const Scalar e_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
     const Scalar e_m1_im = d.x_G_CEG * u.phi_B.sin - d.y_G_CEG * u.phi_B.cos;
-    const Scalar e_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin);
-    const Scalar t03 = FB_x + BC_x;
-    const Scalar t04 = FB_y + BC_y;
-    const Scalar f_m1_re = d.x_G_CEG * t03 + d.y_G_CEG * t04;
+    const Scalar e_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin), t03 = FB_x + BC_x;
+    const Scalar t04 = FB_y + BC_y, f_m1_re = d.x_G_CEG * t03 + d.y_G_CEG * t04;
     const Scalar f_m1_im = d.x_G_CEG * t04 - d.y_G_CEG * t03;
     const Scalar f_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * FB_x * u.phi_B.sin
         - Scalar(2) * FB_y * u.phi_B.cos) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
-    const Scalar M_m1_re = f_m1_re - c_m1_re;
-    const Scalar M_m1_im = f_m1_im - c_m1_im;
-    const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar N_m1_re = e_m1_re - b_m1_re;
-    const Scalar N_m1_im = e_m1_im - b_m1_im;
-    const Scalar N_0_re = e_0_re - b_0_re;
+    const Scalar M_m1_re = f_m1_re - c_m1_re, M_m1_im = f_m1_im - c_m1_im, M_0_re = f_0_re - c_0_re;
+    const Scalar N_m1_re = e_m1_re - b_m1_re, N_m1_im = e_m1_im - b_m1_im, N_0_re = e_0_re - b_0_re;
     const Scalar t05 = f_m1_re * b_m1_re - c_m1_re * e_m1_re;
-    const Scalar t06 = f_m1_im * b_m1_im - c_m1_im * e_m1_im;
-    const Scalar O_m2_re = t05 - t06;
+    const Scalar t06 = f_m1_im * b_m1_im - c_m1_im * e_m1_im, O_m2_re = t05 - t06;
     const Scalar O_m2_im = f_m1_im * b_m1_re + f_m1_re * b_m1_im - c_m1_re * e_m1_im
         - c_m1_im * e_m1_re;
     const Scalar O_m1_re = f_0_re * b_m1_re + f_m1_re * b_0_re - c_m1_re * e_0_re
@@ -1257,8 +963,7 @@ struct Model03 {
         - c_0_re * e_m1_im;
     const Scalar O_0_re = f_0_re * b_0_re + Scalar(2) * t05 + Scalar(2) * t06 - c_0_re * e_0_re;
     const Scalar t07 = M_m1_re * M_m1_re - N_m1_re * O_m1_re;
-    const Scalar t08 = M_m1_im * M_m1_im - N_m1_im * O_m1_im;
-    const Scalar t09 = N_m1_im * O_m2_im;
+    const Scalar t08 = M_m1_im * M_m1_im - N_m1_im * O_m1_im, t09 = N_m1_im * O_m2_im;
     const Scalar t10 = N_m1_re * O_m2_im;
     T.cosine[0] = M_0_re * M_0_re + Scalar(2) * t07 + Scalar(2) * t08 - N_0_re * O_0_re;
     T.cosine[1] = -Scalar(2) * (N_m1_re * (O_0_re + O_m2_re) + t09 + O_m1_re * N_0_re
@@ -1278,12 +983,8 @@ struct Model03 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar t04 = FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     e(0, 0) = Scalar(1);
@@ -1293,8 +994,7 @@ struct Model03 {
         + FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
         + FD_y * FD_y + d.CE * (d.CE + Scalar(2) * (d.h_B_BC * u.phi_B.sin + t01) * q.theta_CEG.cos
         - Scalar(2) * (d.h_B_BC * u.phi_B.cos - t02) * q.theta_CEG.sin) - d.DE * d.DE;
-    e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (t03 * u.phi_B.cos + t04 * u.phi_B.sin);
+    e(1, 0) = Scalar(1);  e(1, 1) = Scalar(2) * (t03 * u.phi_B.cos + t04 * u.phi_B.sin);
     e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t03 * u.phi_B.sin - Scalar(2) * t04 * u.phi_B.cos)
         + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
         + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
@@ -1306,9 +1006,7 @@ struct Model03 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;

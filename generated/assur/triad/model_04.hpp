@@ -110,12 +110,9 @@ struct Model04 {
     Scalar DE{};  ///< distance from D to E on link DE
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, DE, FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, DE,
+        FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -129,12 +126,8 @@ struct Model04 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -145,12 +138,8 @@ struct Model04 {
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
     Scalar s_C{};  ///< displacement along the slide at C of link BC against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_DE, theta_FG, s_B, s_C);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_DE, theta_FG, s_B, s_C);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_DE, theta_FG, s_B, s_C); }
+    [[nodiscard]] auto members() const { return std::tie(theta_DE, theta_FG, s_B, s_C); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -208,25 +197,16 @@ struct Model04 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + DE_x + t02 - CE_x;
-    f(1) = u.y_D + DE_y + t03 - CE_y;
-    f(2) = u.x_F + FG_x + t02 - CG_x;
-    f(3) = u.y_F + FG_y + t03 - CG_y;
+    f(0) = u.x_D + DE_x + t02 - CE_x;  f(1) = u.y_D + DE_y + t03 - CE_y;
+    f(2) = u.x_F + FG_x + t02 - CG_x;  f(3) = u.y_F + FG_y + t03 - CG_y;
   }
 
   /// J = df/dq.
@@ -236,22 +216,12 @@ struct Model04 {
     J.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    J(0, 0) = -DE_y;
-    J(0, 2) = -u.phi_B.cos;
-    J(0, 3) = cos_CEG;
-    J(1, 0) = DE_x;
-    J(1, 2) = -u.phi_B.sin;
-    J(1, 3) = sin_CEG;
-    J(2, 1) = -FG_y;
-    J(2, 2) = -u.phi_B.cos;
-    J(2, 3) = cos_CEG;
-    J(3, 1) = FG_x;
-    J(3, 2) = -u.phi_B.sin;
-    J(3, 3) = sin_CEG;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    J(0, 0) = -DE_y;  J(0, 2) = -u.phi_B.cos;  J(0, 3) = cos_CEG;
+    J(1, 0) = DE_x;  J(1, 2) = -u.phi_B.sin;  J(1, 3) = sin_CEG;
+    J(2, 1) = -FG_y;  J(2, 2) = -u.phi_B.cos;  J(2, 3) = cos_CEG;
+    J(3, 1) = FG_x;  J(3, 2) = -u.phi_B.sin;  J(3, 3) = sin_CEG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -261,29 +231,16 @@ struct Model04 {
     F_d.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
     const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 3) = CE_y - slide_C_y;
-    F_d(0, 4) = q.theta_DE.cos;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 3) = slide_C_x - CE_x;
-    F_d(1, 4) = q.theta_DE.sin;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 1) = -cos_CEG;
-    F_d(2, 2) = sin_CEG;
-    F_d(2, 3) = CG_y - slide_C_y;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 1) = -sin_CEG;
-    F_d(3, 2) = -cos_CEG;
-    F_d(3, 3) = slide_C_x - CG_x;
-    F_d(3, 5) = q.theta_FG.sin;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 3) = CE_y - slide_C_y;  F_d(0, 4) = q.theta_DE.cos;
+    F_d(1, 0) = cos_CEG;  F_d(1, 3) = slide_C_x - CE_x;  F_d(1, 4) = q.theta_DE.sin;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 1) = -cos_CEG;  F_d(2, 2) = sin_CEG;
+    F_d(2, 3) = CG_y - slide_C_y;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = cos_CEG;  F_d(3, 1) = -sin_CEG;  F_d(3, 2) = -cos_CEG;
+    F_d(3, 3) = slide_C_x - CG_x;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -293,29 +250,16 @@ struct Model04 {
     F_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t02;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t03;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t02;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t03;
-    F_u(3, 6) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + t02;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t03;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t02;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t03;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -323,25 +267,15 @@ struct Model04 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     rhs(0) = v_x_B - v_x_D - (CE_y + t02) * omega_B;
     rhs(1) = v_y_B + (CE_x + t03) * omega_B - v_y_D;
@@ -356,43 +290,23 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_DE = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar omega_DE = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_C = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = omega_DE * omega_DE;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = omega_FG * omega_FG;
-    const Scalar t10 = CG_x + t04;
-    const Scalar t11 = CG_y + t06;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = omega_DE * omega_DE;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = omega_FG * omega_FG;
+    const Scalar t10 = CG_x + t04, t11 = CG_y + t06;
     rhs(0) = a_x_B + DE_x * t02 - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B)
         - t07 * alpha_B;
     rhs(1) = a_y_B + DE_y * t02 + t05 * alpha_B + omega_B * (Scalar(2) * t08 - t07 * omega_B)
@@ -411,52 +325,27 @@ struct Model04 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_DE = q_rate(0);
-    const Scalar alpha_DE = q_second_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
+    const Scalar omega_DE = q_rate(0), alpha_DE = q_second_rate(0), omega_FG = q_rate(1);
+    const Scalar alpha_FG = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
+    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
     const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t03 = alpha_B * t02;
-    const Scalar t04 = omega_DE * omega_DE;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = CE_y + t05;
+    const Scalar t02 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t03 = alpha_B * t02;
+    const Scalar t04 = omega_DE * omega_DE, t05 = slide_B_y - slide_C_y, t06 = CE_y + t05;
     const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = CE_x + t09;
-    const Scalar t11 = t08 * alpha_B;
-    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = omega_FG * omega_FG;
-    const Scalar t14 = CG_y + t05;
-    const Scalar t15 = CG_x + t09;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = CE_x + t09, t11 = t08 * alpha_B, t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t13 = omega_FG * omega_FG, t14 = CG_y + t05, t15 = CG_x + t09;
     rhs(0) = j_x_B + omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t04) - Scalar(3) * t03 - j_x_D
         - t06 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t06 * omega_B)
         + Scalar(3) * t10 * alpha_B);
@@ -478,45 +367,24 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_DE = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
+    const Scalar omega_DE = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_C = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_DE = d_rate(4), v_FG = d_rate(5), omega_B = u_rate(2);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos;
-    const Scalar DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
-    const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
-    const Scalar t12 = v_s_C - v_x_G_CEG;
-    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
+    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = slide_B_y - slide_C_y, t10 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t11 = v_h_C_CEG - v_y_G_CEG, t12 = v_s_C - v_x_G_CEG;
+    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12, t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
     rhs(0) = omega_DE * (Scalar(2) * q.theta_DE.sin * v_DE + DE_x * omega_DE) + omega_C_BC * (t02
         + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03 - Scalar(2) * t04 - (CE_x
@@ -538,30 +406,16 @@ struct Model04 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CE_x + t01 - slide_C_x;
-    poses[0].y = CE_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_DE.cos;
-    poses[2].direction.sin = q.theta_DE.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
-    poses[3].direction.sin = q.theta_FG.sin;
+    poses[0].x = CE_x + t01 - slide_C_x;  poses[0].y = CE_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = q.theta_DE.cos;
+    poses[2].direction.sin = q.theta_DE.sin;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = q.theta_FG.cos;  poses[3].direction.sin = q.theta_FG.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -576,36 +430,24 @@ struct Model04 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_y - CE_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
-    P_q(0, 2) = u.phi_B.cos;
-    P_q(0, 3) = -cos_CEG;
-    P_q(1, 2) = u.phi_B.sin;
-    P_q(1, 3) = -sin_CEG;
+    P_q(0, 2) = u.phi_B.cos;  P_q(0, 3) = -cos_CEG;
+    P_q(1, 2) = u.phi_B.sin;  P_q(1, 3) = -sin_CEG;
     P_q(3, 2) = u.phi_B.cos;
     P_q(4, 2) = u.phi_B.sin;
     P_q(8, 0) = Scalar(1);
     P_q(11, 1) = Scalar(1);
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -618,39 +460,20 @@ struct Model04 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_DE = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar omega_DE = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_C = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_DE;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_DE;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -659,34 +482,19 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_DE = q_second_rate(0);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar a_s_C = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar alpha_DE = q_second_rate(0), alpha_FG = q_second_rate(1), v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2), v_s_C = q_rate(3), a_s_C = q_second_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_B_x + CE_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CE_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = slide_B_x + CE_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CE_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -695,12 +503,8 @@ struct Model04 {
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_DE;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_DE;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -710,28 +514,17 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_C = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(2), v_s_C = q_rate(3), v_h_C_CEG = d_rate(0);
+    const Scalar omega_C_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_x - CE_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_x - CE_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_C_y - CE_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
@@ -751,14 +544,9 @@ struct Model04 {
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
     const Scalar t01 = abs(d.h_C_CEG) + abs(q.s_B) + abs(q.s_C);
-    p(0) = d.psi_C_BC.sin;
-    p(1) = sin_DE_minus_FG;
-    p(2) = d.FG;
-    p(3) = d.DE;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
-    size(2) = abs(d.x_G_CEG) + abs(d.y_G_CEG) + abs(d.FG) + t01;
-    size(3) = abs(d.DE) + t01;
+    p(0) = d.psi_C_BC.sin;  p(1) = sin_DE_minus_FG;  p(2) = d.FG;  p(3) = d.DE;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
+    size(2) = abs(d.x_G_CEG) + abs(d.y_G_CEG) + abs(d.FG) + t01;  size(3) = abs(d.DE) + t01;
     terms = Scalar(2);
   }
 
@@ -782,17 +570,13 @@ struct Model04 {
         - cos_CEG * q.theta_FG.sin;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t01 = d.DE * d.psi_C_BC.sin;
-    const Scalar t02 = d.FG * sin_DE_minus_FG;
+    const Scalar t01 = d.DE * d.psi_C_BC.sin, t02 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t01 * t02;
     // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
     //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t03 = inverse * t02;
-    const Scalar inverse_sin_psi_C_BC = d.DE * t03;
-    const Scalar t04 = inverse * t01;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t04;
-    const Scalar inverse_FG = t04 * sin_DE_minus_FG;
+    const Scalar t03 = inverse * t02, inverse_sin_psi_C_BC = d.DE * t03, t04 = inverse * t01;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t04, inverse_FG = t04 * sin_DE_minus_FG;
     const Scalar inverse_DE = t03 * d.psi_C_BC.sin;
     const Scalar t05 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t05;
@@ -848,8 +632,7 @@ struct Model04 {
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
+    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE, t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
@@ -858,17 +641,13 @@ struct Model04 {
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.DE * d.psi_C_BC.sin;
-    const Scalar t06 = d.FG * sin_DE_minus_FG;
+    const Scalar t05 = d.DE * d.psi_C_BC.sin, t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
     // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
     //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t06;
-    const Scalar inverse_sin_psi_C_BC = d.DE * t07;
-    const Scalar t08 = inverse * t05;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t08;
-    const Scalar inverse_FG = t08 * sin_DE_minus_FG;
+    const Scalar t07 = inverse * t06, inverse_sin_psi_C_BC = d.DE * t07, t08 = inverse * t05;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t08, inverse_FG = t08 * sin_DE_minus_FG;
     const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
     const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
@@ -905,14 +684,12 @@ struct Model04 {
     const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(0, 0) = t12 - t13;
-    S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
+    S_d(0, 0) = t12 - t13;  S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
     S_d(0, 2) = -t12;
     S_d(0, 3) = DE_per_along_FG * t04
         + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
         + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
-    S_d(0, 4) = -DE_per_along_DE;
-    S_d(0, 5) = -DE_per_along_FG;
+    S_d(0, 4) = -DE_per_along_DE;  S_d(0, 5) = -DE_per_along_FG;
     S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
     S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
@@ -920,49 +697,31 @@ struct Model04 {
     S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
         - t03 * FG_per_along_FG);
-    S_d(1, 4) = -FG_per_along_DE;
-    S_d(1, 5) = -FG_per_along_FG;
+    S_d(1, 4) = -FG_per_along_DE;  S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -t15;
-    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;
-    S_d(2, 4) = -s_B_per_along_DE;
+    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(2, 2) = -t15;
+    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;  S_d(2, 4) = -s_B_per_along_DE;
     S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = t10 + t11;
-    S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t11;
-    S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
-    S_d(3, 4) = -s_C_per_along_DE;
-    S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = -DE_per_x_D - DE_per_x_F;
-    S_u(0, 1) = -DE_per_y_D - DE_per_y_F;
+    S_d(3, 0) = t10 + t11;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    S_d(3, 2) = -t11;  S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
+    S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+    S_u(0, 0) = -DE_per_x_D - DE_per_x_F;  S_u(0, 1) = -DE_per_y_D - DE_per_y_F;
     S_u(0, 2) = DE_per_along_DE * phi_B_across_DE + DE_per_along_FG * phi_B_across_FG
         - inverse_DE * phi_B_along_DE;
-    S_u(0, 3) = DE_per_x_D;
-    S_u(0, 4) = DE_per_y_D;
-    S_u(0, 5) = DE_per_x_F;
+    S_u(0, 3) = DE_per_x_D;  S_u(0, 4) = DE_per_y_D;  S_u(0, 5) = DE_per_x_F;
     S_u(0, 6) = DE_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(1, 2) = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
         - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = FG_per_x_D;
-    S_u(1, 4) = FG_per_y_D;
-    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
     S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(2, 2) = phi_B_across_DE * s_B_per_along_DE + phi_B_across_FG * s_B_per_along_FG;
-    S_u(2, 3) = s_B_per_x_D;
-    S_u(2, 4) = s_B_per_y_D;
-    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
     S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(3, 2) = phi_B_across_DE * s_C_per_along_DE + phi_B_across_FG * s_C_per_along_FG;
-    S_u(3, 3) = s_C_per_x_D;
-    S_u(3, 4) = s_C_per_y_D;
-    S_u(3, 5) = s_C_per_x_F;
+    S_u(3, 3) = s_C_per_x_D;  S_u(3, 4) = s_C_per_y_D;  S_u(3, 5) = s_C_per_x_F;
     S_u(3, 6) = s_C_per_y_F;
   }
 
@@ -971,13 +730,8 @@ struct Model04 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
@@ -996,34 +750,26 @@ struct Model04 {
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t03 = d.DE * d.psi_C_BC.sin;
-    const Scalar t04 = d.FG * sin_DE_minus_FG;
+    const Scalar t03 = d.DE * d.psi_C_BC.sin, t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
     // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
     //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t05 = inverse * t04;
-    const Scalar inverse_sin_psi_C_BC = d.DE * t05;
-    const Scalar t06 = inverse * t03;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t06;
-    const Scalar inverse_FG = t06 * sin_DE_minus_FG;
-    const Scalar inverse_DE = t05 * d.psi_C_BC.sin;
-    const Scalar t07 = v_x_B - v_x_D;
-    const Scalar t08 = v_y_B - v_y_D;
+    const Scalar t05 = inverse * t04, inverse_sin_psi_C_BC = d.DE * t05, t06 = inverse * t03;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t06, inverse_FG = t06 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t05 * d.psi_C_BC.sin, t07 = v_x_B - v_x_D, t08 = v_y_B - v_y_D;
     const Scalar velocity_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08
         + phi_B_across_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t08 - q.theta_DE.sin * t07
         - phi_B_along_DE * omega_B;
-    const Scalar t09 = v_x_B - v_x_F;
-    const Scalar t10 = v_y_B - v_y_F;
+    const Scalar t09 = v_x_B - v_x_F, t10 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t09 + q.theta_FG.sin * t10
         + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t10 - q.theta_FG.sin * t09
@@ -1037,10 +783,7 @@ struct Model04 {
         - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     const Scalar omega_DE = inverse_DE * (sin_phi_B_minus_DE * v_s_B + velocity_across_DE
         - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C);
-    q_rate(0) = omega_DE;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_C;
+    q_rate(0) = omega_DE;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_C;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1049,20 +792,11 @@ struct Model04 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
@@ -1081,35 +815,26 @@ struct Model04 {
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar phi_B_across_DE = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t03 = d.DE * d.psi_C_BC.sin;
-    const Scalar t04 = d.FG * sin_DE_minus_FG;
+    const Scalar t03 = d.DE * d.psi_C_BC.sin, t04 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t03 * t04;
     // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
     //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t05 = inverse * t04;
-    const Scalar inverse_sin_psi_C_BC = d.DE * t05;
-    const Scalar t06 = inverse * t03;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t06;
-    const Scalar inverse_FG = t06 * sin_DE_minus_FG;
-    const Scalar inverse_DE = t05 * d.psi_C_BC.sin;
-    const Scalar t07 = v_x_B - v_x_D;
-    const Scalar t08 = v_y_B - v_y_D;
+    const Scalar t05 = inverse * t04, inverse_sin_psi_C_BC = d.DE * t05, t06 = inverse * t03;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t06, inverse_FG = t06 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t05 * d.psi_C_BC.sin, t07 = v_x_B - v_x_D, t08 = v_y_B - v_y_D;
     const Scalar t09 = phi_B_across_DE * omega_B;
     const Scalar velocity_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08 + t09;
     const Scalar t10 = phi_B_along_DE * omega_B;
     const Scalar velocity_across_DE = q.theta_DE.cos * t08 - q.theta_DE.sin * t07 - t10;
-    const Scalar t11 = v_x_B - v_x_F;
-    const Scalar t12 = v_y_B - v_y_F;
-    const Scalar t13 = phi_B_across_FG * omega_B;
+    const Scalar t11 = v_x_B - v_x_F, t12 = v_y_B - v_y_F, t13 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t11 + q.theta_FG.sin * t12 + t13;
     const Scalar t14 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t12 - q.theta_FG.sin * t11 - t14;
@@ -1121,8 +846,7 @@ struct Model04 {
     const Scalar t16 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
     const Scalar omega_FG = inverse_FG * (velocity_across_FG + t16);
     const Scalar t17 = sin_phi_B_minus_DE * v_s_B - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C;
-    const Scalar omega_DE = inverse_DE * (velocity_across_DE + t17);
-    const Scalar t18 = a_x_B - a_x_D;
+    const Scalar omega_DE = inverse_DE * (velocity_across_DE + t17), t18 = a_x_B - a_x_D;
     const Scalar t19 = a_y_B - a_y_D;
     const Scalar acceleration_along_DE = q.theta_DE.cos * t18 + q.theta_DE.sin * t19
         + d.DE * omega_DE * omega_DE + phi_B_across_DE * alpha_B + omega_B * (t10
@@ -1130,8 +854,7 @@ struct Model04 {
     const Scalar acceleration_across_DE = omega_B * (t09 + Scalar(2) * cos_phi_B_minus_DE * v_s_B
         - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_DE * v_s_C) + q.theta_DE.cos * t19
         - q.theta_DE.sin * t18 - phi_B_along_DE * alpha_B;
-    const Scalar t20 = a_x_B - a_x_F;
-    const Scalar t21 = a_y_B - a_y_F;
+    const Scalar t20 = a_x_B - a_x_F, t21 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t20 + q.theta_FG.sin * t21
         + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B + omega_B * (t14
         - Scalar(2) * t16);
@@ -1146,13 +869,8 @@ struct Model04 {
         - sin_phi_B_plus_psi_C_BC_minus_FG * a_s_C);
     const Scalar alpha_DE = inverse_DE * (sin_phi_B_minus_DE * a_s_B + acceleration_across_DE
         - sin_phi_B_plus_psi_C_BC_minus_DE * a_s_C);
-    q_rate(0) = omega_DE;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_C;
-    q_second_rate(0) = alpha_DE;
-    q_second_rate(1) = alpha_FG;
-    q_second_rate(2) = a_s_B;
+    q_rate(0) = omega_DE;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_C;
+    q_second_rate(0) = alpha_DE;  q_second_rate(1) = alpha_FG;  q_second_rate(2) = a_s_B;
     q_second_rate(3) = a_s_C;
   }
 
@@ -1164,20 +882,11 @@ struct Model04 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
@@ -1196,8 +905,7 @@ struct Model04 {
         - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
     const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
+    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE, t02 = q.s_C - d.x_G_CEG;
     const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
@@ -1206,17 +914,13 @@ struct Model04 {
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
         - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.DE * d.psi_C_BC.sin;
-    const Scalar t06 = d.FG * sin_DE_minus_FG;
+    const Scalar t05 = d.DE * d.psi_C_BC.sin, t06 = d.FG * sin_DE_minus_FG;
     const Scalar pivot_product = t05 * t06;
     // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
     //     DE = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t06;
-    const Scalar inverse_sin_psi_C_BC = d.DE * t07;
-    const Scalar t08 = inverse * t05;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t08;
-    const Scalar inverse_FG = t08 * sin_DE_minus_FG;
+    const Scalar t07 = inverse * t06, inverse_sin_psi_C_BC = d.DE * t07, t08 = inverse * t05;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t08, inverse_FG = t08 * sin_DE_minus_FG;
     const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
     const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
     const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
@@ -1287,14 +991,12 @@ struct Model04 {
     const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(0, 0) = t12 - t13;
-    S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
+    S_d(0, 0) = t12 - t13;  S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
     S_d(0, 2) = -t12;
     S_d(0, 3) = DE_per_along_FG * t04
         + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
         + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
-    S_d(0, 4) = -DE_per_along_DE;
-    S_d(0, 5) = -DE_per_along_FG;
+    S_d(0, 4) = -DE_per_along_DE;  S_d(0, 5) = -DE_per_along_FG;
     S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
     S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
@@ -1302,52 +1004,27 @@ struct Model04 {
     S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
         - t03 * FG_per_along_FG);
-    S_d(1, 4) = -FG_per_along_DE;
-    S_d(1, 5) = -FG_per_along_FG;
+    S_d(1, 4) = -FG_per_along_DE;  S_d(1, 5) = -FG_per_along_FG;
     S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -t15;
-    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;
-    S_d(2, 4) = -s_B_per_along_DE;
+    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(2, 2) = -t15;
+    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;  S_d(2, 4) = -s_B_per_along_DE;
     S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = t10 + t11;
-    S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t11;
-    S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
-    S_d(3, 4) = -s_C_per_along_DE;
-    S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = DE_per_x_B;
-    S_u(0, 1) = DE_per_y_B;
-    S_u(0, 2) = DE_per_phi_B;
-    S_u(0, 3) = DE_per_x_D;
-    S_u(0, 4) = DE_per_y_D;
-    S_u(0, 5) = DE_per_x_F;
+    S_d(3, 0) = t10 + t11;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    S_d(3, 2) = -t11;  S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
+    S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+    S_u(0, 0) = DE_per_x_B;  S_u(0, 1) = DE_per_y_B;  S_u(0, 2) = DE_per_phi_B;
+    S_u(0, 3) = DE_per_x_D;  S_u(0, 4) = DE_per_y_D;  S_u(0, 5) = DE_per_x_F;
     S_u(0, 6) = DE_per_y_F;
-    S_u(1, 0) = FG_per_x_B;
-    S_u(1, 1) = FG_per_y_B;
-    S_u(1, 2) = FG_per_phi_B;
-    S_u(1, 3) = FG_per_x_D;
-    S_u(1, 4) = FG_per_y_D;
-    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
+    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
     S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
-    S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = s_B_per_x_D;
-    S_u(2, 4) = s_B_per_y_D;
-    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
     S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = s_C_per_x_B;
-    S_u(3, 1) = s_C_per_y_B;
-    S_u(3, 2) = s_C_per_phi_B;
-    S_u(3, 3) = s_C_per_x_D;
-    S_u(3, 4) = s_C_per_y_D;
-    S_u(3, 5) = s_C_per_x_F;
+    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_phi_B;
+    S_u(3, 3) = s_C_per_x_D;  S_u(3, 4) = s_C_per_y_D;  S_u(3, 5) = s_C_per_x_F;
     S_u(3, 6) = s_C_per_y_F;
-    q_rate(0) = omega_DE;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_C;
+    q_rate(0) = omega_DE;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_C;
     q_second_rate(0) = DE_per_x_B * a_x_B + DE_per_y_B * a_y_B + DE_per_phi_B * alpha_B
         + DE_per_x_D * a_x_D + DE_per_y_D * a_y_D + DE_per_x_F * a_x_F + DE_per_y_F * a_y_F
         + inverse_DE * centripetal_across_DE + DE_per_along_DE * centripetal_along_DE
@@ -1369,12 +1046,8 @@ struct Model04 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin;
     const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar b_0_re = -Scalar(2) * (t03 * d.psi_C_BC.cos + t04 * d.psi_C_BC.sin);
@@ -1386,22 +1059,18 @@ struct Model04 {
     const Scalar t05 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar e_0_re = -Scalar(2) * (t05 * d.psi_C_BC.cos + (FB_y * u.phi_B.cos
         - FB_x * u.phi_B.sin) * d.psi_C_BC.sin + d.x_G_CEG);
-    const Scalar t06 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t07 = t06 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
+    const Scalar t06 = d.h_C_CEG - d.y_G_CEG, t07 = t06 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
     const Scalar t08 = t06 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
     const Scalar f_0_re = FB_x * (FB_x + Scalar(2) * t07 * d.psi_C_BC.cos
         + Scalar(2) * t08 * d.psi_C_BC.sin) + FB_y * (FB_y + Scalar(2) * t07 * d.psi_C_BC.sin
         - Scalar(2) * t08 * d.psi_C_BC.cos) + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.y_G_CEG)
         + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG - d.FG * d.FG;
     const Scalar f_1_re = Scalar(2) * (t05 + t06 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos);
-    const Scalar M_0_re = f_0_re - c_0_re;
-    const Scalar M_1_re = f_1_re - c_1_re;
-    const Scalar N_0_re = e_0_re - b_0_re;
+    const Scalar M_0_re = f_0_re - c_0_re, M_1_re = f_1_re - c_1_re, N_0_re = e_0_re - b_0_re;
     const Scalar O_0_re = f_0_re * b_0_re - c_0_re * e_0_re;
     const Scalar O_1_re = f_1_re * b_0_re + M_0_re * b_1_re - c_1_re * e_0_re;
     const Scalar O_2_re = M_1_re * b_1_re - N_0_re;
-    T(0) = M_0_re * M_0_re - N_0_re * O_0_re;
-    T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
+    T(0) = M_0_re * M_0_re - N_0_re * O_0_re;  T(1) = Scalar(2) * M_0_re * M_1_re - N_0_re * O_1_re;
     T(2) = M_1_re * M_1_re - N_0_re * O_2_re;
   }
 
@@ -1410,20 +1079,13 @@ struct Model04 {
   template <typename Scalar>
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_y - FD_y;
-    const Scalar t02 = FB_x - FD_x;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_y - FD_y, t02 = FB_x - FD_x;
     const Scalar t03 = t01 * u.phi_B.cos - t02 * u.phi_B.sin;
-    const Scalar t04 = t02 * u.phi_B.cos + t01 * u.phi_B.sin;
-    const Scalar t05 = q.s_B + t04;
+    const Scalar t04 = t02 * u.phi_B.cos + t01 * u.phi_B.sin, t05 = q.s_B + t04;
     const Scalar t06 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
-    const Scalar t07 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar t08 = q.s_B + t07;
-    e(0, 0) = Scalar(1);
-    e(0, 1) = -Scalar(2) * (t03 * d.psi_C_BC.sin + t05 * d.psi_C_BC.cos);
+    const Scalar t07 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin, t08 = q.s_B + t07;
+    e(0, 0) = Scalar(1);  e(0, 1) = -Scalar(2) * (t03 * d.psi_C_BC.sin + t05 * d.psi_C_BC.cos);
     e(0, 2) = FB_x * (FB_x - Scalar(2) * FD_x) + FB_y * (FB_y - Scalar(2) * FD_y) + FD_x * FD_x
         + FD_y * FD_y + q.s_B * (q.s_B + Scalar(2) * t04) - d.DE * d.DE
         - d.h_C_CEG * (Scalar(2) * t03 * d.psi_C_BC.cos - d.h_C_CEG
@@ -1441,17 +1103,14 @@ struct Model04 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_DE has no length.
     const Scalar inverse_theta_DE = Scalar(1) / d.DE;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
-    const Scalar t03 = q.s_C - d.x_G_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos, t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
     const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;

@@ -95,12 +95,10 @@ struct Model05 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, h_C_BC, h_E_DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, h_C_BC, h_E_DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, h_C_BC, h_E_DE,
+        FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, h_C_BC,
+        h_E_DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -113,12 +111,8 @@ struct Model05 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -129,12 +123,8 @@ struct Model05 {
     Scalar s_C{};  ///< displacement along the slide at C of link BC against link CEG
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, theta_FG, s_C, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, theta_FG, s_C, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, theta_FG, s_C, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, theta_FG, s_C, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -192,28 +182,18 @@ struct Model05 {
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
     const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
     const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t04 = slide_C_x - u.x_B - BC_x;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
+    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = slide_C_x - u.x_B - BC_x;
     const Scalar t05 = slide_C_y - u.y_B - BC_y;
-    f(0) = u.x_D + DE_x + t04 - CE_x - slide_E_x;
-    f(1) = u.y_D + DE_y + t05 - CE_y - slide_E_y;
-    f(2) = u.x_F + FG_x + t04 - CG_x;
-    f(3) = u.y_F + FG_y + t05 - CG_y;
+    f(0) = u.x_D + DE_x + t04 - CE_x - slide_E_x;  f(1) = u.y_D + DE_y + t05 - CE_y - slide_E_y;
+    f(2) = u.x_F + FG_x + t04 - CG_x;  f(3) = u.y_F + FG_y + t05 - CG_y;
   }
 
   /// J = df/dq.
@@ -224,36 +204,20 @@ struct Model05 {
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
     const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
     const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t04 = BC_y - slide_C_y;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
+    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = BC_y - slide_C_y;
     const Scalar t05 = BC_x - slide_C_x;
-    J(0, 0) = CE_y + slide_E_y + t04 - DE_y;
-    J(0, 2) = q.theta_CEG.cos;
-    J(0, 3) = -cos_DE;
-    J(1, 0) = DE_x - CE_x - slide_E_x - t05;
-    J(1, 2) = q.theta_CEG.sin;
-    J(1, 3) = -sin_DE;
-    J(2, 0) = CG_y + t04;
-    J(2, 1) = -FG_y;
-    J(2, 2) = q.theta_CEG.cos;
-    J(3, 0) = -CG_x - t05;
-    J(3, 1) = FG_x;
-    J(3, 2) = q.theta_CEG.sin;
+    J(0, 0) = CE_y + slide_E_y + t04 - DE_y;  J(0, 2) = q.theta_CEG.cos;  J(0, 3) = -cos_DE;
+    J(1, 0) = DE_x - CE_x - slide_E_x - t05;  J(1, 2) = q.theta_CEG.sin;  J(1, 3) = -sin_DE;
+    J(2, 0) = CG_y + t04;  J(2, 1) = -FG_y;  J(2, 2) = q.theta_CEG.cos;
+    J(3, 0) = -CG_x - t05;  J(3, 1) = FG_x;  J(3, 2) = q.theta_CEG.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -263,26 +227,14 @@ struct Model05 {
     F_d.setZero();
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE, slide_E_x = q.s_E * cos_DE;
     const Scalar slide_E_y = q.s_E * sin_DE;
-    F_d(0, 0) = -q.theta_CEG.sin;
-    F_d(0, 1) = slide_E_y + d.h_E_CEG * cos_DE - DE_y;
-    F_d(0, 2) = sin_DE;
-    F_d(0, 3) = q.theta_CEG.sin;
-    F_d(0, 4) = -sin_DE;
-    F_d(1, 0) = q.theta_CEG.cos;
-    F_d(1, 1) = DE_x + d.h_E_CEG * sin_DE - slide_E_x;
-    F_d(1, 2) = -cos_DE;
-    F_d(1, 3) = -q.theta_CEG.cos;
-    F_d(1, 4) = cos_DE;
-    F_d(2, 0) = -q.theta_CEG.sin;
-    F_d(2, 3) = q.theta_CEG.sin;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = q.theta_CEG.cos;
-    F_d(3, 3) = -q.theta_CEG.cos;
-    F_d(3, 5) = q.theta_FG.sin;
+    F_d(0, 0) = -q.theta_CEG.sin;  F_d(0, 1) = slide_E_y + d.h_E_CEG * cos_DE - DE_y;
+    F_d(0, 2) = sin_DE;  F_d(0, 3) = q.theta_CEG.sin;  F_d(0, 4) = -sin_DE;
+    F_d(1, 0) = q.theta_CEG.cos;  F_d(1, 1) = DE_x + d.h_E_CEG * sin_DE - slide_E_x;
+    F_d(1, 2) = -cos_DE;  F_d(1, 3) = -q.theta_CEG.cos;  F_d(1, 4) = cos_DE;
+    F_d(2, 0) = -q.theta_CEG.sin;  F_d(2, 3) = q.theta_CEG.sin;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = q.theta_CEG.cos;  F_d(3, 3) = -q.theta_CEG.cos;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -290,14 +242,10 @@ struct Model05 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 4) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 5) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -305,15 +253,9 @@ struct Model05 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
-    rhs(2) = v_x_B - v_x_F;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
     rhs(3) = v_y_B - v_y_F;
   }
 
@@ -324,39 +266,22 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
+    const Scalar a_y_D = u_second_rate(3), a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
     const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
     const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t04 = q.theta_CEG.sin * v_s_C;
-    const Scalar t05 = BC_x - slide_C_x;
-    const Scalar t06 = q.theta_CEG.cos * v_s_C;
-    const Scalar t07 = BC_y - slide_C_y;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
+    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = q.theta_CEG.sin * v_s_C;
+    const Scalar t05 = BC_x - slide_C_x, t06 = q.theta_CEG.cos * v_s_C, t07 = BC_y - slide_C_y;
     const Scalar t08 = omega_FG * omega_FG;
     rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t04 + (DE_x - CE_x - slide_E_x - t05) * omega_CEG
         - Scalar(2) * sin_DE * v_s_E) - a_x_D;
@@ -374,52 +299,28 @@ struct Model05 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4);
-    const Scalar j_y_F = u_third_rate(5);
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_FG = q_rate(1);
+    const Scalar alpha_FG = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
     const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
     const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t04 = q.theta_CEG.sin * v_s_C;
-    const Scalar t05 = t04 - sin_DE * v_s_E;
-    const Scalar t06 = q.theta_CEG.sin * a_s_C;
-    const Scalar t07 = q.theta_CEG.cos * v_s_C;
-    const Scalar t08 = t07 - cos_DE * v_s_E;
-    const Scalar t09 = BC_y - slide_C_y;
-    const Scalar t10 = DE_y - CE_y - slide_E_y - t09;
-    const Scalar t11 = BC_x - slide_C_x;
-    const Scalar t12 = DE_x - CE_x - slide_E_x - t11;
-    const Scalar t13 = q.theta_CEG.cos * a_s_C;
-    const Scalar t14 = omega_FG * omega_FG;
-    const Scalar t15 = CG_y + t09;
-    const Scalar t16 = CG_x + t11;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
+    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = q.theta_CEG.sin * v_s_C;
+    const Scalar t05 = t04 - sin_DE * v_s_E, t06 = q.theta_CEG.sin * a_s_C;
+    const Scalar t07 = q.theta_CEG.cos * v_s_C, t08 = t07 - cos_DE * v_s_E, t09 = BC_y - slide_C_y;
+    const Scalar t10 = DE_y - CE_y - slide_E_y - t09, t11 = BC_x - slide_C_x;
+    const Scalar t12 = DE_x - CE_x - slide_E_x - t11, t13 = q.theta_CEG.cos * a_s_C;
+    const Scalar t14 = omega_FG * omega_FG, t15 = CG_y + t09, t16 = CG_x + t11;
     rhs(0) = Scalar(3) * alpha_CEG * t05 + j_x_B + omega_CEG * (Scalar(3) * t06
         + omega_CEG * (Scalar(3) * t08 - t10 * omega_CEG) + Scalar(3) * t12 * alpha_CEG
         - Scalar(3) * sin_DE * a_s_E) - j_x_D;
@@ -441,47 +342,26 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_E_CEG = d_rate(1);
-    const Scalar v_h_E_CEG = d_rate(2);
-    const Scalar v_h_C_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), omega_E_CEG = d_rate(1), v_h_E_CEG = d_rate(2);
+    const Scalar v_h_C_BC = d_rate(3), v_h_E_DE = d_rate(4), v_FG = d_rate(5);
     const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
     const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
+    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
+    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
+    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
     const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t04 = sin_DE * v_s_E;
-    const Scalar t05 = DE_x - slide_E_x;
-    const Scalar t06 = (t05 + d.h_E_CEG * sin_DE) * omega_E_CEG;
-    const Scalar t07 = v_h_E_CEG - v_h_E_DE;
-    const Scalar t08 = v_h_C_CEG - v_h_C_BC;
-    const Scalar t09 = q.theta_CEG.cos * t08 + q.theta_CEG.sin * v_s_C;
-    const Scalar t10 = BC_x - slide_C_x;
-    const Scalar t11 = cos_DE * v_s_E;
-    const Scalar t12 = DE_y - slide_E_y;
+    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
+    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
+    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = sin_DE * v_s_E, t05 = DE_x - slide_E_x;
+    const Scalar t06 = (t05 + d.h_E_CEG * sin_DE) * omega_E_CEG, t07 = v_h_E_CEG - v_h_E_DE;
+    const Scalar t08 = v_h_C_CEG - v_h_C_BC, t09 = q.theta_CEG.cos * t08 + q.theta_CEG.sin * v_s_C;
+    const Scalar t10 = BC_x - slide_C_x, t11 = cos_DE * v_s_E, t12 = DE_y - slide_E_y;
     const Scalar t13 = (t12 - d.h_E_CEG * cos_DE) * omega_E_CEG;
-    const Scalar t14 = q.theta_CEG.sin * t08 - q.theta_CEG.cos * v_s_C;
-    const Scalar t15 = BC_y - slide_C_y;
+    const Scalar t14 = q.theta_CEG.sin * t08 - q.theta_CEG.cos * v_s_C, t15 = BC_y - slide_C_y;
     rhs(0) = -omega_E_CEG * (Scalar(2) * t04 + Scalar(2) * cos_DE * v_h_E_CEG
         - Scalar(2) * cos_DE * v_h_E_DE - t06) - omega_CEG * (Scalar(2) * cos_DE * t07
         + Scalar(2) * t04 + (CE_x + t10 - t05) * omega_CEG - Scalar(2) * t09 - Scalar(2) * t06);
@@ -500,27 +380,15 @@ struct Model05 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    poses[0].x = u.x_B + BC_x + CG_x - slide_C_x;
-    poses[0].y = u.y_B + BC_y + CG_y - slide_C_y;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = u.x_B;
-    poses[1].y = u.y_B;
-    poses[1].direction.cos = q.theta_CEG.cos;
-    poses[1].direction.sin = q.theta_CEG.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = cos_DE;
-    poses[2].direction.sin = sin_DE;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin, CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    poses[0].x = u.x_B + BC_x + CG_x - slide_C_x;  poses[0].y = u.y_B + BC_y + CG_y - slide_C_y;
+    poses[0].direction.cos = q.theta_CEG.cos;  poses[0].direction.sin = q.theta_CEG.sin;
+    poses[1].x = u.x_B;  poses[1].y = u.y_B;  poses[1].direction.cos = q.theta_CEG.cos;
+    poses[1].direction.sin = q.theta_CEG.sin;  poses[2].x = u.x_D;  poses[2].y = u.y_D;
+    poses[2].direction.cos = cos_DE;  poses[2].direction.sin = sin_DE;  poses[3].x = u.x_F;
+    poses[3].y = u.y_F;  poses[3].direction.cos = q.theta_FG.cos;
     poses[3].direction.sin = q.theta_FG.sin;
   }
 
@@ -534,24 +402,17 @@ struct Model05 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    P_q(0, 0) = slide_C_y - BC_y - CG_y;
-    P_q(0, 2) = -q.theta_CEG.cos;
-    P_q(1, 0) = BC_x + CG_x - slide_C_x;
-    P_q(1, 2) = -q.theta_CEG.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin, CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    P_q(0, 0) = slide_C_y - BC_y - CG_y;  P_q(0, 2) = -q.theta_CEG.cos;
+    P_q(1, 0) = BC_x + CG_x - slide_C_x;  P_q(1, 2) = -q.theta_CEG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(8, 0) = Scalar(1);
     P_q(11, 1) = Scalar(1);
-    P_d(0, 0) = q.theta_CEG.sin;
-    P_d(0, 3) = -q.theta_CEG.sin;
-    P_d(1, 0) = -q.theta_CEG.cos;
-    P_d(1, 3) = q.theta_CEG.cos;
+    P_d(0, 0) = q.theta_CEG.sin;  P_d(0, 3) = -q.theta_CEG.sin;
+    P_d(1, 0) = -q.theta_CEG.cos;  P_d(1, 3) = q.theta_CEG.cos;
     P_d(8, 1) = Scalar(1);
     P_u(0, 0) = Scalar(1);
     P_u(1, 1) = Scalar(1);
@@ -568,33 +429,18 @@ struct Model05 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3), v_x_F = u_rate(4);
     const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin, CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     v(0, 0) = v_x_B - (BC_y + CG_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
     v(0, 1) = (BC_x + CG_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
-    v(1, 0) = v_x_B;
-    v(1, 1) = v_y_B;
-    v(1, 2) = omega_CEG;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_CEG;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(1, 0) = v_x_B;  v(1, 1) = v_y_B;  v(1, 2) = omega_CEG;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_CEG;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -603,39 +449,22 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar t01 = BC_x + CG_x - slide_C_x;
-    const Scalar t02 = BC_y + CG_y - slide_C_y;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), alpha_FG = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
+    const Scalar a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin, CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar t01 = BC_x + CG_x - slide_C_x, t02 = BC_y + CG_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
     a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
-    a(1, 0) = a_x_B;
-    a(1, 1) = a_y_B;
-    a(1, 2) = alpha_CEG;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_CEG;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(1, 0) = a_x_B;  a(1, 1) = a_y_B;  a(1, 2) = alpha_CEG;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_CEG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -645,17 +474,12 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_C_CEG = d_rate(0);
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(2), v_h_C_CEG = d_rate(0);
     const Scalar v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar CG_x = d.h_C_CEG * q.theta_CEG.sin, CG_y = -d.h_C_CEG * q.theta_CEG.cos;
     const Scalar t01 = v_h_C_CEG - v_h_C_BC;
     p(0, 0) = -omega_CEG * ((BC_x + CG_x - slide_C_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.cos * t01 - Scalar(2) * q.theta_CEG.sin * v_s_C);
@@ -682,10 +506,8 @@ struct Model05 {
         - CEG_across_FG * d.psi_E_CEG.sin;
     const Scalar t02 = abs(d.h_C_BC) + abs(q.s_C) + abs(d.h_C_CEG);
     const Scalar t03 = abs(q.s_E) + abs(d.h_E_CEG) + abs(d.h_E_DE) + Scalar(2) * t02;
-    p(0) = determinant;
-    p(1) = d.FG;
-    size(0) = abs(d.FG) + t03;
-    size(1) = abs(d.FG) + t02;
+    p(0) = determinant;  p(1) = d.FG;
+    size(0) = abs(d.FG) + t03;  size(1) = abs(d.FG) + t02;
     terms = t03;
   }
 
@@ -710,8 +532,7 @@ struct Model05 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar s_E_per_across_slide_E = d.psi_E_CEG.cos * s_C_per_across_slide_E
@@ -764,8 +585,7 @@ struct Model05 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
@@ -801,53 +621,29 @@ struct Model05 {
     const Scalar t07 = t03 - t04;
     const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    S_d(0, 0) = -t05;
-    S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 2) = CEG_per_across_slide_E;
-    S_d(0, 3) = t05;
-    S_d(0, 4) = -CEG_per_across_slide_E;
+    S_d(0, 0) = -t05;  S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
+    S_d(0, 2) = CEG_per_across_slide_E;  S_d(0, 3) = t05;  S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t06;
-    S_d(1, 1) = q.s_E * FG_per_across_slide_E;
-    S_d(1, 2) = FG_per_across_slide_E;
-    S_d(1, 3) = t06;
-    S_d(1, 4) = -FG_per_across_slide_E;
+    S_d(1, 0) = -t06;  S_d(1, 1) = q.s_E * FG_per_across_slide_E;
+    S_d(1, 2) = FG_per_across_slide_E;  S_d(1, 3) = t06;  S_d(1, 4) = -FG_per_across_slide_E;
     S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = -t07;
-    S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = t07;
-    S_d(2, 4) = -s_C_per_across_slide_E;
+    S_d(2, 0) = -t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+    S_d(2, 2) = s_C_per_across_slide_E;  S_d(2, 3) = t07;  S_d(2, 4) = -s_C_per_across_slide_E;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t08;
-    S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = -t08;
-    S_d(3, 4) = -s_E_per_across_slide_E;
+    S_d(3, 0) = t08;  S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
+    S_d(3, 2) = s_E_per_across_slide_E;  S_d(3, 3) = -t08;  S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
     S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(1, 2) = FG_per_x_D;
-    S_u(1, 3) = FG_per_y_D;
-    S_u(1, 4) = FG_per_x_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(1, 2) = FG_per_x_D;  S_u(1, 3) = FG_per_y_D;  S_u(1, 4) = FG_per_x_F;
     S_u(1, 5) = FG_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(2, 2) = s_C_per_x_D;
-    S_u(2, 3) = s_C_per_y_D;
-    S_u(2, 4) = s_C_per_x_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(2, 2) = s_C_per_x_D;  S_u(2, 3) = s_C_per_y_D;  S_u(2, 4) = s_C_per_x_F;
     S_u(2, 5) = s_C_per_y_F;
-    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(3, 2) = s_E_per_x_D;
-    S_u(3, 3) = s_E_per_y_D;
-    S_u(3, 4) = s_E_per_x_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 2) = s_E_per_x_D;  S_u(3, 3) = s_E_per_y_D;  S_u(3, 4) = s_E_per_x_F;
     S_u(3, 5) = s_E_per_y_F;
   }
 
@@ -856,12 +652,8 @@ struct Model05 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
@@ -879,13 +671,10 @@ struct Model05 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
-    const Scalar t02 = v_x_B - v_x_D;
-    const Scalar t03 = v_y_B - v_y_D;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar t02 = v_x_B - v_x_D, t03 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t02 + sin_DE * t03;
-    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02;
-    const Scalar t04 = v_x_B - v_x_F;
+    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02, t04 = v_x_B - v_x_F;
     const Scalar t05 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t04 + q.theta_FG.sin * t05;
     const Scalar velocity_across_FG = q.theta_FG.cos * t05 - q.theta_FG.sin * t04;
@@ -897,10 +686,7 @@ struct Model05 {
         - velocity_along_slide_E;
     const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + sin_CEG_minus_FG * v_s_C
         - velocity_across_FG);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -909,18 +695,10 @@ struct Model05 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
@@ -938,13 +716,10 @@ struct Model05 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
-    const Scalar t02 = v_x_B - v_x_D;
-    const Scalar t03 = v_y_B - v_y_D;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar t02 = v_x_B - v_x_D, t03 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t02 + sin_DE * t03;
-    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02;
-    const Scalar t04 = v_x_B - v_x_F;
+    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02, t04 = v_x_B - v_x_F;
     const Scalar t05 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t04 + q.theta_FG.sin * t05;
     const Scalar velocity_across_FG = q.theta_FG.cos * t05 - q.theta_FG.sin * t04;
@@ -952,20 +727,16 @@ struct Model05 {
         + cos_CEG_minus_FG * velocity_across_slide_E);
     const Scalar v_s_C = inverse_determinant * (CEG_along_slide_E * velocity_along_FG
         + CEG_across_FG * velocity_across_slide_E);
-    const Scalar t06 = d.psi_E_CEG.cos * v_s_C;
-    const Scalar t07 = CEG_across_slide_E * omega_CEG;
-    const Scalar v_s_E = t06 - t07 - velocity_along_slide_E;
-    const Scalar t08 = CEG_along_FG * omega_CEG;
+    const Scalar t06 = d.psi_E_CEG.cos * v_s_C, t07 = CEG_across_slide_E * omega_CEG;
+    const Scalar v_s_E = t06 - t07 - velocity_along_slide_E, t08 = CEG_along_FG * omega_CEG;
     const Scalar t09 = sin_CEG_minus_FG * v_s_C;
-    const Scalar omega_FG = -inverse_FG * (t08 + t09 - velocity_across_FG);
-    const Scalar t10 = a_x_B - a_x_D;
+    const Scalar omega_FG = -inverse_FG * (t08 + t09 - velocity_across_FG), t10 = a_x_B - a_x_D;
     const Scalar t11 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_E = cos_DE * t10 + sin_DE * t11
         - omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C - CEG_along_slide_E * omega_CEG);
     const Scalar acceleration_across_slide_E = cos_DE * t11 - omega_CEG * (Scalar(2) * t06 - t07
         - Scalar(2) * v_s_E) - sin_DE * t10;
-    const Scalar t12 = a_x_B - a_x_F;
-    const Scalar t13 = a_y_B - a_y_F;
+    const Scalar t12 = a_x_B - a_x_F, t13 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t12 + q.theta_FG.sin * t13
         + omega_CEG * (t08 + Scalar(2) * t09) + d.FG * omega_FG * omega_FG;
     const Scalar acceleration_across_FG = q.theta_FG.cos * t13
@@ -979,13 +750,8 @@ struct Model05 {
         - acceleration_along_slide_E;
     const Scalar alpha_FG = -inverse_FG * (CEG_along_FG * alpha_CEG + sin_CEG_minus_FG * a_s_C
         - acceleration_across_FG);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = alpha_FG;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = alpha_FG;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_E;
   }
 
@@ -997,18 +763,10 @@ struct Model05 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
@@ -1026,8 +784,7 @@ struct Model05 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
     const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
@@ -1087,58 +844,27 @@ struct Model05 {
     const Scalar t07 = t03 - t04;
     const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    S_d(0, 0) = -t05;
-    S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 2) = CEG_per_across_slide_E;
-    S_d(0, 3) = t05;
-    S_d(0, 4) = -CEG_per_across_slide_E;
+    S_d(0, 0) = -t05;  S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
+    S_d(0, 2) = CEG_per_across_slide_E;  S_d(0, 3) = t05;  S_d(0, 4) = -CEG_per_across_slide_E;
     S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t06;
-    S_d(1, 1) = q.s_E * FG_per_across_slide_E;
-    S_d(1, 2) = FG_per_across_slide_E;
-    S_d(1, 3) = t06;
-    S_d(1, 4) = -FG_per_across_slide_E;
+    S_d(1, 0) = -t06;  S_d(1, 1) = q.s_E * FG_per_across_slide_E;
+    S_d(1, 2) = FG_per_across_slide_E;  S_d(1, 3) = t06;  S_d(1, 4) = -FG_per_across_slide_E;
     S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = -t07;
-    S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = t07;
-    S_d(2, 4) = -s_C_per_across_slide_E;
+    S_d(2, 0) = -t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+    S_d(2, 2) = s_C_per_across_slide_E;  S_d(2, 3) = t07;  S_d(2, 4) = -s_C_per_across_slide_E;
     S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t08;
-    S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = -t08;
-    S_d(3, 4) = -s_E_per_across_slide_E;
+    S_d(3, 0) = t08;  S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
+    S_d(3, 2) = s_E_per_across_slide_E;  S_d(3, 3) = -t08;  S_d(3, 4) = -s_E_per_across_slide_E;
     S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = FG_per_x_B;
-    S_u(1, 1) = FG_per_y_B;
-    S_u(1, 2) = FG_per_x_D;
-    S_u(1, 3) = FG_per_y_D;
-    S_u(1, 4) = FG_per_x_F;
-    S_u(1, 5) = FG_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_x_D;
-    S_u(2, 3) = s_C_per_y_D;
-    S_u(2, 4) = s_C_per_x_F;
-    S_u(2, 5) = s_C_per_y_F;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_x_D;
-    S_u(3, 3) = s_E_per_y_D;
-    S_u(3, 4) = s_E_per_x_F;
-    S_u(3, 5) = s_E_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_x_D;
+    S_u(1, 3) = FG_per_y_D;  S_u(1, 4) = FG_per_x_F;  S_u(1, 5) = FG_per_y_F;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_x_D;
+    S_u(2, 3) = s_C_per_y_D;  S_u(2, 4) = s_C_per_x_F;  S_u(2, 5) = s_C_per_y_F;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_x_D;
+    S_u(3, 3) = s_E_per_y_D;  S_u(3, 4) = s_E_per_x_F;  S_u(3, 5) = s_E_per_y_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
         + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_across_slide_E * centripetal_across_slide_E
@@ -1162,24 +888,16 @@ struct Model05 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar c_m1_re = -t01 * FB_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = d.h_C_CEG - d.h_C_BC, c_m1_re = -t01 * FB_y;
     const Scalar c_m1_im = t01 * FB_x;
     const Scalar c_0_re = d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.h_C_BC) + d.h_C_BC * d.h_C_BC
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
-    const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar t03 = FB_x - FD_x;
+    const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin, t02 = FB_y - FD_y, t03 = FB_x - FD_x;
     const Scalar f_m1_re = t02 * d.psi_E_CEG.cos - t03 * d.psi_E_CEG.sin;
     const Scalar f_m1_im = -t03 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
     const Scalar f_0_re = -Scalar(2) * (t01 * d.psi_E_CEG.cos + d.h_E_DE - d.h_E_CEG);
-    const Scalar t04 = FB_x * f_m1_re;
-    const Scalar t05 = FB_y * f_m1_im;
-    const Scalar t06 = f_m1_re * f_m1_re;
+    const Scalar t04 = FB_x * f_m1_re, t05 = FB_y * f_m1_im, t06 = f_m1_re * f_m1_re;
     const Scalar t07 = f_m1_im * f_m1_im;
     T.cosine[0] = (Scalar(2) * t04 + Scalar(2) * t05 + c_0_re * e_0_re) * e_0_re + Scalar(2) * t06
         + Scalar(2) * t07 + f_0_re * f_0_re;
@@ -1199,19 +917,14 @@ struct Model05 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_y - FD_y;
-    const Scalar t02 = FB_x - FD_x;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_y - FD_y, t02 = FB_x - FD_x;
     const Scalar t03 = FB_y * q.theta_CEG.cos - FB_x * q.theta_CEG.sin;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = Scalar(2) * ((t01 * q.theta_CEG.cos + d.h_C_BC - t02 * q.theta_CEG.sin
         - d.h_C_CEG) * d.psi_E_CEG.cos + d.h_E_CEG - (t02 * q.theta_CEG.cos
         + t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin - d.h_E_DE);
-    e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin);
+    e(1, 0) = Scalar(1);  e(1, 1) = -Scalar(2) * (FB_x * q.theta_CEG.cos + FB_y * q.theta_CEG.sin);
     e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (d.h_C_CEG - Scalar(2) * d.h_C_BC
         - Scalar(2) * t03) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t03) - d.FG * d.FG;
   }
@@ -1220,15 +933,11 @@ struct Model05 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
-    const Scalar t03 = d.h_C_CEG - d.h_C_BC;
+    const Scalar t01 = FB_x - FD_x, t02 = FB_y - FD_y, t03 = d.h_C_CEG - d.h_C_BC;
     q.s_E = -(t01 * q.theta_CEG.cos + t02 * q.theta_CEG.sin - q.s_C) * d.psi_E_CEG.cos
         - (t02 * q.theta_CEG.cos - t01 * q.theta_CEG.sin - t03) * d.psi_E_CEG.sin;
     q.theta_FG.cos = (FB_x + t03 * q.theta_CEG.sin - q.s_C * q.theta_CEG.cos) * inverse_theta_FG;

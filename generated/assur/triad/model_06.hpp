@@ -95,12 +95,9 @@ struct Model06 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_E_CEG, x_G_CEG, y_G_CEG, h_B_BC, h_E_DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_E_CEG, x_G_CEG, y_G_CEG, h_B_BC, h_E_DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_E_CEG, x_G_CEG, y_G_CEG, h_B_BC, h_E_DE, FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_E_CEG, x_G_CEG, y_G_CEG, h_B_BC, h_E_DE,
+        FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -114,12 +111,8 @@ struct Model06 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -130,12 +123,8 @@ struct Model06 {
     Scalar s_B{};  ///< displacement along the slide at B of link BC against the base
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, theta_FG, s_B, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, theta_FG, s_B, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, theta_FG, s_B, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, theta_FG, s_B, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -194,26 +183,17 @@ struct Model06 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = BC_x + u.x_B + slide_B_x;
-    const Scalar t02 = BC_y + u.y_B + slide_B_y;
-    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;
-    f(1) = u.y_D + DE_y - CE_y - slide_E_y - t02;
-    f(2) = u.x_F + FG_x - CG_x - t01;
-    f(3) = u.y_F + FG_y - CG_y - t02;
+    const Scalar t01 = BC_x + u.x_B + slide_B_x, t02 = BC_y + u.y_B + slide_B_y;
+    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;  f(1) = u.y_D + DE_y - CE_y - slide_E_y - t02;
+    f(2) = u.x_F + FG_x - CG_x - t01;  f(3) = u.y_F + FG_y - CG_y - t02;
   }
 
   /// J = df/dq.
@@ -221,28 +201,16 @@ struct Model06 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    J(0, 0) = CE_y + slide_E_y - DE_y;
-    J(0, 2) = -u.phi_B.cos;
-    J(0, 3) = -q.theta_CEG.cos;
-    J(1, 0) = DE_x - CE_x - slide_E_x;
-    J(1, 2) = -u.phi_B.sin;
-    J(1, 3) = -q.theta_CEG.sin;
-    J(2, 0) = CG_y;
-    J(2, 1) = -FG_y;
-    J(2, 2) = -u.phi_B.cos;
-    J(3, 0) = -CG_x;
-    J(3, 1) = FG_x;
-    J(3, 2) = -u.phi_B.sin;
+    J(0, 0) = CE_y + slide_E_y - DE_y;  J(0, 2) = -u.phi_B.cos;  J(0, 3) = -q.theta_CEG.cos;
+    J(1, 0) = DE_x - CE_x - slide_E_x;  J(1, 2) = -u.phi_B.sin;  J(1, 3) = -q.theta_CEG.sin;
+    J(2, 0) = CG_y;  J(2, 1) = -FG_y;  J(2, 2) = -u.phi_B.cos;
+    J(3, 0) = -CG_x;  J(3, 1) = FG_x;  J(3, 2) = -u.phi_B.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -250,19 +218,11 @@ struct Model06 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = q.theta_CEG.sin;
-    F_d(0, 3) = -u.phi_B.sin;
-    F_d(0, 4) = -q.theta_CEG.sin;
-    F_d(1, 0) = -q.theta_CEG.cos;
-    F_d(1, 3) = u.phi_B.cos;
-    F_d(1, 4) = q.theta_CEG.cos;
-    F_d(2, 1) = -q.theta_CEG.cos;
-    F_d(2, 2) = q.theta_CEG.sin;
-    F_d(2, 3) = -u.phi_B.sin;
+    F_d(0, 0) = q.theta_CEG.sin;  F_d(0, 3) = -u.phi_B.sin;  F_d(0, 4) = -q.theta_CEG.sin;
+    F_d(1, 0) = -q.theta_CEG.cos;  F_d(1, 3) = u.phi_B.cos;  F_d(1, 4) = q.theta_CEG.cos;
+    F_d(2, 1) = -q.theta_CEG.cos;  F_d(2, 2) = q.theta_CEG.sin;  F_d(2, 3) = -u.phi_B.sin;
     F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 1) = -q.theta_CEG.sin;
-    F_d(3, 2) = -q.theta_CEG.cos;
-    F_d(3, 3) = u.phi_B.cos;
+    F_d(3, 1) = -q.theta_CEG.sin;  F_d(3, 2) = -q.theta_CEG.cos;  F_d(3, 3) = u.phi_B.cos;
     F_d(3, 5) = q.theta_FG.sin;
   }
 
@@ -271,24 +231,13 @@ struct Model06 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t01;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t02;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t01;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -t02;
-    F_u(3, 6) = Scalar(1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = t01;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -296,23 +245,13 @@ struct Model06 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
-    rhs(0) = -v_x_D - t01;
-    rhs(1) = t02 - v_y_D;
-    rhs(2) = -v_x_F - t01;
-    rhs(3) = t02 - v_y_F;
+    rhs(0) = -v_x_D - t01;  rhs(1) = t02 - v_y_D;  rhs(2) = -v_x_F - t01;  rhs(3) = t02 - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -322,46 +261,29 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = a_x_B - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t02 * alpha_B;
     const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (t02 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
-    const Scalar t05 = omega_CEG * omega_CEG;
-    const Scalar t06 = omega_FG * omega_FG;
+    const Scalar t05 = omega_CEG * omega_CEG, t06 = omega_FG * omega_FG;
     rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG
         - Scalar(2) * q.theta_CEG.sin * v_s_E) + t03 - a_x_D;
     rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_E) + t04 - a_y_D;
-    rhs(2) = FG_x * t06 + t03 - a_x_F - CG_x * t05;
-    rhs(3) = FG_y * t06 + t04 - a_y_F - CG_y * t05;
+    rhs(2) = FG_x * t06 + t03 - a_x_F - CG_x * t05;  rhs(3) = FG_y * t06 + t04 - a_y_F - CG_y * t05;
   }
 
   /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
@@ -372,44 +294,23 @@ struct Model06 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_FG = q_rate(1);
+    const Scalar alpha_FG = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = DE_y - CE_y - slide_E_y;
-    const Scalar t02 = q.theta_CEG.cos * v_s_E;
-    const Scalar t03 = DE_x - CE_x - slide_E_x;
-    const Scalar t04 = q.theta_CEG.sin * v_s_E;
-    const Scalar t05 = slide_B_y + BC_y;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BC_x;
+    const Scalar t01 = DE_y - CE_y - slide_E_y, t02 = q.theta_CEG.cos * v_s_E;
+    const Scalar t03 = DE_x - CE_x - slide_E_x, t04 = q.theta_CEG.sin * v_s_E;
+    const Scalar t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BC_x;
     const Scalar t08 = u.phi_B.sin * v_s_B;
     const Scalar t09 = omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06)
         - Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t05 * jerk_B + j_x_B
@@ -417,8 +318,7 @@ struct Model06 {
     const Scalar t10 = omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t08)
         + Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t07 * jerk_B - j_y_B
         - Scalar(3) * t06 * alpha_B;
-    const Scalar t11 = omega_CEG * omega_CEG;
-    const Scalar t12 = omega_FG * omega_FG;
+    const Scalar t11 = omega_CEG * omega_CEG, t12 = omega_FG * omega_FG;
     rhs(0) = t09 - omega_CEG * (omega_CEG * (t01 * omega_CEG + Scalar(3) * t02)
         + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t03 * alpha_CEG) - j_x_D
         - Scalar(3) * alpha_CEG * t04;
@@ -438,29 +338,15 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_E_CEG = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_h_E_CEG = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar v_h_B_BC = d_rate(3), v_h_E_DE = d_rate(4), v_FG = d_rate(5), omega_B = u_rate(2);
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = v_h_E_CEG - v_h_E_DE;
@@ -484,28 +370,15 @@ struct Model06 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = u.x_B + slide_B_x + BC_x;
-    const Scalar t02 = u.y_B + slide_B_y + BC_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_CEG.cos;
-    poses[2].direction.sin = q.theta_CEG.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
-    poses[3].direction.sin = q.theta_FG.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = u.x_B + slide_B_x + BC_x, t02 = u.y_B + slide_B_y + BC_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = q.theta_CEG.cos;
+    poses[0].direction.sin = q.theta_CEG.sin;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = q.theta_CEG.cos;
+    poses[2].direction.sin = q.theta_CEG.sin;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = q.theta_FG.cos;  poses[3].direction.sin = q.theta_FG.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -518,12 +391,9 @@ struct Model06 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
     P_q(0, 2) = u.phi_B.cos;
     P_q(1, 2) = u.phi_B.sin;
     P_q(2, 0) = Scalar(1);
@@ -535,14 +405,10 @@ struct Model06 {
     P_d(1, 3) = -u.phi_B.cos;
     P_d(3, 3) = u.phi_B.sin;
     P_d(4, 3) = -u.phi_B.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t01;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t02;
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -t01;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t01;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t02;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -t01;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = t02;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -555,34 +421,17 @@ struct Model06 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar omega_FG = q_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar v_x_F = u_rate(5), v_y_F = u_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = -t01;
-    v(0, 1) = t02;
-    v(0, 2) = omega_CEG;
-    v(1, 0) = -t01;
-    v(1, 1) = t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_CEG;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(0, 0) = -t01;  v(0, 1) = t02;  v(0, 2) = omega_CEG;
+    v(1, 0) = -t01;  v(1, 1) = t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_CEG;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -591,40 +440,21 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar alpha_FG = q_second_rate(1);
-    const Scalar v_s_B = q_rate(2);
-    const Scalar a_s_B = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar alpha_CEG = q_second_rate(0), alpha_FG = q_second_rate(1), v_s_B = q_rate(2);
+    const Scalar a_s_B = q_second_rate(2), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
     const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
-    a(0, 0) = -t03;
-    a(0, 1) = -t04;
-    a(0, 2) = alpha_CEG;
-    a(1, 0) = -t03;
-    a(1, 1) = -t04;
-    a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_CEG;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(0, 0) = -t03;  a(0, 1) = -t04;  a(0, 2) = alpha_CEG;
+    a(1, 0) = -t03;  a(1, 1) = -t04;  a(1, 2) = alpha_B;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_CEG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -634,22 +464,16 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(2);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(2), v_h_B_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    p(0, 0) = -t01;
-    p(0, 1) = -t02;
-    p(1, 0) = -t01;
-    p(1, 1) = -t02;
+    p(0, 0) = -t01;  p(0, 1) = -t02;
+    p(1, 0) = -t01;  p(1, 1) = -t02;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -669,13 +493,10 @@ struct Model06 {
         - q.theta_CEG.cos * q.theta_FG.sin;
     const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
     const Scalar determinant = q.s_E * cos_phi_B_minus_FG - CEG_across_FG * sin_phi_B_minus_CEG;
-    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC);
-    const Scalar t02 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
+    const Scalar t01 = abs(q.s_B) + abs(d.h_B_BC), t02 = abs(d.x_G_CEG) + abs(d.y_G_CEG);
     const Scalar t03 = abs(q.s_E) + abs(d.h_E_CEG) + abs(d.h_E_DE) + t02;
-    p(0) = determinant;
-    p(1) = d.FG;
-    size(0) = abs(d.FG) + Scalar(2) * t01 + t03;
-    size(1) = abs(d.FG) + t02 + t01;
+    p(0) = determinant;  p(1) = d.FG;
+    size(0) = abs(d.FG) + Scalar(2) * t01 + t03;  size(1) = abs(d.FG) + t02 + t01;
     terms = t03;
   }
 
@@ -700,8 +521,7 @@ struct Model06 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar s_E_per_across_slide_E = -cos_phi_B_minus_CEG * s_B_per_across_slide_E
@@ -760,8 +580,7 @@ struct Model06 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
@@ -790,62 +609,42 @@ struct Model06 {
     const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
     const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
     const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
-    S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
         - CEG_per_across_slide_E * cos_phi_B_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_along_FG;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = FG_per_across_slide_E;
     S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_E * cos_phi_B_minus_CEG
         - inverse_FG * cos_phi_B_minus_FG;
-    S_d(1, 4) = -FG_per_across_slide_E;
-    S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = s_B_per_across_slide_E;
-    S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 3) = t02 - t01;
-    S_d(2, 4) = -s_B_per_across_slide_E;
-    S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = s_E_per_across_slide_E;
-    S_d(3, 1) = cos_CEG_minus_FG * s_E_per_along_FG;
+    S_d(1, 4) = -FG_per_across_slide_E;  S_d(1, 5) = -FG_per_along_FG;
+    S_d(2, 0) = s_B_per_across_slide_E;  S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
+    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(2, 3) = t02 - t01;
+    S_d(2, 4) = -s_B_per_across_slide_E;  S_d(2, 5) = -s_B_per_along_FG;
+    S_d(3, 0) = s_E_per_across_slide_E;  S_d(3, 1) = cos_CEG_minus_FG * s_E_per_along_FG;
     S_d(3, 2) = -sin_CEG_minus_FG * s_E_per_along_FG;
     S_d(3, 3) = sin_phi_B_minus_FG * s_E_per_along_FG - sin_phi_B_minus_CEG
         - cos_phi_B_minus_CEG * s_E_per_across_slide_E;
-    S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = CEG_per_along_FG * phi_B_across_FG - CEG_per_across_slide_E * phi_B_along_slide_E;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
+    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(1, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_E * phi_B_along_slide_E
         - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = FG_per_x_D;
-    S_u(1, 4) = FG_per_y_D;
-    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
     S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(2, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_E * s_B_per_across_slide_E;
-    S_u(2, 3) = s_B_per_x_D;
-    S_u(2, 4) = s_B_per_y_D;
-    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
     S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
     S_u(3, 2) = phi_B_across_FG * s_E_per_along_FG - phi_B_along_slide_E * s_E_per_across_slide_E
         - phi_B_across_slide_E;
-    S_u(3, 3) = s_E_per_x_D;
-    S_u(3, 4) = s_E_per_y_D;
-    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
     S_u(3, 6) = s_E_per_y_F;
   }
 
@@ -854,13 +653,8 @@ struct Model06 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
         + q.theta_CEG.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
@@ -884,16 +678,13 @@ struct Model06 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
         + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01
         - phi_B_along_slide_E * omega_B;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t03 + q.theta_FG.sin * t04
         + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t04 - q.theta_FG.sin * t03
@@ -906,10 +697,7 @@ struct Model06 {
         - velocity_along_slide_E;
     const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - sin_phi_B_minus_FG * v_s_B
         - velocity_across_FG);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -918,20 +706,11 @@ struct Model06 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
         + q.theta_CEG.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
@@ -955,17 +734,12 @@ struct Model06 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = phi_B_across_slide_E * omega_B;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02 + t03;
     const Scalar t04 = phi_B_along_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01 - t04;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
-    const Scalar t07 = phi_B_across_FG * omega_B;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F, t07 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06 + t07;
     const Scalar t08 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05 - t08;
@@ -973,22 +747,17 @@ struct Model06 {
         - cos_phi_B_minus_FG * velocity_across_slide_E);
     const Scalar v_s_B = -inverse_determinant * (q.s_E * velocity_along_FG
         - CEG_across_FG * velocity_across_slide_E);
-    const Scalar t09 = CEG_across_slide_E * omega_CEG;
-    const Scalar t10 = cos_phi_B_minus_CEG * v_s_B;
-    const Scalar v_s_E = -t09 - t10 - velocity_along_slide_E;
-    const Scalar t11 = sin_phi_B_minus_FG * v_s_B;
+    const Scalar t09 = CEG_across_slide_E * omega_CEG, t10 = cos_phi_B_minus_CEG * v_s_B;
+    const Scalar v_s_E = -t09 - t10 - velocity_along_slide_E, t11 = sin_phi_B_minus_FG * v_s_B;
     const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - t11 - velocity_across_FG);
-    const Scalar t12 = a_x_B - a_x_D;
-    const Scalar t13 = a_y_B - a_y_D;
-    const Scalar t14 = omega_CEG * omega_CEG;
+    const Scalar t12 = a_x_B - a_x_D, t13 = a_y_B - a_y_D, t14 = omega_CEG * omega_CEG;
     const Scalar acceleration_along_slide_E = q.theta_CEG.cos * t12 + q.theta_CEG.sin * t13
         + omega_B * (t04 - Scalar(2) * sin_phi_B_minus_CEG * v_s_B) + phi_B_across_slide_E * alpha_B
         - q.s_E * t14;
     const Scalar acceleration_across_slide_E = q.theta_CEG.cos * t13 + omega_CEG * (t09
         + Scalar(2) * v_s_E) + omega_B * (t03 + Scalar(2) * t10) - q.theta_CEG.sin * t12
         - phi_B_along_slide_E * alpha_B;
-    const Scalar t15 = a_x_B - a_x_F;
-    const Scalar t16 = a_y_B - a_y_F;
+    const Scalar t15 = a_x_B - a_x_F, t16 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t15 + q.theta_FG.sin * t16
         + omega_B * (t08 - Scalar(2) * t11) + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B
         + CEG_along_FG * t14;
@@ -1003,13 +772,8 @@ struct Model06 {
         - acceleration_along_slide_E;
     const Scalar alpha_FG = -inverse_FG * (CEG_along_FG * alpha_CEG - sin_phi_B_minus_FG * a_s_B
         - acceleration_across_FG);
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = alpha_FG;
-    q_second_rate(2) = a_s_B;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = alpha_FG;  q_second_rate(2) = a_s_B;
     q_second_rate(3) = a_s_E;
   }
 
@@ -1021,20 +785,11 @@ struct Model06 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
         + q.theta_CEG.sin * u.phi_B.sin;
     const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
@@ -1058,8 +813,7 @@ struct Model06 {
     const Scalar pivot_product = d.FG * determinant;
     // A zero divisor means a dead centre, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse;
-    const Scalar inverse_FG = determinant * inverse;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
     const Scalar CEG_per_across_slide_E = -inverse_determinant * cos_phi_B_minus_FG;
     const Scalar s_B_per_across_slide_E = CEG_across_FG * inverse_determinant;
     const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
@@ -1122,65 +876,38 @@ struct Model06 {
         - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B - phi_B_along_FG * omega_B);
     const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
         + phi_B_across_FG * omega_B) + CEG_across_FG * t03;
-    S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
     S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
     S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
         - CEG_per_across_slide_E * cos_phi_B_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_along_FG;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_along_FG;
     S_d(1, 0) = FG_per_across_slide_E;
     S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
     S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
     S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_E * cos_phi_B_minus_CEG
         - inverse_FG * cos_phi_B_minus_FG;
-    S_d(1, 4) = -FG_per_across_slide_E;
-    S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = s_B_per_across_slide_E;
-    S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 3) = t02 - t01;
-    S_d(2, 4) = -s_B_per_across_slide_E;
-    S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = s_E_per_across_slide_E;
-    S_d(3, 1) = cos_CEG_minus_FG * s_E_per_along_FG;
+    S_d(1, 4) = -FG_per_across_slide_E;  S_d(1, 5) = -FG_per_along_FG;
+    S_d(2, 0) = s_B_per_across_slide_E;  S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
+    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(2, 3) = t02 - t01;
+    S_d(2, 4) = -s_B_per_across_slide_E;  S_d(2, 5) = -s_B_per_along_FG;
+    S_d(3, 0) = s_E_per_across_slide_E;  S_d(3, 1) = cos_CEG_minus_FG * s_E_per_along_FG;
     S_d(3, 2) = -sin_CEG_minus_FG * s_E_per_along_FG;
     S_d(3, 3) = sin_phi_B_minus_FG * s_E_per_along_FG - sin_phi_B_minus_CEG
         - cos_phi_B_minus_CEG * s_E_per_across_slide_E;
-    S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = FG_per_x_B;
-    S_u(1, 1) = FG_per_y_B;
-    S_u(1, 2) = FG_per_phi_B;
-    S_u(1, 3) = FG_per_x_D;
-    S_u(1, 4) = FG_per_y_D;
-    S_u(1, 5) = FG_per_x_F;
+    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
+    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
     S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = s_B_per_x_B;
-    S_u(2, 1) = s_B_per_y_B;
-    S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = s_B_per_x_D;
-    S_u(2, 4) = s_B_per_y_D;
-    S_u(2, 5) = s_B_per_x_F;
+    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
     S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = s_E_per_x_D;
-    S_u(3, 4) = s_E_per_y_D;
-    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
     S_u(3, 6) = s_E_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = omega_FG;
-    q_rate(2) = v_s_B;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
         + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_across_slide_E * centripetal_across_slide_E
@@ -1204,39 +931,26 @@ struct Model06 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_m1_re = d.x_G_CEG * u.phi_B.cos + d.y_G_CEG * u.phi_B.sin;
     const Scalar b_m1_im = d.x_G_CEG * u.phi_B.sin - d.y_G_CEG * u.phi_B.cos;
     const Scalar b_0_re = Scalar(2) * (FB_x * u.phi_B.cos + FB_y * u.phi_B.sin);
-    const Scalar t01 = FB_x + d.h_B_BC * u.phi_B.sin;
-    const Scalar t02 = FB_y - d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = FB_x + d.h_B_BC * u.phi_B.sin, t02 = FB_y - d.h_B_BC * u.phi_B.cos;
     const Scalar c_m1_re = d.x_G_CEG * t01 + d.y_G_CEG * t02;
     const Scalar c_m1_im = d.x_G_CEG * t02 - d.y_G_CEG * t01;
     const Scalar c_0_re = d.h_B_BC * (d.h_B_BC + Scalar(2) * FB_x * u.phi_B.sin
         - Scalar(2) * FB_y * u.phi_B.cos) + d.x_G_CEG * d.x_G_CEG + d.y_G_CEG * d.y_G_CEG
         + FB_x * FB_x + FB_y * FB_y - d.FG * d.FG;
-    const Scalar f_m1_re = t02 - FD_y;
-    const Scalar f_m1_im = FD_x - t01;
-    const Scalar f_0_re = Scalar(2) * (d.h_E_CEG - d.h_E_DE);
-    const Scalar t03 = c_0_re * u.phi_B.sin;
+    const Scalar f_m1_re = t02 - FD_y, f_m1_im = FD_x - t01;
+    const Scalar f_0_re = Scalar(2) * (d.h_E_CEG - d.h_E_DE), t03 = c_0_re * u.phi_B.sin;
     const Scalar t04 = f_0_re * b_m1_re + b_0_re * f_m1_re;
     const Scalar t05 = f_m1_re * f_m1_re + (t03 - t04) * u.phi_B.sin;
     const Scalar t06 = b_m1_im * f_0_re + b_0_re * f_m1_im;
     const Scalar t07 = f_m1_im * f_m1_im + (c_0_re * u.phi_B.cos + t06) * u.phi_B.cos;
-    const Scalar t08 = f_m1_im * b_m1_re + b_m1_im * f_m1_re;
-    const Scalar t09 = c_m1_re * u.phi_B.cos + t08;
-    const Scalar t10 = c_m1_im * u.phi_B.cos;
-    const Scalar t11 = b_m1_im * f_m1_im;
-    const Scalar t12 = f_0_re * b_0_re;
-    const Scalar t13 = c_m1_re * u.phi_B.sin;
-    const Scalar t14 = b_m1_re * f_m1_re;
-    const Scalar t15 = t13 - t14;
-    const Scalar t16 = c_m1_im * u.phi_B.sin;
-    const Scalar t17 = (t16 - t08) * u.phi_B.sin;
-    const Scalar t18 = t10 + t11;
+    const Scalar t08 = f_m1_im * b_m1_re + b_m1_im * f_m1_re, t09 = c_m1_re * u.phi_B.cos + t08;
+    const Scalar t10 = c_m1_im * u.phi_B.cos, t11 = b_m1_im * f_m1_im, t12 = f_0_re * b_0_re;
+    const Scalar t13 = c_m1_re * u.phi_B.sin, t14 = b_m1_re * f_m1_re, t15 = t13 - t14;
+    const Scalar t16 = c_m1_im * u.phi_B.sin, t17 = (t16 - t08) * u.phi_B.sin, t18 = t10 + t11;
     T.cosine[0] = f_0_re * f_0_re + Scalar(2) * t05 + Scalar(2) * t07;
     T.cosine[1] = Scalar(2) * (Scalar(2) * f_0_re * f_m1_re + t09 * u.phi_B.cos - (Scalar(2) * t10
         + t11 + t12 - Scalar(3) * t15) * u.phi_B.sin);
@@ -1256,17 +970,14 @@ struct Model06 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = FB_x + d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar t02 = FB_y + d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     e(0, 1) = Scalar(2) * (q.theta_CEG.cos * u.phi_B.sin - q.theta_CEG.sin * u.phi_B.cos);
     e(0, 2) = -Scalar(2) * ((d.h_B_BC * u.phi_B.cos + FD_y - FB_y) * q.theta_CEG.cos
         + (d.h_B_BC * u.phi_B.sin + FB_x - FD_x) * q.theta_CEG.sin + d.h_E_DE - d.h_E_CEG);
-    e(1, 0) = Scalar(1);
-    e(1, 1) = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
+    e(1, 0) = Scalar(1);  e(1, 1) = Scalar(2) * (t01 * u.phi_B.cos + t02 * u.phi_B.sin);
     e(1, 2) = d.h_B_BC * (d.h_B_BC + Scalar(2) * t01 * u.phi_B.sin - Scalar(2) * t02 * u.phi_B.cos)
         + d.x_G_CEG * (d.x_G_CEG + Scalar(2) * FB_x * q.theta_CEG.cos
         + Scalar(2) * FB_y * q.theta_CEG.sin) + d.y_G_CEG * (d.y_G_CEG
@@ -1278,9 +989,7 @@ struct Model06 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;

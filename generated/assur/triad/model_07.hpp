@@ -109,12 +109,10 @@ struct Model07 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, h_E_DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, h_E_DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, h_E_DE,
+        FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC,
+        h_E_DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -128,12 +126,8 @@ struct Model07 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -144,12 +138,8 @@ struct Model07 {
     Scalar s_C{};  ///< displacement along the slide at C of link BC against link CEG
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_FG, s_B, s_C, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_FG, s_B, s_C, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_FG, s_B, s_C, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_FG, s_B, s_C, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -212,26 +202,16 @@ struct Model07 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + DE_x + t01 - CE_x - slide_E_x;
-    f(1) = u.y_D + DE_y + t02 - CE_y - slide_E_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x;
-    f(3) = u.y_F + FG_y + t02 - CG_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x, t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + DE_x + t01 - CE_x - slide_E_x;  f(1) = u.y_D + DE_y + t02 - CE_y - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x;  f(3) = u.y_F + FG_y + t02 - CG_y;
   }
 
   /// J = df/dq.
@@ -243,20 +223,11 @@ struct Model07 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    J(0, 1) = -u.phi_B.cos;
-    J(0, 2) = cos_CEG;
-    J(0, 3) = -cos_DE;
-    J(1, 1) = -u.phi_B.sin;
-    J(1, 2) = sin_CEG;
-    J(1, 3) = -sin_DE;
-    J(2, 0) = -FG_y;
-    J(2, 1) = -u.phi_B.cos;
-    J(2, 2) = cos_CEG;
-    J(3, 0) = FG_x;
-    J(3, 1) = -u.phi_B.sin;
-    J(3, 2) = sin_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    J(0, 1) = -u.phi_B.cos;  J(0, 2) = cos_CEG;  J(0, 3) = -cos_DE;
+    J(1, 1) = -u.phi_B.sin;  J(1, 2) = sin_CEG;  J(1, 3) = -sin_DE;
+    J(2, 0) = -FG_y;  J(2, 1) = -u.phi_B.cos;  J(2, 2) = cos_CEG;
+    J(3, 0) = FG_x;  J(3, 1) = -u.phi_B.sin;  J(3, 2) = sin_CEG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -268,36 +239,17 @@ struct Model07 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar t01 = d.h_E_CEG * sin_DE;
-    const Scalar CE_x = CG_x - t01;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t02 = d.h_E_CEG * cos_DE;
-    const Scalar CE_y = CG_y + t02;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar t03 = DE_y - slide_E_y;
-    const Scalar t04 = DE_x - slide_E_x;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 1) = t02 - t03;
-    F_d(0, 2) = sin_DE;
-    F_d(0, 3) = CE_y - t03 - slide_C_y;
-    F_d(0, 4) = -sin_DE;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 1) = t04 + t01;
-    F_d(1, 2) = -cos_DE;
-    F_d(1, 3) = t04 + slide_C_x - CE_x;
-    F_d(1, 4) = cos_DE;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 3) = CG_y - slide_C_y;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 3) = slide_C_x - CG_x;
-    F_d(3, 5) = q.theta_FG.sin;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE, slide_C_x = q.s_C * cos_CEG;
+    const Scalar slide_C_y = q.s_C * sin_CEG, CG_x = d.h_C_CEG * sin_CEG, t01 = d.h_E_CEG * sin_DE;
+    const Scalar CE_x = CG_x - t01, CG_y = -d.h_C_CEG * cos_CEG, t02 = d.h_E_CEG * cos_DE;
+    const Scalar CE_y = CG_y + t02, slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar t03 = DE_y - slide_E_y, t04 = DE_x - slide_E_x;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 1) = t02 - t03;  F_d(0, 2) = sin_DE;
+    F_d(0, 3) = CE_y - t03 - slide_C_y;  F_d(0, 4) = -sin_DE;
+    F_d(1, 0) = cos_CEG;  F_d(1, 1) = t04 + t01;  F_d(1, 2) = -cos_DE;
+    F_d(1, 3) = t04 + slide_C_x - CE_x;  F_d(1, 4) = cos_DE;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 3) = CG_y - slide_C_y;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = cos_CEG;  F_d(3, 3) = slide_C_x - CG_x;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -309,32 +261,17 @@ struct Model07 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + slide_E_y + t01 - DE_y;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = DE_x - CE_x - slide_E_x - t02;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t01;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t02;
-    F_u(3, 6) = Scalar(1);
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + slide_E_y + t01 - DE_y;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DE_x - CE_x - slide_E_x - t02;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t01;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t02;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -342,31 +279,19 @@ struct Model07 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
     rhs(0) = v_x_B + (DE_y - CE_y - slide_E_y - t01) * omega_B - v_x_D;
     rhs(1) = v_y_B - v_y_D - (DE_x - CE_x - slide_E_x - t02) * omega_B;
     rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
@@ -380,45 +305,25 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    const Scalar t03 = DE_x - CE_x - slide_E_x - t02;
-    const Scalar t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = DE_y - CE_y - slide_E_y - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = omega_FG * omega_FG;
-    const Scalar t08 = CG_x + t02;
-    const Scalar t09 = CG_y + t04;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = slide_B_x - slide_C_x;
+    const Scalar t03 = DE_x - CE_x - slide_E_x - t02, t04 = slide_B_y - slide_C_y;
+    const Scalar t05 = DE_y - CE_y - slide_E_y - t04, t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = omega_FG * omega_FG, t08 = CG_x + t02, t09 = CG_y + t04;
     rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t01
         - t03 * omega_B);
     rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + Scalar(2) * t06 + t05 * omega_B)
@@ -437,54 +342,30 @@ struct Model07 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
+    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t02 = sin_DE * v_s_E + t01;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = DE_y - CE_y - slide_E_y - t03;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = sin_DE * v_s_E + t01;
+    const Scalar t03 = slide_B_y - slide_C_y, t04 = DE_y - CE_y - slide_E_y - t03;
     const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = cos_DE * v_s_E + t06;
-    const Scalar t08 = slide_B_x - slide_C_x;
-    const Scalar t09 = DE_x - CE_x - slide_E_x - t08;
-    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t11 = omega_FG * omega_FG;
-    const Scalar t12 = CG_y + t03;
-    const Scalar t13 = CG_x + t08;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t07 = cos_DE * v_s_E + t06;
+    const Scalar t08 = slide_B_x - slide_C_x, t09 = DE_x - CE_x - slide_E_x - t08;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t11 = omega_FG * omega_FG;
+    const Scalar t12 = CG_y + t03, t13 = CG_x + t08;
     rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
         - omega_B * (Scalar(3) * sin_DE * a_s_E + Scalar(3) * t05 + omega_B * (Scalar(3) * t07
         + t04 * omega_B) - Scalar(3) * t09 * alpha_B);
@@ -506,60 +387,29 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_E_CEG = d_rate(1);
-    const Scalar v_h_E_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), omega_E_CEG = d_rate(1), v_h_E_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_h_E_DE = d_rate(4), v_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar t01 = d.psi_E_CEG.cos * cos_CEG;
-    const Scalar t02 = d.psi_E_CEG.sin * sin_CEG;
-    const Scalar cos_DE = t01 - t02;
-    const Scalar t03 = d.psi_E_CEG.cos * sin_CEG;
-    const Scalar t04 = d.psi_E_CEG.sin * cos_CEG;
-    const Scalar sin_DE = t03 + t04;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar t05 = d.h_E_CEG * sin_DE;
-    const Scalar CE_x = CG_x - t05;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t06 = d.h_E_CEG * cos_DE;
-    const Scalar CE_y = CG_y + t06;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t07 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t08 = DE_x - slide_E_x;
-    const Scalar t09 = CE_x - t08;
-    const Scalar t10 = (slide_C_x - t09) * omega_C_BC;
-    const Scalar t11 = v_h_E_CEG - v_h_E_DE;
-    const Scalar t12 = sin_DE * v_s_E;
-    const Scalar t13 = cos_DE * t11 + t12;
-    const Scalar t14 = omega_E_CEG + Scalar(2) * omega_C_BC;
-    const Scalar t15 = slide_B_x - slide_C_x;
-    const Scalar t16 = u.phi_B.sin * v_s_B - t07;
-    const Scalar t17 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t18 = DE_y - slide_E_y;
-    const Scalar t19 = CE_y - t18;
-    const Scalar t20 = (slide_C_y - t19) * omega_C_BC;
-    const Scalar t21 = cos_DE * v_s_E;
-    const Scalar t22 = sin_DE * t11 - t21;
-    const Scalar t23 = slide_B_y - slide_C_y;
-    const Scalar t24 = u.phi_B.cos * v_s_B - t17;
-    const Scalar t25 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t01 = d.psi_E_CEG.cos * cos_CEG, t02 = d.psi_E_CEG.sin * sin_CEG;
+    const Scalar cos_DE = t01 - t02, t03 = d.psi_E_CEG.cos * sin_CEG;
+    const Scalar t04 = d.psi_E_CEG.sin * cos_CEG, sin_DE = t03 + t04, DE_x = -d.h_E_DE * sin_DE;
+    const Scalar DE_y = d.h_E_DE * cos_DE, slide_B_x = q.s_B * u.phi_B.cos;
+    const Scalar slide_B_y = q.s_B * u.phi_B.sin, slide_C_x = q.s_C * cos_CEG;
+    const Scalar slide_C_y = q.s_C * sin_CEG, CG_x = d.h_C_CEG * sin_CEG, t05 = d.h_E_CEG * sin_DE;
+    const Scalar CE_x = CG_x - t05, CG_y = -d.h_C_CEG * cos_CEG, t06 = d.h_E_CEG * cos_DE;
+    const Scalar CE_y = CG_y + t06, slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t07 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t08 = DE_x - slide_E_x;
+    const Scalar t09 = CE_x - t08, t10 = (slide_C_x - t09) * omega_C_BC, t11 = v_h_E_CEG - v_h_E_DE;
+    const Scalar t12 = sin_DE * v_s_E, t13 = cos_DE * t11 + t12;
+    const Scalar t14 = omega_E_CEG + Scalar(2) * omega_C_BC, t15 = slide_B_x - slide_C_x;
+    const Scalar t16 = u.phi_B.sin * v_s_B - t07, t17 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
+    const Scalar t18 = DE_y - slide_E_y, t19 = CE_y - t18, t20 = (slide_C_y - t19) * omega_C_BC;
+    const Scalar t21 = cos_DE * v_s_E, t22 = sin_DE * t11 - t21, t23 = slide_B_y - slide_C_y;
+    const Scalar t24 = u.phi_B.cos * v_s_B - t17, t25 = (slide_C_x - CG_x) * omega_C_BC;
     const Scalar t26 = (slide_C_y - CG_y) * omega_C_BC;
     rhs(0) = omega_C_BC * (Scalar(2) * t07 + t10 - Scalar(2) * t13) + omega_B * (Scalar(2) * t10
         + Scalar(2) * (t08 + t05) * omega_E_CEG - (t15 + t09) * omega_B - Scalar(2) * t13
@@ -586,30 +436,16 @@ struct Model07 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CG_x + t01 - slide_C_x;
-    poses[0].y = CG_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = cos_DE;
-    poses[2].direction.sin = sin_DE;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
-    poses[3].direction.sin = q.theta_FG.sin;
+    poses[0].x = CG_x + t01 - slide_C_x;  poses[0].y = CG_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = cos_DE;
+    poses[2].direction.sin = sin_DE;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = q.theta_FG.cos;  poses[3].direction.sin = q.theta_FG.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -624,37 +460,24 @@ struct Model07 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_y - CG_y;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_y - CG_y;
     const Scalar t02 = slide_C_x - CG_x;
-    P_q(0, 1) = u.phi_B.cos;
-    P_q(0, 2) = -cos_CEG;
-    P_q(1, 1) = u.phi_B.sin;
-    P_q(1, 2) = -sin_CEG;
+    P_q(0, 1) = u.phi_B.cos;  P_q(0, 2) = -cos_CEG;
+    P_q(1, 1) = u.phi_B.sin;  P_q(1, 2) = -sin_CEG;
     P_q(3, 1) = u.phi_B.cos;
     P_q(4, 1) = u.phi_B.sin;
     P_q(11, 0) = Scalar(1);
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
-    P_d(8, 1) = Scalar(1);
-    P_d(8, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_d(8, 1) = Scalar(1);  P_d(8, 3) = Scalar(1);
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -668,38 +491,20 @@ struct Model07 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CG_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_B;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_B;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -708,33 +513,19 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
+    const Scalar alpha_FG = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), a_x_F = u_second_rate(5);
     const Scalar a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_B_x + CG_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CG_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = slide_B_x + CG_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CG_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -743,12 +534,8 @@ struct Model07 {
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_B;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_B;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -758,28 +545,17 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_h_C_CEG = d_rate(0);
+    const Scalar omega_C_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_x - CG_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CG_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_x - CG_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_C_y - CG_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
@@ -802,11 +578,8 @@ struct Model07 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
         + q.theta_FG.sin * sin_DE;
-    p(0) = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    p(1) = d.psi_C_BC.sin;
-    p(2) = d.FG;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;  p(1) = d.psi_C_BC.sin;  p(2) = d.FG;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     size(2) = abs(q.s_B) + abs(q.s_C) + abs(d.h_C_CEG) + abs(d.FG);
     terms = Scalar(2);
   }
@@ -838,8 +611,7 @@ struct Model07 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
-    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02, inverse_FG = t02 * d.psi_C_BC.sin;
     const Scalar t03 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t03;
@@ -910,8 +682,7 @@ struct Model07 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
     const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t05;
-    const Scalar inverse_FG = t05 * d.psi_C_BC.sin;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t05, inverse_FG = t05 * d.psi_C_BC.sin;
     const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
@@ -950,64 +721,42 @@ struct Model07 {
     const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
     const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(0, 0) = -t09;
-    S_d(0, 1) = t10;
-    S_d(0, 2) = FG_per_across_slide_E;
+    S_d(0, 0) = -t09;  S_d(0, 1) = t10;  S_d(0, 2) = FG_per_across_slide_E;
     S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
         - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
-    S_d(0, 4) = -FG_per_across_slide_E;
-    S_d(0, 5) = -FG_per_along_FG;
+    S_d(0, 4) = -FG_per_across_slide_E;  S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
         - d.psi_E_CEG.cos * s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;
-    S_d(1, 2) = s_B_per_across_slide_E;
+    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;  S_d(1, 2) = s_B_per_across_slide_E;
     S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
-    S_d(1, 4) = -s_B_per_across_slide_E;
-    S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t08 - t07;
-    S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_along_FG;
+    S_d(2, 0) = t08 - t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
     S_d(2, 2) = s_C_per_across_slide_E;
     S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
-    S_d(2, 4) = -s_C_per_across_slide_E;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t11;
-    S_d(3, 1) = t12;
-    S_d(3, 2) = s_E_per_across_slide_E;
+    S_d(2, 4) = -s_C_per_across_slide_E;  S_d(2, 5) = -s_C_per_along_FG;
+    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_E_per_across_slide_E;
     S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
         + d.psi_E_CEG.sin * s_E_per_across_slide_E
         - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
-    S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
+    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
+    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;  S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_E * phi_B_along_slide_E
         - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = FG_per_x_D;
-    S_u(0, 4) = FG_per_y_D;
-    S_u(0, 5) = FG_per_x_F;
+    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_x_F;
     S_u(0, 6) = FG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_E * s_B_per_across_slide_E;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
     S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_E * s_C_per_across_slide_E;
-    S_u(2, 3) = s_C_per_x_D;
-    S_u(2, 4) = s_C_per_y_D;
-    S_u(2, 5) = s_C_per_x_F;
+    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_x_F;
     S_u(2, 6) = s_C_per_y_F;
-    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
     S_u(3, 2) = phi_B_across_FG * s_E_per_along_FG - phi_B_along_slide_E * s_E_per_across_slide_E
         - phi_B_across_slide_E;
-    S_u(3, 3) = s_E_per_x_D;
-    S_u(3, 4) = s_E_per_y_D;
-    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
     S_u(3, 6) = s_E_per_y_F;
   }
 
@@ -1016,13 +765,8 @@ struct Model07 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1054,16 +798,13 @@ struct Model07 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
-    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02, inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar t03 = v_x_B - v_x_D, t04 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t03 + sin_DE * t04
         + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03
         - phi_B_along_slide_E * omega_B;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06
         + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05
@@ -1078,10 +819,7 @@ struct Model07 {
         - velocity_along_slide_E;
     const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1090,20 +828,11 @@ struct Model07 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1135,17 +864,12 @@ struct Model07 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
     const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
-    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = phi_B_across_slide_E * omega_B;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02, inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar t03 = v_x_B - v_x_D, t04 = v_y_B - v_y_D, t05 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = cos_DE * t03 + sin_DE * t04 + t05;
     const Scalar t06 = phi_B_along_slide_E * omega_B;
-    const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03 - t06;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = phi_B_across_FG * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03 - t06, t07 = v_x_B - v_x_F;
+    const Scalar t08 = v_y_B - v_y_F, t09 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08 + t09;
     const Scalar t10 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07 - t10;
@@ -1158,16 +882,14 @@ struct Model07 {
     const Scalar t12 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
     const Scalar v_s_E = t12 - velocity_along_slide_E;
     const Scalar t13 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
-    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t13);
-    const Scalar t14 = a_x_B - a_x_D;
+    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t13), t14 = a_x_B - a_x_D;
     const Scalar t15 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_E = omega_B * (t06 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
         - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t14 + sin_DE * t15
         + phi_B_across_slide_E * alpha_B;
     const Scalar acceleration_across_slide_E = cos_DE * t15 + omega_B * (t05 + Scalar(2) * v_s_E
         - Scalar(2) * t12) - sin_DE * t14 - phi_B_along_slide_E * alpha_B;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar t16 = a_x_B - a_x_F, t17 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t16 + q.theta_FG.sin * t17
         + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B + omega_B * (t10
         - Scalar(2) * t13);
@@ -1182,13 +904,8 @@ struct Model07 {
         - acceleration_along_slide_E;
     const Scalar alpha_FG = inverse_FG * (sin_phi_B_minus_FG * a_s_B + acceleration_across_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * a_s_C);
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
-    q_second_rate(0) = alpha_FG;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
+    q_second_rate(0) = alpha_FG;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_E;
   }
 
@@ -1200,20 +917,11 @@ struct Model07 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1247,8 +955,7 @@ struct Model07 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
     const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t05;
-    const Scalar inverse_FG = t05 * d.psi_C_BC.sin;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t05, inverse_FG = t05 * d.psi_C_BC.sin;
     const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
         inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
@@ -1321,67 +1028,38 @@ struct Model07 {
     const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
         - d.psi_E_CEG.cos * s_E_per_across_slide_E;
     const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(0, 0) = -t09;
-    S_d(0, 1) = t10;
-    S_d(0, 2) = FG_per_across_slide_E;
+    S_d(0, 0) = -t09;  S_d(0, 1) = t10;  S_d(0, 2) = FG_per_across_slide_E;
     S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
         - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
         - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
-    S_d(0, 4) = -FG_per_across_slide_E;
-    S_d(0, 5) = -FG_per_along_FG;
+    S_d(0, 4) = -FG_per_across_slide_E;  S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
         - d.psi_E_CEG.cos * s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;
-    S_d(1, 2) = s_B_per_across_slide_E;
+    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;  S_d(1, 2) = s_B_per_across_slide_E;
     S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
-    S_d(1, 4) = -s_B_per_across_slide_E;
-    S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t08 - t07;
-    S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_along_FG;
+    S_d(2, 0) = t08 - t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
     S_d(2, 2) = s_C_per_across_slide_E;
     S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
-    S_d(2, 4) = -s_C_per_across_slide_E;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t11;
-    S_d(3, 1) = t12;
-    S_d(3, 2) = s_E_per_across_slide_E;
+    S_d(2, 4) = -s_C_per_across_slide_E;  S_d(2, 5) = -s_C_per_along_FG;
+    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_E_per_across_slide_E;
     S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
         + d.psi_E_CEG.sin * s_E_per_across_slide_E
         - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
-    S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = FG_per_x_B;
-    S_u(0, 1) = FG_per_y_B;
-    S_u(0, 2) = FG_per_phi_B;
-    S_u(0, 3) = FG_per_x_D;
-    S_u(0, 4) = FG_per_y_D;
-    S_u(0, 5) = FG_per_x_F;
+    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
+    S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
+    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_x_F;
     S_u(0, 6) = FG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
     S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = s_C_per_x_D;
-    S_u(2, 4) = s_C_per_y_D;
-    S_u(2, 5) = s_C_per_x_F;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_x_F;
     S_u(2, 6) = s_C_per_y_F;
-    S_u(3, 0) = s_E_per_x_B;
-    S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = s_E_per_x_D;
-    S_u(3, 4) = s_E_per_y_D;
-    S_u(3, 5) = s_E_per_x_F;
+    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
     S_u(3, 6) = s_E_per_y_F;
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_E;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
     q_second_rate(0) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
         + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
         + inverse_FG * centripetal_across_FG + FG_per_across_slide_E * centripetal_across_slide_E
@@ -1405,20 +1083,15 @@ struct Model07 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos + t02 * d.psi_C_BC.sin);
     const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos;
     const Scalar c_0_re = FB_x * FB_x + FB_y * FB_y - d.h_C_CEG * (Scalar(2) * t02 * d.psi_C_BC.cos
         - Scalar(2) * t01 * d.psi_C_BC.sin - d.h_C_CEG) - d.FG * d.FG;
     const Scalar c_1_re = Scalar(2) * (t01 + d.h_C_CEG * d.psi_C_BC.sin);
-    const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin;
-    const Scalar t03 = FB_y - FD_y;
-    const Scalar t04 = FB_x - FD_x;
+    const Scalar e_0_re = Scalar(2) * d.psi_E_CEG.sin, t03 = FB_y - FD_y, t04 = FB_x - FD_x;
     const Scalar t05 = t03 * u.phi_B.cos - t04 * u.phi_B.sin;
     const Scalar t06 = t04 * u.phi_B.cos + t03 * u.phi_B.sin;
     const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t06 * d.psi_C_BC.sin
@@ -1438,23 +1111,17 @@ struct Model07 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
     const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
-    const Scalar t06 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar t07 = q.s_B + t06;
+    const Scalar t06 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin, t07 = q.s_B + t06;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = -Scalar(2) * ((t03 * d.psi_C_BC.sin + d.h_C_CEG
         - t04 * d.psi_C_BC.cos) * d.psi_E_CEG.cos + (t03 * d.psi_C_BC.cos
         + t04 * d.psi_C_BC.sin) * d.psi_E_CEG.sin + d.h_E_DE - d.h_E_CEG);
-    e(1, 0) = Scalar(1);
-    e(1, 1) = -Scalar(2) * (t05 * d.psi_C_BC.sin + t07 * d.psi_C_BC.cos);
+    e(1, 0) = Scalar(1);  e(1, 1) = -Scalar(2) * (t05 * d.psi_C_BC.sin + t07 * d.psi_C_BC.cos);
     e(1, 2) = FB_x * FB_x + FB_y * FB_y + d.h_C_CEG * (d.h_C_CEG + Scalar(2) * t07 * d.psi_C_BC.sin
         - Scalar(2) * t05 * d.psi_C_BC.cos) + q.s_B * (q.s_B + Scalar(2) * t06) - d.FG * d.FG;
   }
@@ -1463,14 +1130,11 @@ struct Model07 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
     const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;

@@ -109,12 +109,10 @@ struct Model09 {
     Scalar h_D_DE{};  ///< offset of the slide at D on link DE, positive to the left
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE,
+        FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC,
+        h_D_DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -129,12 +127,9 @@ struct Model09 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F,
+        y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -145,12 +140,8 @@ struct Model09 {
     Scalar s_C{};  ///< displacement along the slide at C of link BC against link CEG
     Scalar s_D{};  ///< displacement along the slide at D of link DE against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_FG, s_B, s_C, s_D);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_FG, s_B, s_C, s_D);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_FG, s_B, s_C, s_D); }
+    [[nodiscard]] auto members() const { return std::tie(theta_FG, s_B, s_C, s_D); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -212,27 +203,17 @@ struct Model09 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;
-    f(1) = u.y_D + slide_D_y + DE_y + t03 - CE_y;
-    f(2) = u.x_F + FG_x + t02 - CG_x;
-    f(3) = u.y_F + FG_y + t03 - CG_y;
+    f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;  f(1) = u.y_D + slide_D_y + DE_y + t03 - CE_y;
+    f(2) = u.x_F + FG_x + t02 - CG_x;  f(3) = u.y_F + FG_y + t03 - CG_y;
   }
 
   /// J = df/dq.
@@ -242,20 +223,11 @@ struct Model09 {
     J.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    J(0, 1) = -u.phi_B.cos;
-    J(0, 2) = cos_CEG;
-    J(0, 3) = u.phi_D.cos;
-    J(1, 1) = -u.phi_B.sin;
-    J(1, 2) = sin_CEG;
-    J(1, 3) = u.phi_D.sin;
-    J(2, 0) = -FG_y;
-    J(2, 1) = -u.phi_B.cos;
-    J(2, 2) = cos_CEG;
-    J(3, 0) = FG_x;
-    J(3, 1) = -u.phi_B.sin;
-    J(3, 2) = sin_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    J(0, 1) = -u.phi_B.cos;  J(0, 2) = cos_CEG;  J(0, 3) = u.phi_D.cos;
+    J(1, 1) = -u.phi_B.sin;  J(1, 2) = sin_CEG;  J(1, 3) = u.phi_D.sin;
+    J(2, 0) = -FG_y;  J(2, 1) = -u.phi_B.cos;  J(2, 2) = cos_CEG;
+    J(3, 0) = FG_x;  J(3, 1) = -u.phi_B.sin;  J(3, 2) = sin_CEG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -265,29 +237,16 @@ struct Model09 {
     F_d.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
     const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 3) = CE_y - slide_C_y;
-    F_d(0, 4) = u.phi_D.sin;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 3) = slide_C_x - CE_x;
-    F_d(1, 4) = -u.phi_D.cos;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 1) = -cos_CEG;
-    F_d(2, 2) = sin_CEG;
-    F_d(2, 3) = CG_y - slide_C_y;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 1) = -sin_CEG;
-    F_d(3, 2) = -cos_CEG;
-    F_d(3, 3) = slide_C_x - CG_x;
-    F_d(3, 5) = q.theta_FG.sin;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 3) = CE_y - slide_C_y;  F_d(0, 4) = u.phi_D.sin;
+    F_d(1, 0) = cos_CEG;  F_d(1, 3) = slide_C_x - CE_x;  F_d(1, 4) = -u.phi_D.cos;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 1) = -cos_CEG;  F_d(2, 2) = sin_CEG;
+    F_d(2, 3) = CG_y - slide_C_y;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = cos_CEG;  F_d(3, 1) = -sin_CEG;  F_d(3, 2) = -cos_CEG;
+    F_d(3, 3) = slide_C_x - CG_x;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -297,35 +256,20 @@ struct Model09 {
     F_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t02;
-    F_u(0, 3) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + t02;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DE_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t03;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t03;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DE_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t02;
-    F_u(2, 6) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t03;
-    F_u(3, 7) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t02;  F_u(2, 6) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t03;  F_u(3, 7) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -333,30 +277,17 @@ struct Model09 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t02) * omega_B;
     rhs(1) = v_y_B + (CE_x + t03) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
@@ -371,48 +302,25 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_D_x + DE_x;
-    const Scalar t03 = slide_D_y + DE_y;
-    const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = CE_x + t05;
-    const Scalar t07 = slide_B_y - slide_C_y;
-    const Scalar t08 = CE_y + t07;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = omega_FG * omega_FG;
-    const Scalar t11 = CG_x + t05;
-    const Scalar t12 = CG_y + t07;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_x + DE_x;
+    const Scalar t03 = slide_D_y + DE_y, t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = CE_x + t05, t07 = slide_B_y - slide_C_y;
+    const Scalar t08 = CE_y + t07, t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t10 = omega_FG * omega_FG, t11 = CG_x + t05, t12 = CG_y + t07;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t03 * alpha_D + a_x_B
         - a_x_D - omega_B * (Scalar(2) * t04 + t06 * omega_B) - t08 * alpha_B;
     rhs(1) = omega_D * (t03 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t06 * alpha_B
@@ -431,60 +339,30 @@ struct Model09 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
-    const Scalar j_y_F = u_third_rate(7);
+    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
+    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_D_y + DE_y;
-    const Scalar t03 = u.phi_D.cos * v_s_D;
-    const Scalar t04 = slide_D_x + DE_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = alpha_B * t05;
-    const Scalar t07 = u.phi_D.sin * v_s_D;
-    const Scalar t08 = slide_B_y - slide_C_y;
-    const Scalar t09 = CE_y + t08;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_y + DE_y;
+    const Scalar t03 = u.phi_D.cos * v_s_D, t04 = slide_D_x + DE_x;
+    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t06 = alpha_B * t05;
+    const Scalar t07 = u.phi_D.sin * v_s_D, t08 = slide_B_y - slide_C_y, t09 = CE_y + t08;
     const Scalar t10 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t12 = slide_B_x - slide_C_x;
-    const Scalar t13 = CE_x + t12;
-    const Scalar t14 = t11 * alpha_B;
-    const Scalar t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t16 = omega_FG * omega_FG;
-    const Scalar t17 = CG_y + t08;
-    const Scalar t18 = CG_x + t12;
+    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t12 = slide_B_x - slide_C_x;
+    const Scalar t13 = CE_x + t12, t14 = t11 * alpha_B, t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t16 = omega_FG * omega_FG, t17 = CG_y + t08, t18 = CG_x + t12;
     rhs(0) = t02 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07 - omega_D * (omega_D * (t02 * omega_D
         - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
         - Scalar(3) * t06 - j_x_D - t09 * jerk_B - omega_B * (Scalar(3) * t10
@@ -508,48 +386,26 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4), v_FG = d_rate(5);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
-    const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
-    const Scalar t12 = v_s_C - v_x_G_CEG;
-    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = slide_B_y - slide_C_y, t10 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t11 = v_h_C_CEG - v_y_G_CEG, t12 = v_s_C - v_x_G_CEG;
+    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12, t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t02 + Scalar(2) * t03)
@@ -571,33 +427,18 @@ struct Model09 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CE_x + t01 - slide_C_x;
-    poses[0].y = CE_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x + DE_x;
-    poses[2].y = u.y_D + slide_D_y + DE_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
+    poses[0].x = CE_x + t01 - slide_C_x;  poses[0].y = CE_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x + DE_x;  poses[2].y = u.y_D + slide_D_y + DE_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = q.theta_FG.cos;
     poses[3].direction.sin = q.theta_FG.sin;
   }
 
@@ -613,48 +454,32 @@ struct Model09 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_y - CE_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
-    P_q(0, 1) = u.phi_B.cos;
-    P_q(0, 2) = -cos_CEG;
-    P_q(1, 1) = u.phi_B.sin;
-    P_q(1, 2) = -sin_CEG;
+    P_q(0, 1) = u.phi_B.cos;  P_q(0, 2) = -cos_CEG;
+    P_q(1, 1) = u.phi_B.sin;  P_q(1, 2) = -sin_CEG;
     P_q(3, 1) = u.phi_B.cos;
     P_q(4, 1) = u.phi_B.sin;
     P_q(6, 3) = u.phi_D.cos;
     P_q(7, 3) = u.phi_D.sin;
     P_q(11, 0) = Scalar(1);
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
     P_d(6, 4) = u.phi_D.sin;
     P_d(7, 4) = -u.phi_D.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y - DE_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x + DE_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y - DE_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x + DE_x;
     P_u(8, 5) = Scalar(1);
     P_u(9, 6) = Scalar(1);
     P_u(10, 7) = Scalar(1);
@@ -665,44 +490,23 @@ struct Model09 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
-    v(2, 2) = omega_D;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;  v(2, 2) = omega_D;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -711,43 +515,23 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
+    const Scalar alpha_FG = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_B_x + CE_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CE_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_D_x + DE_x;
-    const Scalar t08 = slide_D_y + DE_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = slide_B_x + CE_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CE_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = slide_D_x + DE_x, t08 = slide_D_y + DE_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -761,9 +545,7 @@ struct Model09 {
     a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t08 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -773,35 +555,20 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3), v_h_C_CEG = d_rate(0);
+    const Scalar omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4), omega_B = u_rate(2);
     const Scalar omega_D = u_rate(5);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_x - CE_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_x - CE_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_C_y - CE_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
@@ -823,11 +590,8 @@ struct Model09 {
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     using std::abs;
     const Scalar cos_phi_D_minus_FG = q.theta_FG.cos * u.phi_D.cos + q.theta_FG.sin * u.phi_D.sin;
-    p(0) = cos_phi_D_minus_FG;
-    p(1) = d.psi_C_BC.sin;
-    p(2) = d.FG;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = cos_phi_D_minus_FG;  p(1) = d.psi_C_BC.sin;  p(2) = d.FG;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     size(2) = abs(q.s_B) + abs(q.s_C) + abs(d.h_C_CEG) + abs(d.x_G_CEG) + abs(d.y_G_CEG)
         + abs(d.FG);
     terms = Scalar(2);
@@ -852,14 +616,11 @@ struct Model09 {
     const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
         - cos_CEG * q.theta_FG.sin;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t01 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t01 * cos_phi_D_minus_FG;
+    const Scalar t01 = d.FG * d.psi_C_BC.sin, pivot_product = t01 * cos_phi_D_minus_FG;
     // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t01;
-    const Scalar t02 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t02;
-    const Scalar inverse_FG = t02 * d.psi_C_BC.sin;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t01, t02 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t02, inverse_FG = t02 * d.psi_C_BC.sin;
     const Scalar t03 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t03;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t03;
@@ -915,22 +676,18 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
+    const Scalar t05 = d.FG * d.psi_C_BC.sin, pivot_product = t05 * cos_phi_D_minus_FG;
     // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
-    const Scalar t06 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t06;
-    const Scalar inverse_FG = t06 * d.psi_C_BC.sin;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05, t06 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t06, inverse_FG = t06 * d.psi_C_BC.sin;
     const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
@@ -973,61 +730,38 @@ struct Model09 {
     S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
         - FG_per_across_slide_D * t01;
-    S_d(0, 4) = FG_per_across_slide_D;
-    S_d(0, 5) = -FG_per_along_FG;
+    S_d(0, 4) = FG_per_across_slide_D;  S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(1, 2) = -t11;
+    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(1, 2) = -t11;
     S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
-    S_d(1, 4) = s_B_per_across_slide_D;
-    S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t09 - t08;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(2, 2) = -t09;
-    S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
-    S_d(2, 4) = s_C_per_across_slide_D;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t12 + t13;
-    S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
+    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = -s_B_per_along_FG;
+    S_d(2, 0) = t09 - t08;  S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    S_d(2, 2) = -t09;  S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
+    S_d(2, 4) = s_C_per_across_slide_D;  S_d(2, 5) = -s_C_per_along_FG;
+    S_d(3, 0) = t12 + t13;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
     S_d(3, 2) = -t12;
     S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
         + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
-    S_d(3, 4) = s_D_per_across_slide_D;
-    S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;
-    S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
+    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
+    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;  S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
     S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_D * phi_B_along_slide_D
         - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = FG_per_x_D;
-    S_u(0, 4) = FG_per_y_D;
-    S_u(0, 5) = -FG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = FG_per_x_F;
-    S_u(0, 7) = FG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = -FG_per_across_slide_D * q.s_D;
+    S_u(0, 6) = FG_per_x_F;  S_u(0, 7) = FG_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_D * s_B_per_across_slide_D;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(1, 6) = s_B_per_x_F;
-    S_u(1, 7) = s_B_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_D * s_C_per_across_slide_D;
-    S_u(2, 3) = s_C_per_x_D;
-    S_u(2, 4) = s_C_per_y_D;
-    S_u(2, 5) = -q.s_D * s_C_per_across_slide_D;
-    S_u(2, 6) = s_C_per_x_F;
-    S_u(2, 7) = s_C_per_y_F;
-    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;
-    S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(2, 6) = s_C_per_x_F;  S_u(2, 7) = s_C_per_y_F;
+    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
     S_u(3, 2) = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
         - phi_B_along_slide_D * s_D_per_across_slide_D;
-    S_u(3, 3) = s_D_per_x_D;
-    S_u(3, 4) = s_D_per_y_D;
-    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    S_u(3, 6) = s_D_per_x_F;
+    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;
+    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(3, 6) = s_D_per_x_F;
     S_u(3, 7) = s_D_per_y_F;
   }
 
@@ -1036,14 +770,8 @@ struct Model09 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
@@ -1062,29 +790,23 @@ struct Model09 {
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t03 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
+    const Scalar t03 = d.FG * d.psi_C_BC.sin, pivot_product = t03 * cos_phi_D_minus_FG;
     // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
-    const Scalar t04 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = t04 * d.psi_C_BC.sin;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t03, t04 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t04, inverse_FG = t04 * d.psi_C_BC.sin;
+    const Scalar t05 = v_x_B - v_x_D, t06 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t05 + u.phi_D.sin * t06
         + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - q.s_D * omega_D
         - phi_B_along_slide_D * omega_B;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
+    const Scalar t07 = v_x_B - v_x_F, t08 = v_y_B - v_y_F;
     const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08
         + phi_B_across_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07
@@ -1098,10 +820,7 @@ struct Model09 {
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
     const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1110,21 +829,11 @@ struct Model09 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -1144,32 +853,23 @@ struct Model09 {
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t03 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t03 * cos_phi_D_minus_FG;
+    const Scalar t03 = d.FG * d.psi_C_BC.sin, pivot_product = t03 * cos_phi_D_minus_FG;
     // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t03;
-    const Scalar t04 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04;
-    const Scalar inverse_FG = t04 * d.psi_C_BC.sin;
-    const Scalar t05 = v_x_B - v_x_D;
-    const Scalar t06 = v_y_B - v_y_D;
-    const Scalar t07 = d.h_D_DE * omega_D;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t03, t04 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t04, inverse_FG = t04 * d.psi_C_BC.sin;
+    const Scalar t05 = v_x_B - v_x_D, t06 = v_y_B - v_y_D, t07 = d.h_D_DE * omega_D;
     const Scalar t08 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t05 + u.phi_D.sin * t06 + t08 - t07;
-    const Scalar t09 = q.s_D * omega_D;
-    const Scalar t10 = phi_B_along_slide_D * omega_B;
+    const Scalar t09 = q.s_D * omega_D, t10 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - t09 - t10;
-    const Scalar t11 = v_x_B - v_x_F;
-    const Scalar t12 = v_y_B - v_y_F;
-    const Scalar t13 = phi_B_across_FG * omega_B;
+    const Scalar t11 = v_x_B - v_x_F, t12 = v_y_B - v_y_F, t13 = phi_B_across_FG * omega_B;
     const Scalar velocity_along_FG = q.theta_FG.cos * t11 + q.theta_FG.sin * t12 + t13;
     const Scalar t14 = phi_B_along_FG * omega_B;
     const Scalar velocity_across_FG = q.theta_FG.cos * t12 - q.theta_FG.sin * t11 - t14;
@@ -1181,8 +881,7 @@ struct Model09 {
     const Scalar t16 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
     const Scalar v_s_D = velocity_along_slide_D + t16;
     const Scalar t17 = sin_phi_B_minus_FG * v_s_B - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C;
-    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t17);
-    const Scalar t18 = a_x_B - a_x_D;
+    const Scalar omega_FG = inverse_FG * (velocity_across_FG + t17), t18 = a_x_B - a_x_D;
     const Scalar t19 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_D = omega_B * (t10
         + Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
@@ -1191,8 +890,7 @@ struct Model09 {
     const Scalar acceleration_across_slide_D = u.phi_D.cos * t19 + omega_B * (t08 + Scalar(2) * t16)
         - u.phi_D.sin * t18 - omega_D * (t07 + Scalar(2) * v_s_D) - q.s_D * alpha_D
         - phi_B_along_slide_D * alpha_B;
-    const Scalar t20 = a_x_B - a_x_F;
-    const Scalar t21 = a_y_B - a_y_F;
+    const Scalar t20 = a_x_B - a_x_F, t21 = a_y_B - a_y_F;
     const Scalar acceleration_along_FG = q.theta_FG.cos * t20 + q.theta_FG.sin * t21
         + d.FG * omega_FG * omega_FG + phi_B_across_FG * alpha_B + omega_B * (t14
         - Scalar(2) * t17);
@@ -1207,13 +905,8 @@ struct Model09 {
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * a_s_C;
     const Scalar alpha_FG = inverse_FG * (sin_phi_B_minus_FG * a_s_B + acceleration_across_FG
         - sin_phi_B_plus_psi_C_BC_minus_FG * a_s_C);
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
-    q_second_rate(0) = alpha_FG;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_C;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
+    q_second_rate(0) = alpha_FG;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_C;
     q_second_rate(3) = a_s_D;
   }
 
@@ -1225,21 +918,11 @@ struct Model09 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -1260,22 +943,18 @@ struct Model09 {
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
         - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
     const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
         + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
     const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
     const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t05 * cos_phi_D_minus_FG;
+    const Scalar t05 = d.FG * d.psi_C_BC.sin, pivot_product = t05 * cos_phi_D_minus_FG;
     // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05;
-    const Scalar t06 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t06;
-    const Scalar inverse_FG = t06 * d.psi_C_BC.sin;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05, t06 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t06, inverse_FG = t06 * d.psi_C_BC.sin;
     const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
     const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
     const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
@@ -1361,64 +1040,33 @@ struct Model09 {
     S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
         - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
         - FG_per_across_slide_D * t01;
-    S_d(0, 4) = FG_per_across_slide_D;
-    S_d(0, 5) = -FG_per_along_FG;
+    S_d(0, 4) = FG_per_across_slide_D;  S_d(0, 5) = -FG_per_along_FG;
     S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(1, 2) = -t11;
+    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(1, 2) = -t11;
     S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
-    S_d(1, 4) = s_B_per_across_slide_D;
-    S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t09 - t08;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(2, 2) = -t09;
-    S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
-    S_d(2, 4) = s_C_per_across_slide_D;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t12 + t13;
-    S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
+    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = -s_B_per_along_FG;
+    S_d(2, 0) = t09 - t08;  S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    S_d(2, 2) = -t09;  S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
+    S_d(2, 4) = s_C_per_across_slide_D;  S_d(2, 5) = -s_C_per_along_FG;
+    S_d(3, 0) = t12 + t13;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
     S_d(3, 2) = -t12;
     S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
         + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
-    S_d(3, 4) = s_D_per_across_slide_D;
-    S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = FG_per_x_B;
-    S_u(0, 1) = FG_per_y_B;
-    S_u(0, 2) = FG_per_phi_B;
-    S_u(0, 3) = FG_per_x_D;
-    S_u(0, 4) = FG_per_y_D;
-    S_u(0, 5) = FG_per_phi_D;
-    S_u(0, 6) = FG_per_x_F;
-    S_u(0, 7) = FG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_phi_D;
-    S_u(1, 6) = s_B_per_x_F;
-    S_u(1, 7) = s_B_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;
-    S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = s_C_per_x_D;
-    S_u(2, 4) = s_C_per_y_D;
-    S_u(2, 5) = s_C_per_phi_D;
-    S_u(2, 6) = s_C_per_x_F;
-    S_u(2, 7) = s_C_per_y_F;
-    S_u(3, 0) = s_D_per_x_B;
-    S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = s_D_per_x_D;
-    S_u(3, 4) = s_D_per_y_D;
-    S_u(3, 5) = s_D_per_phi_D;
-    S_u(3, 6) = s_D_per_x_F;
-    S_u(3, 7) = s_D_per_y_F;
-    q_rate(0) = omega_FG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_C;
-    q_rate(3) = v_s_D;
+    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
+    S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
+    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_phi_D;
+    S_u(0, 6) = FG_per_x_F;  S_u(0, 7) = FG_per_y_F;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_phi_D;
+    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;
+    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_phi_D;
+    S_u(2, 6) = s_C_per_x_F;  S_u(2, 7) = s_C_per_y_F;
+    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;  S_u(3, 5) = s_D_per_phi_D;
+    S_u(3, 6) = s_D_per_x_F;  S_u(3, 7) = s_D_per_y_F;
+    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
     q_second_rate(0) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
         + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_phi_D * alpha_D + FG_per_x_F * a_x_F
         + FG_per_y_F * a_y_F + inverse_FG * centripetal_across_FG
@@ -1443,15 +1091,11 @@ struct Model09 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar b_0_re = -Scalar(2) * (t01 * d.psi_C_BC.cos + (FB_y * u.phi_B.cos
         - FB_x * u.phi_B.sin) * d.psi_C_BC.sin + d.x_G_CEG);
-    const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar b_1_re = -Scalar(2) * d.psi_C_BC.cos, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t03 = t02 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
     const Scalar t04 = t02 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
     const Scalar c_0_re = FB_x * (FB_x + Scalar(2) * t03 * d.psi_C_BC.cos
@@ -1479,13 +1123,9 @@ struct Model09 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
-    const Scalar t02 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
-    const Scalar t03 = q.s_B + t02;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
+    const Scalar t02 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin, t03 = q.s_B + t02;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
         - (u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin) * d.psi_C_BC.sin);
     e(0, 2) = Scalar(2) * ((d.h_C_CEG * (u.phi_B.cos * d.psi_C_BC.cos
@@ -1505,15 +1145,12 @@ struct Model09 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     // A zero divisor means that the link that turns by theta_FG has no length.
     const Scalar inverse_theta_FG = Scalar(1) / d.FG;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
-    const Scalar t03 = q.s_C - d.x_G_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos, t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
     const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;

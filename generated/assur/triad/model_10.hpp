@@ -70,12 +70,10 @@ struct Model10 {
     Direction<Scalar> psi_E_DE{};  ///< angle of the slide at E on link DE from the x-axis
     Scalar FG{};  ///< distance from F to G on link FG
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, psi_E_DE, FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, psi_E_DE, FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC, psi_E_DE,
+        FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, psi_E_CEG, h_E_CEG, psi_C_BC,
+        psi_E_DE, FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -90,12 +88,9 @@ struct Model10 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F,
+        y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -107,12 +102,8 @@ struct Model10 {
     Scalar s_D{};  ///< displacement along the slide at D of link DE against the base
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_FG, s_B, s_C, s_D, s_E);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_FG, s_B, s_C, s_D, s_E);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_FG, s_B, s_C, s_D, s_E); }
+    [[nodiscard]] auto members() const { return std::tie(theta_FG, s_B, s_C, s_D, s_E); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -172,27 +163,20 @@ struct Model10 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x, t02 = slide_C_y - u.y_B - slide_B_y;
     f(0) = u.x_D + slide_D_x + t01 - CE_x - slide_E_x;
-    f(1) = u.y_D + slide_D_y + t02 - CE_y - slide_E_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x;
+    f(1) = u.y_D + slide_D_y + t02 - CE_y - slide_E_y;  f(2) = u.x_F + FG_x + t01 - CG_x;
     f(3) = u.y_F + FG_y + t02 - CG_y;
   }
 
@@ -205,22 +189,11 @@ struct Model10 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    J(0, 1) = -u.phi_B.cos;
-    J(0, 2) = cos_CEG;
-    J(0, 3) = u.phi_D.cos;
-    J(0, 4) = -cos_slide_E;
-    J(1, 1) = -u.phi_B.sin;
-    J(1, 2) = sin_CEG;
-    J(1, 3) = u.phi_D.sin;
-    J(1, 4) = -sin_slide_E;
-    J(2, 0) = -FG_y;
-    J(2, 1) = -u.phi_B.cos;
-    J(2, 2) = cos_CEG;
-    J(3, 0) = FG_x;
-    J(3, 1) = -u.phi_B.sin;
-    J(3, 2) = sin_CEG;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    J(0, 1) = -u.phi_B.cos;  J(0, 2) = cos_CEG;  J(0, 3) = u.phi_D.cos;  J(0, 4) = -cos_slide_E;
+    J(1, 1) = -u.phi_B.sin;  J(1, 2) = sin_CEG;  J(1, 3) = u.phi_D.sin;  J(1, 4) = -sin_slide_E;
+    J(2, 0) = -FG_y;  J(2, 1) = -u.phi_B.cos;  J(2, 2) = cos_CEG;
+    J(3, 0) = FG_x;  J(3, 1) = -u.phi_B.sin;  J(3, 2) = sin_CEG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -230,36 +203,20 @@ struct Model10 {
     F_d.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin;
-    const Scalar t02 = d.h_E_CEG * t01;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - t02;
-    const Scalar t03 = cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin;
-    const Scalar t04 = d.h_E_CEG * t03;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = t04 + CG_y;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin, t02 = d.h_E_CEG * t01;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - t02;
+    const Scalar t03 = cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin, t04 = d.h_E_CEG * t03;
+    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = t04 + CG_y;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 1) = t04;
-    F_d(0, 2) = t01;
-    F_d(0, 3) = CE_y - slide_C_y;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 1) = t04;  F_d(0, 2) = t01;  F_d(0, 3) = CE_y - slide_C_y;
     F_d(0, 4) = slide_E_y;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 1) = t02;
-    F_d(1, 2) = -t03;
-    F_d(1, 3) = slide_C_x - CE_x;
+    F_d(1, 0) = cos_CEG;  F_d(1, 1) = t02;  F_d(1, 2) = -t03;  F_d(1, 3) = slide_C_x - CE_x;
     F_d(1, 4) = -slide_E_x;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 3) = CG_y - slide_C_y;
-    F_d(2, 5) = q.theta_FG.cos;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 3) = slide_C_x - CG_x;
-    F_d(3, 5) = q.theta_FG.sin;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 3) = CG_y - slide_C_y;  F_d(2, 5) = q.theta_FG.cos;
+    F_d(3, 0) = cos_CEG;  F_d(3, 3) = slide_C_x - CG_x;  F_d(3, 5) = q.theta_FG.sin;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -269,36 +226,23 @@ struct Model10 {
     F_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t01;
-    F_u(0, 3) = Scalar(1);
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + t01;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = slide_E_y - slide_D_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t02;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t02;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x - slide_E_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t01;
-    F_u(2, 6) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t02;
-    F_u(3, 7) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t01;  F_u(2, 6) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t02;  F_u(3, 7) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -306,32 +250,21 @@ struct Model10 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
     rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
     rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
@@ -345,50 +278,29 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_E = q_rate(4);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_E = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = slide_D_x - slide_E_x;
-    const Scalar t02 = slide_D_y - slide_E_y;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = omega_FG * omega_FG;
-    const Scalar t10 = CG_x + t04;
-    const Scalar t11 = CG_y + t06;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = slide_D_x - slide_E_x, t02 = slide_D_y - slide_E_y;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = omega_FG * omega_FG;
+    const Scalar t10 = CG_x + t04, t11 = CG_y + t06;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * sin_slide_E * v_s_E) + t02 * alpha_D + a_x_B - a_x_D
         - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
@@ -409,63 +321,36 @@ struct Model10 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar v_s_E = q_rate(4);
-    const Scalar a_s_E = q_second_rate(4);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
+    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
+    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_E = q_rate(4);
+    const Scalar a_s_E = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4), omega_D = u_rate(5);
+    const Scalar alpha_D = u_second_rate(5), jerk_D = u_third_rate(5), j_x_F = u_third_rate(6);
     const Scalar j_y_F = u_third_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t02 = alpha_B * t01;
-    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t04 = slide_D_y - slide_E_y;
-    const Scalar t05 = slide_B_y - slide_C_y;
-    const Scalar t06 = CE_y + t05;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = alpha_B * t01;
+    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E, t04 = slide_D_y - slide_E_y;
+    const Scalar t05 = slide_B_y - slide_C_y, t06 = CE_y + t05;
     const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = CE_x + t09;
-    const Scalar t11 = slide_D_x - slide_E_x;
-    const Scalar t12 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t13 = t08 * alpha_B;
-    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t15 = omega_FG * omega_FG;
-    const Scalar t16 = CG_y + t05;
-    const Scalar t17 = CG_x + t09;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = CE_x + t09, t11 = slide_D_x - slide_E_x;
+    const Scalar t12 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E, t13 = t08 * alpha_B;
+    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t15 = omega_FG * omega_FG;
+    const Scalar t16 = CG_y + t05, t17 = CG_x + t09;
     rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + j_x_B + omega_D * (Scalar(3) * t11 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
         - omega_D * (t04 * omega_D - Scalar(3) * t12)) - Scalar(3) * t02 - j_x_D - t06 * jerk_B
@@ -491,57 +376,36 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_s_E = q_rate(4);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_E_CEG = d_rate(1);
-    const Scalar v_h_E_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_E_DE = d_rate(4);
-    const Scalar v_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_s_E = q_rate(4), v_h_C_CEG = d_rate(0), omega_E_CEG = d_rate(1);
+    const Scalar v_h_E_CEG = d_rate(2), omega_C_BC = d_rate(3), omega_E_DE = d_rate(4);
+    const Scalar v_FG = d_rate(5), omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar CG_x = d.h_C_CEG * sin_CEG;
     const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
     const Scalar CG_y = -d.h_C_CEG * cos_CEG;
     const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = sin_slide_E * v_s_E;
-    const Scalar t02 = slide_E_x * omega_E_DE;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
+    const Scalar t01 = sin_slide_E * v_s_E, t02 = slide_E_x * omega_E_DE;
     const Scalar t03 = d.h_E_CEG * omega_E_CEG;
     const Scalar t04 = Scalar(2) * cos_CEG * v_h_E_CEG - sin_CEG * t03;
     const Scalar t05 = Scalar(2) * sin_CEG * v_h_E_CEG + cos_CEG * t03;
     const Scalar t06 = (slide_C_x - CE_x) * omega_C_BC;
     const Scalar t07 = d.psi_E_CEG.cos * v_h_E_CEG - v_h_C_CEG - d.psi_E_CEG.sin * t03;
     const Scalar t08 = d.psi_E_CEG.sin * v_h_E_CEG + v_s_C + d.psi_E_CEG.cos * t03;
-    const Scalar t09 = cos_CEG * t07 - sin_CEG * t08;
-    const Scalar t10 = u.phi_B.sin * v_s_B;
-    const Scalar t11 = slide_B_x - slide_C_x;
-    const Scalar t12 = cos_slide_E * v_s_E;
-    const Scalar t13 = slide_E_y * omega_E_DE;
-    const Scalar t14 = (slide_C_y - CE_y) * omega_C_BC;
-    const Scalar t15 = cos_CEG * t08 + sin_CEG * t07;
-    const Scalar t16 = u.phi_B.cos * v_s_B;
-    const Scalar t17 = slide_B_y - slide_C_y;
-    const Scalar t18 = (slide_C_x - CG_x) * omega_C_BC;
-    const Scalar t19 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t20 = (slide_C_y - CG_y) * omega_C_BC;
+    const Scalar t09 = cos_CEG * t07 - sin_CEG * t08, t10 = u.phi_B.sin * v_s_B;
+    const Scalar t11 = slide_B_x - slide_C_x, t12 = cos_slide_E * v_s_E;
+    const Scalar t13 = slide_E_y * omega_E_DE, t14 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t15 = cos_CEG * t08 + sin_CEG * t07, t16 = u.phi_B.cos * v_s_B;
+    const Scalar t17 = slide_B_y - slide_C_y, t18 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t19 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t20 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t21 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
     rhs(0) = omega_D * ((slide_D_x - slide_E_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * t01 - Scalar(2) * t02) + omega_C_BC * (t06 - Scalar(2) * t09)
@@ -567,31 +431,17 @@ struct Model10 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CG_x + t01 - slide_C_x;
-    poses[0].y = CG_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x;
-    poses[2].y = u.y_D + slide_D_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = q.theta_FG.cos;
+    poses[0].x = CG_x + t01 - slide_C_x;  poses[0].y = CG_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x;  poses[2].y = u.y_D + slide_D_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = q.theta_FG.cos;
     poses[3].direction.sin = q.theta_FG.sin;
   }
 
@@ -607,44 +457,29 @@ struct Model10 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_y - CG_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_y - CG_y;
     const Scalar t02 = slide_C_x - CG_x;
-    P_q(0, 1) = u.phi_B.cos;
-    P_q(0, 2) = -cos_CEG;
-    P_q(1, 1) = u.phi_B.sin;
-    P_q(1, 2) = -sin_CEG;
+    P_q(0, 1) = u.phi_B.cos;  P_q(0, 2) = -cos_CEG;
+    P_q(1, 1) = u.phi_B.sin;  P_q(1, 2) = -sin_CEG;
     P_q(3, 1) = u.phi_B.cos;
     P_q(4, 1) = u.phi_B.sin;
     P_q(6, 3) = u.phi_D.cos;
     P_q(7, 3) = u.phi_D.sin;
     P_q(11, 0) = Scalar(1);
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x;
     P_u(8, 5) = Scalar(1);
     P_u(9, 6) = Scalar(1);
     P_u(10, 7) = Scalar(1);
@@ -655,42 +490,22 @@ struct Model10 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_FG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CG_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
+    v(0, 1) = (slide_B_x + CG_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
-    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
-    v(2, 2) = omega_D;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_FG;
+    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;  v(2, 2) = omega_D;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_FG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -699,39 +514,21 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_FG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar a_s_D = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
+    const Scalar alpha_FG = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_C = q_rate(2), a_s_C = q_second_rate(2), v_s_D = q_rate(3);
+    const Scalar a_s_D = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_B_x + CG_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CG_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = slide_B_x + CG_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CG_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -745,9 +542,7 @@ struct Model10 {
     a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(2, 2) = alpha_D;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_FG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_FG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -757,32 +552,18 @@ struct Model10 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_C = q_rate(2);
-    const Scalar v_s_D = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3), v_h_C_CEG = d_rate(0);
+    const Scalar omega_C_BC = d_rate(3), omega_B = u_rate(2), omega_D = u_rate(5);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_x - CG_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CG_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CG_x = d.h_C_CEG * sin_CEG, CG_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_x - CG_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_C_y - CG_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08

@@ -104,12 +104,10 @@ struct Model11 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar h_G_FG{};  ///< offset of the slide at G on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, h_C_BC, h_E_DE, h_G_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, h_C_BC, h_E_DE, h_G_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, h_C_BC, h_E_DE,
+        h_G_FG); }
+    [[nodiscard]] auto members() const { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, h_C_BC,
+        h_E_DE, h_G_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -122,12 +120,8 @@ struct Model11 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -138,12 +132,8 @@ struct Model11 {
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
     Scalar s_G{};  ///< displacement along the slide at G of link FG against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, s_C, s_E, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, s_C, s_E, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, s_C, s_E, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, s_C, s_E, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -200,26 +190,15 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_C_x - u.x_B - BC_x;
-    const Scalar t02 = slide_C_y - u.y_B - BC_y;
-    f(0) = u.x_D + DE_x + t01 - slide_E_x;
-    f(1) = u.y_D + DE_y + t02 - slide_E_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - BC_x, t02 = slide_C_y - u.y_B - BC_y;
+    f(0) = u.x_D + DE_x + t01 - slide_E_x;  f(1) = u.y_D + DE_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;  f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -231,34 +210,17 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = BC_y - slide_C_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG, t01 = BC_y - slide_C_y;
     const Scalar t02 = BC_x - slide_C_x;
-    J(0, 0) = slide_E_y + t01 - DE_y;
-    J(0, 1) = q.theta_CEG.cos;
-    J(0, 2) = -cos_DE;
-    J(1, 0) = DE_x - slide_E_x - t02;
-    J(1, 1) = q.theta_CEG.sin;
-    J(1, 2) = -sin_DE;
-    J(2, 0) = CG_y + slide_G_y + t01 - FG_y;
-    J(2, 1) = q.theta_CEG.cos;
-    J(2, 3) = -cos_FG;
-    J(3, 0) = FG_x - CG_x - slide_G_x - t02;
-    J(3, 1) = q.theta_CEG.sin;
-    J(3, 3) = -sin_FG;
+    J(0, 0) = slide_E_y + t01 - DE_y;  J(0, 1) = q.theta_CEG.cos;  J(0, 2) = -cos_DE;
+    J(1, 0) = DE_x - slide_E_x - t02;  J(1, 1) = q.theta_CEG.sin;  J(1, 2) = -sin_DE;
+    J(2, 0) = CG_y + slide_G_y + t01 - FG_y;  J(2, 1) = q.theta_CEG.cos;  J(2, 3) = -cos_FG;
+    J(3, 0) = FG_x - CG_x - slide_G_x - t02;  J(3, 1) = q.theta_CEG.sin;  J(3, 3) = -sin_FG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -270,29 +232,15 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
     const Scalar slide_G_y = q.s_G * sin_FG;
-    F_d(0, 0) = slide_E_y - DE_y;
-    F_d(0, 3) = q.theta_CEG.sin;
-    F_d(0, 4) = -sin_DE;
-    F_d(1, 0) = DE_x - slide_E_x;
-    F_d(1, 3) = -q.theta_CEG.cos;
-    F_d(1, 4) = cos_DE;
-    F_d(2, 1) = CG_y + slide_G_y - FG_y;
-    F_d(2, 2) = sin_FG;
-    F_d(2, 3) = q.theta_CEG.sin;
+    F_d(0, 0) = slide_E_y - DE_y;  F_d(0, 3) = q.theta_CEG.sin;  F_d(0, 4) = -sin_DE;
+    F_d(1, 0) = DE_x - slide_E_x;  F_d(1, 3) = -q.theta_CEG.cos;  F_d(1, 4) = cos_DE;
+    F_d(2, 1) = CG_y + slide_G_y - FG_y;  F_d(2, 2) = sin_FG;  F_d(2, 3) = q.theta_CEG.sin;
     F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = FG_x - CG_x - slide_G_x;
-    F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = -q.theta_CEG.cos;
+    F_d(3, 1) = FG_x - CG_x - slide_G_x;  F_d(3, 2) = -cos_FG;  F_d(3, 3) = -q.theta_CEG.cos;
     F_d(3, 5) = cos_FG;
   }
 
@@ -301,14 +249,10 @@ struct Model11 {
   static void input_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 3) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 4) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 5) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -316,15 +260,9 @@ struct Model11 {
   static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
       const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D;
-    rhs(2) = v_x_B - v_x_F;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
+    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
     rhs(3) = v_y_B - v_y_F;
   }
 
@@ -335,38 +273,21 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
+    const Scalar a_y_D = u_second_rate(3), a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = q.theta_CEG.sin * v_s_C;
-    const Scalar t02 = BC_x - slide_C_x;
-    const Scalar t03 = q.theta_CEG.cos * v_s_C;
-    const Scalar t04 = BC_y - slide_C_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = q.theta_CEG.sin * v_s_C, t02 = BC_x - slide_C_x;
+    const Scalar t03 = q.theta_CEG.cos * v_s_C, t04 = BC_y - slide_C_y;
     rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t01 + (DE_x - slide_E_x - t02) * omega_CEG
         - Scalar(2) * sin_DE * v_s_E) - a_x_D;
     rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t03 - Scalar(2) * cos_DE * v_s_E - (DE_y
@@ -385,51 +306,27 @@ struct Model11 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2);
-    const Scalar j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4);
-    const Scalar j_y_F = u_third_rate(5);
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
+    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = q.theta_CEG.sin * v_s_C;
-    const Scalar t02 = t01 - sin_DE * v_s_E;
-    const Scalar t03 = q.theta_CEG.sin * a_s_C;
-    const Scalar t04 = q.theta_CEG.cos * v_s_C;
-    const Scalar t05 = t04 - cos_DE * v_s_E;
-    const Scalar t06 = BC_y - slide_C_y;
-    const Scalar t07 = DE_y - slide_E_y - t06;
-    const Scalar t08 = BC_x - slide_C_x;
-    const Scalar t09 = DE_x - slide_E_x - t08;
-    const Scalar t10 = q.theta_CEG.cos * a_s_C;
-    const Scalar t11 = t01 - sin_FG * v_s_G;
-    const Scalar t12 = t04 - cos_FG * v_s_G;
-    const Scalar t13 = FG_y - CG_y - slide_G_y - t06;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = q.theta_CEG.sin * v_s_C, t02 = t01 - sin_DE * v_s_E;
+    const Scalar t03 = q.theta_CEG.sin * a_s_C, t04 = q.theta_CEG.cos * v_s_C;
+    const Scalar t05 = t04 - cos_DE * v_s_E, t06 = BC_y - slide_C_y, t07 = DE_y - slide_E_y - t06;
+    const Scalar t08 = BC_x - slide_C_x, t09 = DE_x - slide_E_x - t08;
+    const Scalar t10 = q.theta_CEG.cos * a_s_C, t11 = t01 - sin_FG * v_s_G;
+    const Scalar t12 = t04 - cos_FG * v_s_G, t13 = FG_y - CG_y - slide_G_y - t06;
     const Scalar t14 = FG_x - CG_x - slide_G_x - t08;
     rhs(0) = Scalar(3) * alpha_CEG * t02 + j_x_B + omega_CEG * (Scalar(3) * t03
         + omega_CEG * (Scalar(3) * t05 - t07 * omega_CEG) + Scalar(3) * t09 * alpha_CEG
@@ -452,50 +349,27 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar omega_E_CEG = d_rate(0);
-    const Scalar omega_G_CEG = d_rate(1);
-    const Scalar v_h_G_CEG = d_rate(2);
-    const Scalar v_h_C_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_h_G_FG = d_rate(5);
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar omega_E_CEG = d_rate(0), omega_G_CEG = d_rate(1), v_h_G_CEG = d_rate(2);
+    const Scalar v_h_C_BC = d_rate(3), v_h_E_DE = d_rate(4), v_h_G_FG = d_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = DE_x - slide_E_x;
-    const Scalar t02 = t01 * omega_E_CEG;
-    const Scalar t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
-    const Scalar t04 = BC_x - slide_C_x;
-    const Scalar t05 = q.theta_CEG.cos * v_h_C_BC - q.theta_CEG.sin * v_s_C;
-    const Scalar t06 = DE_y - slide_E_y;
-    const Scalar t07 = t06 * omega_E_CEG;
-    const Scalar t08 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
-    const Scalar t09 = BC_y - slide_C_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG, t01 = DE_x - slide_E_x;
+    const Scalar t02 = t01 * omega_E_CEG, t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
+    const Scalar t04 = BC_x - slide_C_x, t05 = q.theta_CEG.cos * v_h_C_BC - q.theta_CEG.sin * v_s_C;
+    const Scalar t06 = DE_y - slide_E_y, t07 = t06 * omega_E_CEG;
+    const Scalar t08 = cos_DE * v_s_E + sin_DE * v_h_E_DE, t09 = BC_y - slide_C_y;
     const Scalar t10 = q.theta_CEG.cos * v_s_C + q.theta_CEG.sin * v_h_C_BC;
-    const Scalar t11 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t12 = cos_FG * t11 + sin_FG * v_s_G;
-    const Scalar t13 = slide_G_x + CG_x - FG_x;
-    const Scalar t14 = t13 * omega_G_CEG;
-    const Scalar t15 = sin_FG * t11 - cos_FG * v_s_G;
-    const Scalar t16 = slide_G_y + CG_y - FG_y;
+    const Scalar t11 = v_h_G_CEG - v_h_G_FG, t12 = cos_FG * t11 + sin_FG * v_s_G;
+    const Scalar t13 = slide_G_x + CG_x - FG_x, t14 = t13 * omega_G_CEG;
+    const Scalar t15 = sin_FG * t11 - cos_FG * v_s_G, t16 = slide_G_y + CG_y - FG_y;
     const Scalar t17 = t16 * omega_G_CEG;
     rhs(0) = omega_E_CEG * (t02 - Scalar(2) * t03) + omega_CEG * (Scalar(2) * t02 + (t01
         - t04) * omega_CEG - Scalar(2) * t03 - Scalar(2) * t05);
@@ -515,26 +389,14 @@ struct Model11 {
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    poses[0].x = u.x_B + BC_x - slide_C_x;
-    poses[0].y = u.y_B + BC_y - slide_C_y;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = u.x_B;
-    poses[1].y = u.y_B;
-    poses[1].direction.cos = q.theta_CEG.cos;
-    poses[1].direction.sin = q.theta_CEG.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = cos_DE;
-    poses[2].direction.sin = sin_DE;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = cos_FG;
-    poses[3].direction.sin = sin_FG;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    poses[0].x = u.x_B + BC_x - slide_C_x;  poses[0].y = u.y_B + BC_y - slide_C_y;
+    poses[0].direction.cos = q.theta_CEG.cos;  poses[0].direction.sin = q.theta_CEG.sin;
+    poses[1].x = u.x_B;  poses[1].y = u.y_B;  poses[1].direction.cos = q.theta_CEG.cos;
+    poses[1].direction.sin = q.theta_CEG.sin;  poses[2].x = u.x_D;  poses[2].y = u.y_D;
+    poses[2].direction.cos = cos_DE;  poses[2].direction.sin = sin_DE;  poses[3].x = u.x_F;
+    poses[3].y = u.y_F;  poses[3].direction.cos = cos_FG;  poses[3].direction.sin = sin_FG;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -547,14 +409,10 @@ struct Model11 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    P_q(0, 0) = slide_C_y - BC_y;
-    P_q(0, 1) = -q.theta_CEG.cos;
-    P_q(1, 0) = BC_x - slide_C_x;
-    P_q(1, 1) = -q.theta_CEG.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    P_q(0, 0) = slide_C_y - BC_y;  P_q(0, 1) = -q.theta_CEG.cos;
+    P_q(1, 0) = BC_x - slide_C_x;  P_q(1, 1) = -q.theta_CEG.sin;
     P_q(2, 0) = Scalar(1);
     P_q(5, 0) = Scalar(1);
     P_q(8, 0) = Scalar(1);
@@ -578,30 +436,16 @@ struct Model11 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar v_x_D = u_rate(2), v_y_D = u_rate(3), v_x_F = u_rate(4), v_y_F = u_rate(5);
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
     v(0, 0) = v_x_B - (BC_y - slide_C_y) * omega_CEG - q.theta_CEG.cos * v_s_C;
     v(0, 1) = (BC_x - slide_C_x) * omega_CEG + v_y_B - q.theta_CEG.sin * v_s_C;
     v(0, 2) = omega_CEG;
-    v(1, 0) = v_x_B;
-    v(1, 1) = v_y_B;
-    v(1, 2) = omega_CEG;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_CEG;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_CEG;
+    v(1, 0) = v_x_B;  v(1, 1) = v_y_B;  v(1, 2) = omega_CEG;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_CEG;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_CEG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -610,36 +454,21 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar a_x_F = u_second_rate(4);
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3), a_x_F = u_second_rate(4);
     const Scalar a_y_F = u_second_rate(5);
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar t01 = BC_x - slide_C_x;
-    const Scalar t02 = BC_y - slide_C_y;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar t01 = BC_x - slide_C_x, t02 = BC_y - slide_C_y;
     a(0, 0) = a_x_B - omega_CEG * (t01 * omega_CEG - Scalar(2) * q.theta_CEG.sin * v_s_C)
         - t02 * alpha_CEG - q.theta_CEG.cos * a_s_C;
     a(0, 1) = t01 * alpha_CEG + a_y_B - omega_CEG * (t02 * omega_CEG
         + Scalar(2) * q.theta_CEG.cos * v_s_C) - q.theta_CEG.sin * a_s_C;
     a(0, 2) = alpha_CEG;
-    a(1, 0) = a_x_B;
-    a(1, 1) = a_y_B;
-    a(1, 2) = alpha_CEG;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_CEG;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_CEG;
+    a(1, 0) = a_x_B;  a(1, 1) = a_y_B;  a(1, 2) = alpha_CEG;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_CEG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_CEG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -649,14 +478,10 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>&,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_h_C_BC = d_rate(3);
+    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(1), v_h_C_BC = d_rate(3);
     p.setZero();
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin;
+    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
+    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
     p(0, 0) = -omega_CEG * ((BC_x - slide_C_x) * omega_CEG + Scalar(2) * q.theta_CEG.cos * v_h_C_BC
         - Scalar(2) * q.theta_CEG.sin * v_s_C);
     p(0, 1) = -omega_CEG * ((BC_y - slide_C_y) * omega_CEG + Scalar(2) * q.theta_CEG.cos * v_s_C
@@ -775,55 +600,34 @@ struct Model11 {
     const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
     const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
     const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
-    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
     S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;
-    S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t02 + t03;
-    S_d(1, 4) = -s_C_per_across_slide_E;
-    S_d(1, 5) = -s_C_per_across_slide_G;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = s_C_per_across_slide_G;  S_d(1, 3) = t02 + t03;
+    S_d(1, 4) = -s_C_per_across_slide_E;  S_d(1, 5) = -s_C_per_across_slide_G;
     S_d(2, 0) = q.s_E * s_E_per_across_slide_E - d.h_E_DE;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
-    S_d(2, 2) = s_E_per_across_slide_G;
+    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;  S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = d.psi_E_CEG.cos * s_E_per_across_slide_E + d.psi_G_CEG.cos * s_E_per_across_slide_G
         - d.psi_E_CEG.sin;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;
-    S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;  S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = d.psi_E_CEG.cos * s_G_per_across_slide_E + d.psi_G_CEG.cos * s_G_per_across_slide_G
         - d.psi_G_CEG.sin;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
     S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(1, 2) = s_C_per_x_D;
-    S_u(1, 3) = s_C_per_y_D;
-    S_u(1, 4) = s_C_per_x_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 2) = s_C_per_x_D;  S_u(1, 3) = s_C_per_y_D;  S_u(1, 4) = s_C_per_x_F;
     S_u(1, 5) = s_C_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(2, 2) = s_E_per_x_D;
-    S_u(2, 3) = s_E_per_y_D;
-    S_u(2, 4) = s_E_per_x_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 2) = s_E_per_x_D;  S_u(2, 3) = s_E_per_y_D;  S_u(2, 4) = s_E_per_x_F;
     S_u(2, 5) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
-    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
-    S_u(3, 2) = s_G_per_x_D;
-    S_u(3, 3) = s_G_per_y_D;
-    S_u(3, 4) = s_G_per_x_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 2) = s_G_per_x_D;  S_u(3, 3) = s_G_per_y_D;  S_u(3, 4) = s_G_per_x_F;
     S_u(3, 5) = s_G_per_y_F;
   }
 
@@ -832,12 +636,8 @@ struct Model11 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar v_y_F = u_rate(5);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
+    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
@@ -851,13 +651,10 @@ struct Model11 {
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01, t03 = v_x_B - v_x_F;
+    const Scalar t04 = v_y_B - v_y_F, velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03;
     const Scalar omega_CEG = inverse * (d.psi_E_CEG.sin * velocity_across_slide_G
         - d.psi_G_CEG.sin * velocity_across_slide_E);
@@ -867,10 +664,7 @@ struct Model11 {
         - velocity_along_slide_G;
     const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - CEG_across_slide_E * omega_CEG
         - velocity_along_slide_E;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -879,18 +673,10 @@ struct Model11 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
@@ -904,32 +690,24 @@ struct Model11 {
     const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
         - CEG_along_slide_E * d.psi_G_CEG.sin;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01, t03 = v_x_B - v_x_F;
+    const Scalar t04 = v_y_B - v_y_F, velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03;
     const Scalar omega_CEG = inverse * (d.psi_E_CEG.sin * velocity_across_slide_G
         - d.psi_G_CEG.sin * velocity_across_slide_E);
     const Scalar v_s_C = inverse * (CEG_along_slide_E * velocity_across_slide_G
         - CEG_along_slide_G * velocity_across_slide_E);
-    const Scalar t05 = d.psi_G_CEG.cos * v_s_C;
-    const Scalar t06 = CEG_across_slide_G * omega_CEG;
-    const Scalar v_s_G = t05 - t06 - velocity_along_slide_G;
-    const Scalar t07 = d.psi_E_CEG.cos * v_s_C;
-    const Scalar t08 = CEG_across_slide_E * omega_CEG;
-    const Scalar v_s_E = t07 - t08 - velocity_along_slide_E;
-    const Scalar t09 = a_x_B - a_x_D;
-    const Scalar t10 = a_y_B - a_y_D;
+    const Scalar t05 = d.psi_G_CEG.cos * v_s_C, t06 = CEG_across_slide_G * omega_CEG;
+    const Scalar v_s_G = t05 - t06 - velocity_along_slide_G, t07 = d.psi_E_CEG.cos * v_s_C;
+    const Scalar t08 = CEG_across_slide_E * omega_CEG, v_s_E = t07 - t08 - velocity_along_slide_E;
+    const Scalar t09 = a_x_B - a_x_D, t10 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_E = cos_DE * t09 + sin_DE * t10
         - omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C - CEG_along_slide_E * omega_CEG);
     const Scalar acceleration_across_slide_E = cos_DE * t10 - omega_CEG * (Scalar(2) * t07 - t08
         - Scalar(2) * v_s_E) - sin_DE * t09;
-    const Scalar t11 = a_x_B - a_x_F;
-    const Scalar t12 = a_y_B - a_y_F;
+    const Scalar t11 = a_x_B - a_x_F, t12 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_G = cos_FG * t11 + sin_FG * t12
         - omega_CEG * (Scalar(2) * d.psi_G_CEG.sin * v_s_C - CEG_along_slide_G * omega_CEG);
     const Scalar acceleration_across_slide_G = cos_FG * t12 - omega_CEG * (Scalar(2) * t05 - t06
@@ -942,13 +720,8 @@ struct Model11 {
         - acceleration_along_slide_G;
     const Scalar a_s_E = d.psi_E_CEG.cos * a_s_C - CEG_across_slide_E * alpha_CEG
         - acceleration_along_slide_E;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_E;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_E;
     q_second_rate(3) = a_s_G;
   }
 
@@ -960,18 +733,10 @@ struct Model11 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar v_x_D = u_rate(2);
-    const Scalar a_x_D = u_second_rate(2);
-    const Scalar v_y_D = u_rate(3);
-    const Scalar a_y_D = u_second_rate(3);
-    const Scalar v_x_F = u_rate(4);
-    const Scalar a_x_F = u_second_rate(4);
-    const Scalar v_y_F = u_rate(5);
-    const Scalar a_y_F = u_second_rate(5);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
+    const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
+    const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
     const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
     const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
@@ -1037,60 +802,32 @@ struct Model11 {
         - CEG_along_slide_G * omega_CEG);
     const Scalar centripetal_across_slide_G = -omega_CEG * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
         - CEG_across_slide_G * omega_CEG - Scalar(2) * v_s_G);
-    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
     S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;
-    S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t02 + t03;
-    S_d(1, 4) = -s_C_per_across_slide_E;
-    S_d(1, 5) = -s_C_per_across_slide_G;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+    S_d(1, 2) = s_C_per_across_slide_G;  S_d(1, 3) = t02 + t03;
+    S_d(1, 4) = -s_C_per_across_slide_E;  S_d(1, 5) = -s_C_per_across_slide_G;
     S_d(2, 0) = q.s_E * s_E_per_across_slide_E - d.h_E_DE;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
-    S_d(2, 2) = s_E_per_across_slide_G;
+    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;  S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = d.psi_E_CEG.cos * s_E_per_across_slide_E + d.psi_G_CEG.cos * s_E_per_across_slide_G
         - d.psi_E_CEG.sin;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;
-    S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;  S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = d.psi_E_CEG.cos * s_G_per_across_slide_E + d.psi_G_CEG.cos * s_G_per_across_slide_G
         - d.psi_G_CEG.sin;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;
-    S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_x_D;
-    S_u(1, 3) = s_C_per_y_D;
-    S_u(1, 4) = s_C_per_x_F;
-    S_u(1, 5) = s_C_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;
-    S_u(2, 1) = s_E_per_y_B;
-    S_u(2, 2) = s_E_per_x_D;
-    S_u(2, 3) = s_E_per_y_D;
-    S_u(2, 4) = s_E_per_x_F;
-    S_u(2, 5) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = s_G_per_x_D;
-    S_u(3, 3) = s_G_per_y_D;
-    S_u(3, 4) = s_G_per_x_F;
-    S_u(3, 5) = s_G_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_x_D;
+    S_u(1, 3) = s_C_per_y_D;  S_u(1, 4) = s_C_per_x_F;  S_u(1, 5) = s_C_per_y_F;
+    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_x_D;
+    S_u(2, 3) = s_E_per_y_D;  S_u(2, 4) = s_E_per_x_F;  S_u(2, 5) = s_E_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_x_D;
+    S_u(3, 3) = s_G_per_y_D;  S_u(3, 4) = s_G_per_x_F;  S_u(3, 5) = s_G_per_y_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
         + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_across_slide_E * centripetal_across_slide_E
@@ -1114,14 +851,9 @@ struct Model11 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_0_re = Scalar(2) * d.psi_E_CEG.sin;
-    const Scalar t01 = FB_y - FD_y;
-    const Scalar t02 = FB_x - FD_x;
-    const Scalar c_m1_re = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_0_re = Scalar(2) * d.psi_E_CEG.sin, t01 = FB_y - FD_y;
+    const Scalar t02 = FB_x - FD_x, c_m1_re = t01 * d.psi_E_CEG.cos - t02 * d.psi_E_CEG.sin;
     const Scalar c_m1_im = -t02 * d.psi_E_CEG.cos - t01 * d.psi_E_CEG.sin;
     const Scalar c_0_re = Scalar(2) * (d.h_C_BC * d.psi_E_CEG.cos - d.h_E_DE);
     const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
@@ -1140,12 +872,8 @@ struct Model11 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_y - FD_y;
-    const Scalar t02 = FB_x - FD_x;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_y - FD_y, t02 = FB_x - FD_x;
     e(0, 1) = Scalar(2) * d.psi_E_CEG.sin;
     e(0, 2) = Scalar(2) * ((t01 * q.theta_CEG.cos + d.h_C_BC
         - t02 * q.theta_CEG.sin) * d.psi_E_CEG.cos - (t02 * q.theta_CEG.cos
@@ -1160,12 +888,8 @@ struct Model11 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     q.s_E = -(t01 * q.theta_CEG.cos + t02 * q.theta_CEG.sin - q.s_C) * d.psi_E_CEG.cos
         - (t02 * q.theta_CEG.cos + d.h_C_BC - t01 * q.theta_CEG.sin) * d.psi_E_CEG.sin;
     q.s_G = (q.s_C - FB_x * q.theta_CEG.cos - FB_y * q.theta_CEG.sin) * d.psi_G_CEG.cos - (d.h_C_BC

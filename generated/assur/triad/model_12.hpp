@@ -94,12 +94,10 @@ struct Model12 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar h_G_FG{};  ///< offset of the slide at G on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_E_CEG, psi_G_CEG, h_G_CEG, h_B_BC, h_E_DE, h_G_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_E_CEG, psi_G_CEG, h_G_CEG, h_B_BC, h_E_DE, h_G_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_E_CEG, psi_G_CEG, h_G_CEG, h_B_BC, h_E_DE,
+        h_G_FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_E_CEG, psi_G_CEG, h_G_CEG, h_B_BC,
+        h_E_DE, h_G_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -113,12 +111,8 @@ struct Model12 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -129,12 +123,8 @@ struct Model12 {
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
     Scalar s_G{};  ///< displacement along the slide at G of link FG against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, s_B, s_E, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, s_B, s_E, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, s_B, s_E, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, s_B, s_E, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -192,28 +182,16 @@ struct Model12 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = BC_x + u.x_B + slide_B_x;
-    const Scalar t02 = BC_y + u.y_B + slide_B_y;
-    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;
-    f(1) = u.y_D + DE_y - CE_y - slide_E_y - t02;
-    f(2) = u.x_F + FG_x - CG_x - slide_G_x - t01;
-    f(3) = u.y_F + FG_y - CG_y - slide_G_y - t02;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = BC_x + u.x_B + slide_B_x, t02 = BC_y + u.y_B + slide_B_y;
+    f(0) = u.x_D + DE_x - CE_x - slide_E_x - t01;  f(1) = u.y_D + DE_y - CE_y - slide_E_y - t02;
+    f(2) = u.x_F + FG_x - CG_x - slide_G_x - t01;  f(3) = u.y_F + FG_y - CG_y - slide_G_y - t02;
   }
 
   /// J = df/dq.
@@ -223,30 +201,15 @@ struct Model12 {
     J.setZero();
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    J(0, 0) = CE_y + slide_E_y - DE_y;
-    J(0, 1) = -u.phi_B.cos;
-    J(0, 2) = -q.theta_CEG.cos;
-    J(1, 0) = DE_x - CE_x - slide_E_x;
-    J(1, 1) = -u.phi_B.sin;
-    J(1, 2) = -q.theta_CEG.sin;
-    J(2, 0) = CG_y + slide_G_y - FG_y;
-    J(2, 1) = -u.phi_B.cos;
-    J(2, 3) = -cos_FG;
-    J(3, 0) = FG_x - CG_x - slide_G_x;
-    J(3, 1) = -u.phi_B.sin;
-    J(3, 3) = -sin_FG;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    J(0, 0) = CE_y + slide_E_y - DE_y;  J(0, 1) = -u.phi_B.cos;  J(0, 2) = -q.theta_CEG.cos;
+    J(1, 0) = DE_x - CE_x - slide_E_x;  J(1, 1) = -u.phi_B.sin;  J(1, 2) = -q.theta_CEG.sin;
+    J(2, 0) = CG_y + slide_G_y - FG_y;  J(2, 1) = -u.phi_B.cos;  J(2, 3) = -cos_FG;
+    J(3, 0) = FG_x - CG_x - slide_G_x;  J(3, 1) = -u.phi_B.sin;  J(3, 3) = -sin_FG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -256,25 +219,13 @@ struct Model12 {
     F_d.setZero();
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    F_d(0, 0) = q.theta_CEG.sin;
-    F_d(0, 3) = -u.phi_B.sin;
-    F_d(0, 4) = -q.theta_CEG.sin;
-    F_d(1, 0) = -q.theta_CEG.cos;
-    F_d(1, 3) = u.phi_B.cos;
-    F_d(1, 4) = q.theta_CEG.cos;
-    F_d(2, 1) = CG_y + slide_G_y - FG_y;
-    F_d(2, 2) = sin_FG;
-    F_d(2, 3) = -u.phi_B.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    F_d(0, 0) = q.theta_CEG.sin;  F_d(0, 3) = -u.phi_B.sin;  F_d(0, 4) = -q.theta_CEG.sin;
+    F_d(1, 0) = -q.theta_CEG.cos;  F_d(1, 3) = u.phi_B.cos;  F_d(1, 4) = q.theta_CEG.cos;
+    F_d(2, 1) = CG_y + slide_G_y - FG_y;  F_d(2, 2) = sin_FG;  F_d(2, 3) = -u.phi_B.sin;
     F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = FG_x - CG_x - slide_G_x;
-    F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = u.phi_B.cos;
+    F_d(3, 1) = FG_x - CG_x - slide_G_x;  F_d(3, 2) = -cos_FG;  F_d(3, 3) = u.phi_B.cos;
     F_d(3, 5) = cos_FG;
   }
 
@@ -283,24 +234,13 @@ struct Model12 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t01;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t02;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t01;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -t02;
-    F_u(3, 6) = Scalar(1);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = t01;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -308,23 +248,13 @@ struct Model12 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
-    rhs(0) = -v_x_D - t01;
-    rhs(1) = t02 - v_y_D;
-    rhs(2) = -v_x_F - t01;
-    rhs(3) = t02 - v_y_F;
+    rhs(0) = -v_x_D - t01;  rhs(1) = t02 - v_y_D;  rhs(2) = -v_x_F - t01;  rhs(3) = t02 - v_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
@@ -334,38 +264,20 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = a_x_B - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t02 * alpha_B;
     const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (t02 * omega_B
@@ -388,48 +300,24 @@ struct Model12 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = DE_y - CE_y - slide_E_y;
-    const Scalar t02 = q.theta_CEG.cos * v_s_E;
-    const Scalar t03 = DE_x - CE_x - slide_E_x;
-    const Scalar t04 = q.theta_CEG.sin * v_s_E;
-    const Scalar t05 = slide_B_y + BC_y;
-    const Scalar t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BC_x;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = DE_y - CE_y - slide_E_y, t02 = q.theta_CEG.cos * v_s_E;
+    const Scalar t03 = DE_x - CE_x - slide_E_x, t04 = q.theta_CEG.sin * v_s_E;
+    const Scalar t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BC_x;
     const Scalar t08 = u.phi_B.sin * v_s_B;
     const Scalar t09 = omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06)
         - Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t05 * jerk_B + j_x_B
@@ -437,9 +325,7 @@ struct Model12 {
     const Scalar t10 = omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t08)
         + Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t07 * jerk_B - j_y_B
         - Scalar(3) * t06 * alpha_B;
-    const Scalar t11 = FG_y - CG_y - slide_G_y;
-    const Scalar t12 = cos_FG * v_s_G;
-    const Scalar t13 = FG_x - CG_x - slide_G_x;
+    const Scalar t11 = FG_y - CG_y - slide_G_y, t12 = cos_FG * v_s_G, t13 = FG_x - CG_x - slide_G_x;
     const Scalar t14 = sin_FG * v_s_G;
     rhs(0) = t09 - omega_CEG * (omega_CEG * (t01 * omega_CEG + Scalar(3) * t02)
         + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t03 * alpha_CEG) - j_x_D
@@ -462,47 +348,27 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar v_h_E_CEG = d_rate(0);
-    const Scalar omega_G_CEG = d_rate(1);
-    const Scalar v_h_G_CEG = d_rate(2);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_h_G_FG = d_rate(5);
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar v_h_E_CEG = d_rate(0), omega_G_CEG = d_rate(1), v_h_G_CEG = d_rate(2);
+    const Scalar v_h_B_BC = d_rate(3), v_h_E_DE = d_rate(4), v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin;
-    const Scalar DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin;
-    const Scalar CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos;
-    const Scalar slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
+    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
+    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
     const Scalar t01 = v_h_E_CEG - v_h_E_DE;
     const Scalar t02 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     const Scalar t03 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    const Scalar t04 = FG_x - CG_x - slide_G_x;
-    const Scalar t05 = t04 * omega_G_CEG;
-    const Scalar t06 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t07 = cos_FG * t06 + sin_FG * v_s_G;
-    const Scalar t08 = FG_y - CG_y - slide_G_y;
-    const Scalar t09 = t08 * omega_G_CEG;
-    const Scalar t10 = sin_FG * t06 - cos_FG * v_s_G;
+    const Scalar t04 = FG_x - CG_x - slide_G_x, t05 = t04 * omega_G_CEG, t06 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t07 = cos_FG * t06 + sin_FG * v_s_G, t08 = FG_y - CG_y - slide_G_y;
+    const Scalar t09 = t08 * omega_G_CEG, t10 = sin_FG * t06 - cos_FG * v_s_G;
     rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG - Scalar(2) * q.theta_CEG.cos * t01
         - Scalar(2) * q.theta_CEG.sin * v_s_E) - t02;
     rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
@@ -519,28 +385,15 @@ struct Model12 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = u.x_B + slide_B_x + BC_x;
-    const Scalar t02 = u.y_B + slide_B_y + BC_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = q.theta_CEG.cos;
-    poses[2].direction.sin = q.theta_CEG.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = cos_FG;
-    poses[3].direction.sin = sin_FG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = u.x_B + slide_B_x + BC_x, t02 = u.y_B + slide_B_y + BC_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = q.theta_CEG.cos;
+    poses[0].direction.sin = q.theta_CEG.sin;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = q.theta_CEG.cos;
+    poses[2].direction.sin = q.theta_CEG.sin;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = cos_FG;  poses[3].direction.sin = sin_FG;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -553,12 +406,9 @@ struct Model12 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(2, 0) = Scalar(1);
@@ -571,14 +421,10 @@ struct Model12 {
     P_d(3, 3) = u.phi_B.sin;
     P_d(4, 3) = -u.phi_B.cos;
     P_d(11, 1) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t01;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t02;
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -t01;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t01;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t02;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -t01;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = t02;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -591,33 +437,17 @@ struct Model12 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4), v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = -t01;
-    v(0, 1) = t02;
-    v(0, 2) = omega_CEG;
-    v(1, 0) = -t01;
-    v(1, 1) = t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_CEG;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_CEG;
+    v(0, 0) = -t01;  v(0, 1) = t02;  v(0, 2) = omega_CEG;
+    v(1, 0) = -t01;  v(1, 1) = t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_CEG;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_CEG;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -626,39 +456,21 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar alpha_CEG = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
     const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
-    a(0, 0) = -t03;
-    a(0, 1) = -t04;
-    a(0, 2) = alpha_CEG;
-    a(1, 0) = -t03;
-    a(1, 1) = -t04;
-    a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_CEG;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_CEG;
+    a(0, 0) = -t03;  a(0, 1) = -t04;  a(0, 2) = alpha_CEG;
+    a(1, 0) = -t03;  a(1, 1) = -t04;  a(1, 2) = alpha_B;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_CEG;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_CEG;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -668,22 +480,16 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(1), v_h_B_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    p(0, 0) = -t01;
-    p(0, 1) = -t02;
-    p(1, 0) = -t01;
-    p(1, 1) = -t02;
+    p(0, 0) = -t01;  p(0, 1) = -t02;
+    p(1, 0) = -t01;  p(1, 1) = -t02;
   }
 
   /// The divisors p of the elimination, pivots of the core first; the size that each could
@@ -809,64 +615,44 @@ struct Model12 {
     const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
     const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
     const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
     S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
         - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = s_B_per_across_slide_G;
-    S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = -s_B_per_across_slide_E;
-    S_d(1, 5) = -s_B_per_across_slide_G;
-    S_d(2, 0) = s_E_per_across_slide_E;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+    S_d(1, 0) = s_B_per_across_slide_E;  S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
+    S_d(1, 2) = s_B_per_across_slide_G;  S_d(1, 3) = -t01 - t02;
+    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_across_slide_G;
+    S_d(2, 0) = s_E_per_across_slide_E;  S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
     S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = -sin_phi_B_minus_CEG - cos_phi_B_minus_CEG * s_E_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_E_per_across_slide_G;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
     S_d(3, 0) = s_G_per_across_slide_E;
     S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = -CEG_per_across_slide_E * phi_B_along_slide_E
         - CEG_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(1, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
         - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
     S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
     S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
         - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(2, 3) = s_E_per_x_D;
-    S_u(2, 4) = s_E_per_y_D;
-    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
     S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
-    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
     S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
         - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
     S_u(3, 6) = s_G_per_y_F;
   }
 
@@ -875,13 +661,8 @@ struct Model12 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
@@ -903,14 +684,12 @@ struct Model12 {
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
         + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01
         - phi_B_along_slide_E * omega_B;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
         + phi_B_across_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
@@ -923,10 +702,7 @@ struct Model12 {
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - velocity_along_slide_G;
     const Scalar v_s_E = -CEG_across_slide_E * omega_CEG - cos_phi_B_minus_CEG * v_s_B
         - velocity_along_slide_E;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -935,20 +711,11 @@ struct Model12 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
@@ -970,15 +737,11 @@ struct Model12 {
     const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
         - q.s_G * sin_phi_B_minus_CEG;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = phi_B_across_slide_E * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02 + t03;
     const Scalar t04 = phi_B_along_slide_E * omega_B;
     const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01 - t04;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
-    const Scalar t07 = phi_B_across_slide_G * omega_B;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F, t07 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = cos_FG * t05 + sin_FG * t06 + t07;
     const Scalar t08 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t06 - sin_FG * t05 - t08;
@@ -988,21 +751,16 @@ struct Model12 {
         - q.s_G * velocity_across_slide_E);
     const Scalar t09 = CEG_across_slide_G * omega_CEG;
     const Scalar t10 = cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B;
-    const Scalar v_s_G = -t09 - t10 - velocity_along_slide_G;
-    const Scalar t11 = CEG_across_slide_E * omega_CEG;
-    const Scalar t12 = cos_phi_B_minus_CEG * v_s_B;
-    const Scalar v_s_E = -t11 - t12 - velocity_along_slide_E;
-    const Scalar t13 = a_x_B - a_x_D;
-    const Scalar t14 = a_y_B - a_y_D;
-    const Scalar t15 = omega_CEG * omega_CEG;
+    const Scalar v_s_G = -t09 - t10 - velocity_along_slide_G, t11 = CEG_across_slide_E * omega_CEG;
+    const Scalar t12 = cos_phi_B_minus_CEG * v_s_B, v_s_E = -t11 - t12 - velocity_along_slide_E;
+    const Scalar t13 = a_x_B - a_x_D, t14 = a_y_B - a_y_D, t15 = omega_CEG * omega_CEG;
     const Scalar acceleration_along_slide_E = q.theta_CEG.cos * t13 + q.theta_CEG.sin * t14
         + omega_B * (t04 - Scalar(2) * sin_phi_B_minus_CEG * v_s_B) + phi_B_across_slide_E * alpha_B
         - q.s_E * t15;
     const Scalar acceleration_across_slide_E = q.theta_CEG.cos * t14 + omega_CEG * (t11
         + Scalar(2) * v_s_E) + omega_B * (t03 + Scalar(2) * t12) - q.theta_CEG.sin * t13
         - phi_B_along_slide_E * alpha_B;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar t16 = a_x_B - a_x_F, t17 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_G = omega_B * (t08
         - Scalar(2) * sin_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B) + cos_FG * t16 + sin_FG * t17
         + phi_B_across_slide_G * alpha_B - q.s_G * t15;
@@ -1017,13 +775,8 @@ struct Model12 {
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * a_s_B - acceleration_along_slide_G;
     const Scalar a_s_E = -CEG_across_slide_E * alpha_CEG - cos_phi_B_minus_CEG * a_s_B
         - acceleration_along_slide_E;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_E;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_E;
     q_second_rate(3) = a_s_G;
   }
 
@@ -1035,20 +788,11 @@ struct Model12 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
     const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
     const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
@@ -1133,65 +877,38 @@ struct Model12 {
     const Scalar centripetal_across_slide_G = omega_CEG * (CEG_across_slide_G * omega_CEG
         + Scalar(2) * v_s_G) + omega_B * (Scalar(2) * cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B
         + phi_B_across_slide_G * omega_B);
-    S_d(0, 0) = CEG_per_across_slide_E;
-    S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
     S_d(0, 2) = CEG_per_across_slide_G;
     S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
         - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = s_B_per_across_slide_G;
-    S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = -s_B_per_across_slide_E;
-    S_d(1, 5) = -s_B_per_across_slide_G;
-    S_d(2, 0) = s_E_per_across_slide_E;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
+    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+    S_d(1, 0) = s_B_per_across_slide_E;  S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
+    S_d(1, 2) = s_B_per_across_slide_G;  S_d(1, 3) = -t01 - t02;
+    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_across_slide_G;
+    S_d(2, 0) = s_E_per_across_slide_E;  S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
     S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = -sin_phi_B_minus_CEG - cos_phi_B_minus_CEG * s_E_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_E_per_across_slide_G;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
     S_d(3, 0) = s_G_per_across_slide_E;
     S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
     S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
         - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_x_F;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
     S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_x_F;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
     S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;
-    S_u(2, 1) = s_E_per_y_B;
-    S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = s_E_per_x_D;
-    S_u(2, 4) = s_E_per_y_D;
-    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
     S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
     S_u(3, 6) = s_G_per_y_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
         + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
         + CEG_per_across_slide_E * centripetal_across_slide_E
@@ -1215,14 +932,9 @@ struct Model12 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = d.h_B_BC * u.phi_B.cos - FB_y;
-    const Scalar c_m1_re = -FD_y - t01;
-    const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x;
-    const Scalar c_m1_im = FD_x - t02;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = d.h_B_BC * u.phi_B.cos - FB_y, c_m1_re = -FD_y - t01;
+    const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x, c_m1_im = FD_x - t02;
     const Scalar c_0_re = Scalar(2) * (d.h_E_CEG - d.h_E_DE);
     const Scalar e_m1_re = u.phi_B.sin * d.psi_G_CEG.cos - u.phi_B.cos * d.psi_G_CEG.sin;
     const Scalar e_m1_im = -u.phi_B.cos * d.psi_G_CEG.cos - u.phi_B.sin * d.psi_G_CEG.sin;
@@ -1246,11 +958,8 @@ struct Model12 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = d.h_B_BC * u.phi_B.cos - FB_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = d.h_B_BC * u.phi_B.cos - FB_y;
     const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x;
     e(0, 1) = Scalar(2) * (q.theta_CEG.cos * u.phi_B.sin - q.theta_CEG.sin * u.phi_B.cos);
     e(0, 2) = Scalar(2) * (d.h_E_CEG + (FD_x - t02) * q.theta_CEG.sin - d.h_E_DE - (FD_y
@@ -1266,11 +975,8 @@ struct Model12 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
     q.s_E = (FD_x - t01) * q.theta_CEG.cos + (FD_y - t02) * q.theta_CEG.sin;
     q.s_G = (t01 * d.psi_G_CEG.sin - t02 * d.psi_G_CEG.cos) * q.theta_CEG.sin

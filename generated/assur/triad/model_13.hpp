@@ -106,12 +106,10 @@ struct Model13 {
     Scalar h_E_DE{};  ///< offset of the slide at E on link DE, positive to the left
     Scalar h_G_FG{};  ///< offset of the slide at G on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_E_DE, h_G_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_E_DE, h_G_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_E_DE,
+        h_G_FG); }
+    [[nodiscard]] auto members() const { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC,
+        h_E_DE, h_G_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -125,12 +123,8 @@ struct Model13 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, x_F, y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -141,12 +135,8 @@ struct Model13 {
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
     Scalar s_G{};  ///< displacement along the slide at G of link FG against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_E, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_E, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_E, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_E, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -208,26 +198,15 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + DE_x + t01 - slide_E_x;
-    f(1) = u.y_D + DE_y + t02 - slide_E_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x, t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + DE_x + t01 - slide_E_x;  f(1) = u.y_D + DE_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;  f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -241,18 +220,10 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = cos_CEG;
-    J(0, 2) = -cos_DE;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = sin_CEG;
-    J(1, 2) = -sin_DE;
-    J(2, 0) = -u.phi_B.cos;
-    J(2, 1) = cos_CEG;
-    J(2, 3) = -cos_FG;
-    J(3, 0) = -u.phi_B.sin;
-    J(3, 1) = sin_CEG;
-    J(3, 3) = -sin_FG;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = cos_CEG;  J(0, 2) = -cos_DE;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = sin_CEG;  J(1, 2) = -sin_DE;
+    J(2, 0) = -u.phi_B.cos;  J(2, 1) = cos_CEG;  J(2, 3) = -cos_FG;
+    J(3, 0) = -u.phi_B.sin;  J(3, 1) = sin_CEG;  J(3, 3) = -sin_FG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -266,36 +237,16 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = DE_y - slide_E_y;
-    const Scalar t02 = DE_x - slide_E_x;
-    const Scalar t03 = slide_G_y + CG_y - FG_y;
-    const Scalar t04 = slide_G_x + CG_x - FG_x;
-    F_d(0, 0) = -t01;
-    F_d(0, 3) = -t01 - slide_C_y;
-    F_d(0, 4) = -sin_DE;
-    F_d(1, 0) = t02;
-    F_d(1, 3) = t02 + slide_C_x;
-    F_d(1, 4) = cos_DE;
-    F_d(2, 1) = t03;
-    F_d(2, 2) = sin_FG;
-    F_d(2, 3) = t03 - slide_C_y;
-    F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = -t04;
-    F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x - t04;
-    F_d(3, 5) = cos_FG;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE, slide_C_x = q.s_C * cos_CEG;
+    const Scalar slide_C_y = q.s_C * sin_CEG, slide_E_x = q.s_E * cos_DE;
+    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG;
+    const Scalar CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = DE_y - slide_E_y, t02 = DE_x - slide_E_x;
+    const Scalar t03 = slide_G_y + CG_y - FG_y, t04 = slide_G_x + CG_x - FG_x;
+    F_d(0, 0) = -t01;  F_d(0, 3) = -t01 - slide_C_y;  F_d(0, 4) = -sin_DE;
+    F_d(1, 0) = t02;  F_d(1, 3) = t02 + slide_C_x;  F_d(1, 4) = cos_DE;
+    F_d(2, 1) = t03;  F_d(2, 2) = sin_FG;  F_d(2, 3) = t03 - slide_C_y;  F_d(2, 5) = -sin_FG;
+    F_d(3, 1) = -t04;  F_d(3, 2) = -cos_FG;  F_d(3, 3) = slide_C_x - t04;  F_d(3, 5) = cos_FG;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -309,34 +260,17 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = slide_E_y + t01 - DE_y;
-    F_u(0, 3) = Scalar(1);
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = DE_x - slide_E_x - t02;
-    F_u(1, 4) = Scalar(1);
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;
-    F_u(2, 5) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;
-    F_u(3, 6) = Scalar(1);
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_E_y + t01 - DE_y;  F_u(0, 3) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DE_x - slide_E_x - t02;  F_u(1, 4) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;  F_u(2, 5) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;  F_u(3, 6) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -344,35 +278,21 @@ struct Model13 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
     rhs(0) = v_x_B + (DE_y - slide_E_y - t01) * omega_B - v_x_D;
     rhs(1) = v_y_B - v_y_D - (DE_x - slide_E_x - t02) * omega_B;
     rhs(2) = v_x_B + (FG_y - CG_y - slide_G_y - t01) * omega_B - v_x_F;
@@ -386,46 +306,26 @@ struct Model13 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_x - slide_C_x;
-    const Scalar t02 = DE_x - slide_E_x - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = DE_y - slide_E_y - t04;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = FG_x - CG_x - slide_G_x - t01;
-    const Scalar t08 = FG_y - CG_y - slide_G_y - t04;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_x - slide_C_x, t02 = DE_x - slide_E_x - t01;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_y - slide_C_y;
+    const Scalar t05 = DE_y - slide_E_y - t04, t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t07 = FG_x - CG_x - slide_G_x - t01, t08 = FG_y - CG_y - slide_G_y - t04;
     rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t03
         - t02 * omega_B);
     rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + t05 * omega_B + Scalar(2) * t06)
@@ -444,56 +344,31 @@ struct Model13 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5);
-    const Scalar j_y_F = u_third_rate(6);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t02 = sin_DE * v_s_E + t01;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = DE_y - slide_E_y - t03;
-    const Scalar t05 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t06 = cos_DE * v_s_E + t05;
-    const Scalar t07 = slide_B_x - slide_C_x;
-    const Scalar t08 = DE_x - slide_E_x - t07;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = sin_DE * v_s_E + t01;
+    const Scalar t03 = slide_B_y - slide_C_y, t04 = DE_y - slide_E_y - t03;
+    const Scalar t05 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t06 = cos_DE * v_s_E + t05;
+    const Scalar t07 = slide_B_x - slide_C_x, t08 = DE_x - slide_E_x - t07;
     const Scalar t09 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t11 = sin_FG * v_s_G + t01;
-    const Scalar t12 = FG_y - CG_y - slide_G_y - t03;
-    const Scalar t13 = FG_x - CG_x - slide_G_x - t07;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t11 = sin_FG * v_s_G + t01;
+    const Scalar t12 = FG_y - CG_y - slide_G_y - t03, t13 = FG_x - CG_x - slide_G_x - t07;
     const Scalar t14 = cos_FG * v_s_G + t05;
     rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
         - omega_B * (Scalar(3) * sin_DE * a_s_E + omega_B * (Scalar(3) * t06 + t04 * omega_B)
@@ -516,16 +391,9 @@ struct Model13 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_E = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar omega_E_CEG = d_rate(0);
-    const Scalar omega_G_CEG = d_rate(1);
-    const Scalar v_h_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_E_DE = d_rate(4);
-    const Scalar v_h_G_FG = d_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
+    const Scalar omega_E_CEG = d_rate(0), omega_G_CEG = d_rate(1), v_h_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_h_E_DE = d_rate(4), v_h_G_FG = d_rate(5);
     const Scalar omega_B = u_rate(2);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -533,47 +401,23 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = DE_x - slide_E_x;
-    const Scalar t02 = t01 * omega_E_CEG;
-    const Scalar t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
-    const Scalar t04 = (slide_C_x + t01) * omega_C_BC;
-    const Scalar t05 = sin_CEG * v_s_C;
-    const Scalar t06 = t03 - t02 - t05;
-    const Scalar t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = slide_B_x - slide_C_x;
-    const Scalar t09 = DE_y - slide_E_y;
-    const Scalar t10 = t09 * omega_E_CEG;
-    const Scalar t11 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
-    const Scalar t12 = (slide_C_y + t09) * omega_C_BC;
-    const Scalar t13 = cos_CEG * v_s_C;
-    const Scalar t14 = t11 + t10 - t13;
-    const Scalar t15 = u.phi_B.cos * v_s_B;
-    const Scalar t16 = slide_B_y - slide_C_y;
-    const Scalar t17 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t18 = cos_FG * t17 + sin_FG * v_s_G;
-    const Scalar t19 = slide_G_x + CG_x - FG_x;
-    const Scalar t20 = t19 * omega_G_CEG;
-    const Scalar t21 = (slide_C_x - t19) * omega_C_BC;
-    const Scalar t22 = t20 + t18 - t05;
-    const Scalar t23 = sin_FG * t17 - cos_FG * v_s_G;
-    const Scalar t24 = slide_G_y + CG_y - FG_y;
-    const Scalar t25 = t24 * omega_G_CEG;
-    const Scalar t26 = (slide_C_y - t24) * omega_C_BC;
-    const Scalar t27 = t25 + t13 + t23;
+    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
+    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG, t01 = DE_x - slide_E_x;
+    const Scalar t02 = t01 * omega_E_CEG, t03 = sin_DE * v_s_E - cos_DE * v_h_E_DE;
+    const Scalar t04 = (slide_C_x + t01) * omega_C_BC, t05 = sin_CEG * v_s_C, t06 = t03 - t02 - t05;
+    const Scalar t07 = u.phi_B.sin * v_s_B, t08 = slide_B_x - slide_C_x, t09 = DE_y - slide_E_y;
+    const Scalar t10 = t09 * omega_E_CEG, t11 = cos_DE * v_s_E + sin_DE * v_h_E_DE;
+    const Scalar t12 = (slide_C_y + t09) * omega_C_BC, t13 = cos_CEG * v_s_C, t14 = t11 + t10 - t13;
+    const Scalar t15 = u.phi_B.cos * v_s_B, t16 = slide_B_y - slide_C_y, t17 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t18 = cos_FG * t17 + sin_FG * v_s_G, t19 = slide_G_x + CG_x - FG_x;
+    const Scalar t20 = t19 * omega_G_CEG, t21 = (slide_C_x - t19) * omega_C_BC;
+    const Scalar t22 = t20 + t18 - t05, t23 = sin_FG * t17 - cos_FG * v_s_G;
+    const Scalar t24 = slide_G_y + CG_y - FG_y, t25 = t24 * omega_G_CEG;
+    const Scalar t26 = (slide_C_y - t24) * omega_C_BC, t27 = t25 + t13 + t23;
     rhs(0) = omega_E_CEG * (t02 - Scalar(2) * t03) + omega_C_BC * (t04 - Scalar(2) * t06)
         - omega_B * (Scalar(2) * t07 + Scalar(2) * t06 - Scalar(2) * t04 - (t01 - t08) * omega_B);
     rhs(1) = omega_E_CEG * (t10 + Scalar(2) * t11) + omega_C_BC * (t12 + Scalar(2) * t14)
@@ -594,28 +438,15 @@ struct Model13 {
     const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = t01 - slide_C_x;
-    poses[0].y = t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D;
-    poses[2].y = u.y_D;
-    poses[2].direction.cos = cos_DE;
-    poses[2].direction.sin = sin_DE;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = cos_FG;
-    poses[3].direction.sin = sin_FG;
+    poses[0].x = t01 - slide_C_x;  poses[0].y = t02 - slide_C_y;  poses[0].direction.cos = cos_CEG;
+    poses[0].direction.sin = sin_CEG;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D;  poses[2].y = u.y_D;  poses[2].direction.cos = cos_DE;
+    poses[2].direction.sin = sin_DE;  poses[3].x = u.x_F;  poses[3].y = u.y_F;
+    poses[3].direction.cos = cos_FG;  poses[3].direction.sin = sin_FG;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -630,32 +461,22 @@ struct Model13 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    P_q(0, 0) = u.phi_B.cos;
-    P_q(0, 1) = -cos_CEG;
-    P_q(1, 0) = u.phi_B.sin;
-    P_q(1, 1) = -sin_CEG;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    P_q(0, 0) = u.phi_B.cos;  P_q(0, 1) = -cos_CEG;
+    P_q(1, 0) = u.phi_B.sin;  P_q(1, 1) = -sin_CEG;
     P_q(3, 0) = u.phi_B.cos;
     P_q(4, 0) = u.phi_B.sin;
     P_d(0, 3) = slide_C_y;
     P_d(1, 3) = -slide_C_x;
     P_d(2, 3) = Scalar(1);
-    P_d(8, 0) = Scalar(1);
-    P_d(8, 3) = Scalar(1);
-    P_d(11, 1) = Scalar(1);
-    P_d(11, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = slide_C_y - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - slide_C_x;
+    P_d(8, 0) = Scalar(1);  P_d(8, 3) = Scalar(1);
+    P_d(11, 1) = Scalar(1);  P_d(11, 3) = Scalar(1);
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = slide_C_y - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - slide_C_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
     P_u(6, 3) = Scalar(1);
     P_u(7, 4) = Scalar(1);
@@ -670,35 +491,19 @@ struct Model13 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_x_B = u_rate(0), v_y_B = u_rate(1);
+    const Scalar omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4), v_x_F = u_rate(5);
     const Scalar v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
-    v(2, 0) = v_x_D;
-    v(2, 1) = v_y_D;
-    v(2, 2) = omega_B;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_B;
+    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
+    v(2, 0) = v_x_D;  v(2, 1) = v_y_D;  v(2, 2) = omega_B;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -707,30 +512,17 @@ struct Model13 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = slide_B_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = slide_B_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -739,12 +531,8 @@ struct Model13 {
     a(1, 0) = t04 - omega_B * (Scalar(2) * t02 + slide_B_x * omega_B) - slide_B_y * alpha_B;
     a(1, 1) = omega_B * (Scalar(2) * t05 - slide_B_y * omega_B) + slide_B_x * alpha_B + t06;
     a(1, 2) = alpha_B;
-    a(2, 0) = a_x_D;
-    a(2, 1) = a_y_D;
-    a(2, 2) = alpha_B;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_B;
+    a(2, 0) = a_x_D;  a(2, 1) = a_y_D;  a(2, 2) = alpha_B;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_B;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -754,23 +542,14 @@ struct Model13 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), omega_C_BC = d_rate(3), omega_B = u_rate(2);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = sin_CEG * v_s_C;
-    const Scalar t03 = slide_C_x * omega_C_BC;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = cos_CEG * v_s_C;
-    const Scalar t06 = slide_C_y * omega_C_BC;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = u.phi_B.sin * v_s_B, t02 = sin_CEG * v_s_C, t03 = slide_C_x * omega_C_BC;
+    const Scalar t04 = u.phi_B.cos * v_s_B, t05 = cos_CEG * v_s_C, t06 = slide_C_y * omega_C_BC;
     p(0, 0) = omega_C_BC * (Scalar(2) * t02 + t03) - omega_B * ((slide_B_x - slide_C_x) * omega_B
         + Scalar(2) * t01 - Scalar(2) * t02 - Scalar(2) * t03);
     p(0, 1) = -omega_B * ((slide_B_y - slide_C_y) * omega_B + Scalar(2) * t05 - Scalar(2) * t04
@@ -788,10 +567,8 @@ struct Model13 {
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
         - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
-    p(0) = d.psi_C_BC.sin;
-    p(1) = sin_psi_E_CEG_minus_psi_G_CEG;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = d.psi_C_BC.sin;  p(1) = sin_psi_E_CEG_minus_psi_G_CEG;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(2);
   }
 
@@ -917,72 +694,45 @@ struct Model13 {
     const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
     const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
     const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
-    const Scalar t05 = q.s_E * s_B_per_across_slide_E;
-    const Scalar t06 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t07 = q.s_E * s_C_per_across_slide_E;
-    const Scalar t08 = q.s_G * s_C_per_across_slide_G;
+    const Scalar t05 = q.s_E * s_B_per_across_slide_E, t06 = q.s_G * s_B_per_across_slide_G;
+    const Scalar t07 = q.s_E * s_C_per_across_slide_E, t08 = q.s_G * s_C_per_across_slide_G;
     const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t10 = q.s_G * s_E_per_across_slide_G;
-    const Scalar t11 = q.s_E * s_G_per_across_slide_E;
+    const Scalar t10 = q.s_G * s_E_per_across_slide_G, t11 = q.s_E * s_G_per_across_slide_E;
     const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(0, 0) = t05;
-    S_d(0, 1) = t06;
-    S_d(0, 2) = s_B_per_across_slide_G;
+    S_d(0, 0) = t05;  S_d(0, 1) = t06;  S_d(0, 2) = s_B_per_across_slide_G;
     S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
         + d.psi_G_CEG.cos * s_B_per_across_slide_G);
-    S_d(0, 4) = -s_B_per_across_slide_E;
-    S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t07;
-    S_d(1, 1) = t08;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);
-    S_d(1, 4) = -s_C_per_across_slide_E;
+    S_d(0, 4) = -s_B_per_across_slide_E;  S_d(0, 5) = -s_B_per_across_slide_G;
+    S_d(1, 0) = t07;  S_d(1, 1) = t08;  S_d(1, 2) = s_C_per_across_slide_G;
+    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);  S_d(1, 4) = -s_C_per_across_slide_E;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t09;
-    S_d(2, 1) = t10;
-    S_d(2, 2) = s_E_per_across_slide_G;
+    S_d(2, 0) = -t09;  S_d(2, 1) = t10;  S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
         - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t11;
-    S_d(3, 1) = t12;
-    S_d(3, 2) = s_G_per_across_slide_G;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
         - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(0, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
         - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = s_B_per_x_F;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_x_F;
     S_u(0, 6) = s_B_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(1, 2) = -phi_B_along_slide_E * s_C_per_across_slide_E
         - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = s_C_per_x_F;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_x_F;
     S_u(1, 6) = s_C_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;
-    S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
+    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
     S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
         - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(2, 3) = s_E_per_x_D;
-    S_u(2, 4) = s_E_per_y_D;
-    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
     S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
-    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
     S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
         - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
     S_u(3, 6) = s_G_per_y_F;
   }
 
@@ -991,13 +741,8 @@ struct Model13 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar v_y_F = u_rate(6);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1027,14 +772,12 @@ struct Model13 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02
         + phi_B_across_slide_E * omega_B;
     const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01
         - phi_B_along_slide_E * omega_B;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
         + phi_B_across_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
@@ -1048,10 +791,7 @@ struct Model13 {
         - velocity_along_slide_G;
     const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
         - velocity_along_slide_E;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1060,20 +800,11 @@ struct Model13 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1103,15 +834,11 @@ struct Model13 {
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
     const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = phi_B_across_slide_E * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = phi_B_across_slide_E * omega_B;
     const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02 + t03;
     const Scalar t04 = phi_B_along_slide_E * omega_B;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01 - t04;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
-    const Scalar t07 = phi_B_across_slide_G * omega_B;
+    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01 - t04, t05 = v_x_B - v_x_F;
+    const Scalar t06 = v_y_B - v_y_F, t07 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = cos_FG * t05 + sin_FG * t06 + t07;
     const Scalar t08 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t06 - sin_FG * t05 - t08;
@@ -1123,16 +850,13 @@ struct Model13 {
     const Scalar t10 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
     const Scalar v_s_G = t10 - velocity_along_slide_G;
     const Scalar t11 = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B;
-    const Scalar v_s_E = t11 - velocity_along_slide_E;
-    const Scalar t12 = a_x_B - a_x_D;
-    const Scalar t13 = a_y_B - a_y_D;
+    const Scalar v_s_E = t11 - velocity_along_slide_E, t12 = a_x_B - a_x_D, t13 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_E = omega_B * (t04 - Scalar(2) * d.psi_E_CEG.sin * v_s_C
         - Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B) + cos_DE * t12 + sin_DE * t13
         + phi_B_across_slide_E * alpha_B;
     const Scalar acceleration_across_slide_E = cos_DE * t13 + omega_B * (t03 + Scalar(2) * v_s_E
         - Scalar(2) * t11) - sin_DE * t12 - phi_B_along_slide_E * alpha_B;
-    const Scalar t14 = a_x_B - a_x_F;
-    const Scalar t15 = a_y_B - a_y_F;
+    const Scalar t14 = a_x_B - a_x_F, t15 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_G = omega_B * (t08 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
         - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t14 + sin_FG * t15
         + phi_B_across_slide_G * alpha_B;
@@ -1146,13 +870,8 @@ struct Model13 {
         - acceleration_along_slide_G;
     const Scalar a_s_E = d.psi_E_CEG.cos * a_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * a_s_B
         - acceleration_along_slide_E;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_E;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_E;
     q_second_rate(3) = a_s_G;
   }
 
@@ -1164,20 +883,11 @@ struct Model13 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar v_x_F = u_rate(5);
-    const Scalar a_x_F = u_second_rate(5);
-    const Scalar v_y_F = u_rate(6);
-    const Scalar a_y_F = u_second_rate(6);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
+    const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
@@ -1273,73 +983,39 @@ struct Model13 {
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
         - Scalar(2) * cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
         - phi_B_across_slide_G * omega_B);
-    const Scalar t05 = q.s_E * s_B_per_across_slide_E;
-    const Scalar t06 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t07 = q.s_E * s_C_per_across_slide_E;
-    const Scalar t08 = q.s_G * s_C_per_across_slide_G;
+    const Scalar t05 = q.s_E * s_B_per_across_slide_E, t06 = q.s_G * s_B_per_across_slide_G;
+    const Scalar t07 = q.s_E * s_C_per_across_slide_E, t08 = q.s_G * s_C_per_across_slide_G;
     const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t10 = q.s_G * s_E_per_across_slide_G;
-    const Scalar t11 = q.s_E * s_G_per_across_slide_E;
+    const Scalar t10 = q.s_G * s_E_per_across_slide_G, t11 = q.s_E * s_G_per_across_slide_E;
     const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(0, 0) = t05;
-    S_d(0, 1) = t06;
-    S_d(0, 2) = s_B_per_across_slide_G;
+    S_d(0, 0) = t05;  S_d(0, 1) = t06;  S_d(0, 2) = s_B_per_across_slide_G;
     S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
         + d.psi_G_CEG.cos * s_B_per_across_slide_G);
-    S_d(0, 4) = -s_B_per_across_slide_E;
-    S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t07;
-    S_d(1, 1) = t08;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);
-    S_d(1, 4) = -s_C_per_across_slide_E;
+    S_d(0, 4) = -s_B_per_across_slide_E;  S_d(0, 5) = -s_B_per_across_slide_G;
+    S_d(1, 0) = t07;  S_d(1, 1) = t08;  S_d(1, 2) = s_C_per_across_slide_G;
+    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);  S_d(1, 4) = -s_C_per_across_slide_E;
     S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t09;
-    S_d(2, 1) = t10;
-    S_d(2, 2) = s_E_per_across_slide_G;
+    S_d(2, 0) = -t09;  S_d(2, 1) = t10;  S_d(2, 2) = s_E_per_across_slide_G;
     S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
         - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
-    S_d(2, 4) = -s_E_per_across_slide_E;
-    S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t11;
-    S_d(3, 1) = t12;
-    S_d(3, 2) = s_G_per_across_slide_G;
+    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
         - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
-    S_d(3, 4) = -s_G_per_across_slide_E;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = s_B_per_x_F;
+    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_x_F;
     S_u(0, 6) = s_B_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = s_C_per_x_F;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_x_F;
     S_u(1, 6) = s_C_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;
-    S_u(2, 1) = s_E_per_y_B;
-    S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = s_E_per_x_D;
-    S_u(2, 4) = s_E_per_y_D;
-    S_u(2, 5) = s_E_per_x_F;
+    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
     S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = s_G_per_x_F;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
     S_u(3, 6) = s_G_per_y_F;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_E;
-    q_rate(3) = v_s_G;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
     q_second_rate(0) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
         + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_x_F * a_x_F + s_B_per_y_F * a_y_F
         + s_B_per_across_slide_E * centripetal_across_slide_E
@@ -1363,14 +1039,9 @@ struct Model13 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar b_0_re = Scalar(2) * d.psi_E_CEG.sin;
-    const Scalar t01 = FB_y - FD_y;
-    const Scalar t02 = FB_x - FD_x;
-    const Scalar t03 = t01 * u.phi_B.cos - t02 * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, b_0_re = Scalar(2) * d.psi_E_CEG.sin, t01 = FB_y - FD_y;
+    const Scalar t02 = FB_x - FD_x, t03 = t01 * u.phi_B.cos - t02 * u.phi_B.sin;
     const Scalar t04 = t02 * u.phi_B.cos + t01 * u.phi_B.sin;
     const Scalar c_0_re = Scalar(2) * ((t03 * d.psi_C_BC.cos
         - t04 * d.psi_C_BC.sin) * d.psi_E_CEG.cos - (t04 * d.psi_C_BC.cos
@@ -1385,8 +1056,7 @@ struct Model13 {
         + t05 * d.psi_C_BC.sin) * d.psi_G_CEG.sin - d.h_G_FG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_G_CEG.cos
         + d.psi_C_BC.cos * d.psi_G_CEG.sin);
-    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
-    T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;  T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
   /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
@@ -1395,12 +1065,8 @@ struct Model13 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
     const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
@@ -1417,12 +1083,8 @@ struct Model13 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x - FD_x;
-    const Scalar t02 = FB_y - FD_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x - FD_x, t02 = FB_y - FD_y;
     const Scalar t03 = t01 * u.phi_B.cos + t02 * u.phi_B.sin + q.s_B;
     const Scalar t04 = t02 * u.phi_B.cos - t01 * u.phi_B.sin;
     const Scalar t05 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;

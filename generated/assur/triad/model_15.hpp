@@ -105,12 +105,10 @@ struct Model15 {
     Scalar h_D_DE{};  ///< offset of the slide at D on link DE, positive to the left
     Scalar h_G_FG{};  ///< offset of the slide at G on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_D_DE, h_G_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_D_DE, h_G_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, h_D_DE,
+        h_G_FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, psi_G_CEG, h_G_CEG, psi_C_BC,
+        h_D_DE, h_G_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -125,12 +123,9 @@ struct Model15 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F,
+        y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -141,12 +136,8 @@ struct Model15 {
     Scalar s_D{};  ///< displacement along the slide at D of link DE against the base
     Scalar s_G{};  ///< displacement along the slide at G of link FG against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_D, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_D, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_D, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_D, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -210,28 +201,17 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + DE_x + t01 - CE_x;
-    f(1) = u.y_D + slide_D_y + DE_y + t02 - CE_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
+    f(0) = u.x_D + slide_D_x + DE_x + t01 - CE_x;  f(1) = u.y_D + slide_D_y + DE_y + t02 - CE_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;  f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -243,18 +223,10 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = cos_CEG;
-    J(0, 2) = u.phi_D.cos;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = sin_CEG;
-    J(1, 2) = u.phi_D.sin;
-    J(2, 0) = -u.phi_B.cos;
-    J(2, 1) = cos_CEG;
-    J(2, 3) = -cos_FG;
-    J(3, 0) = -u.phi_B.sin;
-    J(3, 1) = sin_CEG;
-    J(3, 3) = -sin_FG;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = cos_CEG;  J(0, 2) = u.phi_D.cos;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = sin_CEG;  J(1, 2) = u.phi_D.sin;
+    J(2, 0) = -u.phi_B.cos;  J(2, 1) = cos_CEG;  J(2, 3) = -cos_FG;
+    J(3, 0) = -u.phi_B.sin;  J(3, 1) = sin_CEG;  J(3, 3) = -sin_FG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -266,36 +238,17 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar t01 = d.h_G_CEG * sin_FG;
-    const Scalar CG_x = CE_x - t01;
-    const Scalar t02 = d.h_G_CEG * cos_FG;
-    const Scalar CG_y = CE_y + t02;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t03 = FG_y - slide_G_y;
-    const Scalar t04 = FG_x - slide_G_x;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 3) = CE_y - slide_C_y;
-    F_d(0, 4) = u.phi_D.sin;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 3) = slide_C_x - CE_x;
-    F_d(1, 4) = -u.phi_D.cos;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 1) = t02 - t03;
-    F_d(2, 2) = sin_FG;
-    F_d(2, 3) = CG_y - slide_C_y - t03;
-    F_d(2, 5) = -sin_FG;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 1) = t04 + t01;
-    F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x + t04 - CG_x;
-    F_d(3, 5) = cos_FG;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, t01 = d.h_G_CEG * sin_FG, CG_x = CE_x - t01;
+    const Scalar t02 = d.h_G_CEG * cos_FG, CG_y = CE_y + t02, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t03 = FG_y - slide_G_y, t04 = FG_x - slide_G_x;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 3) = CE_y - slide_C_y;  F_d(0, 4) = u.phi_D.sin;
+    F_d(1, 0) = cos_CEG;  F_d(1, 3) = slide_C_x - CE_x;  F_d(1, 4) = -u.phi_D.cos;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 1) = t02 - t03;  F_d(2, 2) = sin_FG;
+    F_d(2, 3) = CG_y - slide_C_y - t03;  F_d(2, 5) = -sin_FG;
+    F_d(3, 0) = cos_CEG;  F_d(3, 1) = t04 + t01;  F_d(3, 2) = -cos_FG;
+    F_d(3, 3) = slide_C_x + t04 - CG_x;  F_d(3, 5) = cos_FG;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -307,38 +260,21 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_B_y - slide_C_y;
     const Scalar t02 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t01;
-    F_u(0, 3) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + t01;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DE_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t02;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t02;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DE_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;
-    F_u(2, 6) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;
-    F_u(3, 7) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;  F_u(2, 6) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;  F_u(3, 7) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -346,35 +282,20 @@ struct Model15 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_B_y - slide_C_y;
     const Scalar t02 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
     rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
@@ -389,49 +310,26 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_G = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_D_x + DE_x;
-    const Scalar t02 = slide_D_y + DE_y;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t09 = FG_x - CG_x - slide_G_x - t04;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_D_x + DE_x, t02 = slide_D_y + DE_y;
+    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
+    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
+    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = FG_x - CG_x - slide_G_x - t04;
     const Scalar t10 = FG_y - CG_y - slide_G_y - t06;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + a_x_B
         - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
@@ -451,62 +349,32 @@ struct Model15 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar a_s_G = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
-    const Scalar j_y_F = u_third_rate(7);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
+    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_D_y + DE_y;
-    const Scalar t02 = u.phi_D.cos * v_s_D;
-    const Scalar t03 = slide_D_x + DE_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t05 = u.phi_D.sin * v_s_D;
-    const Scalar t06 = slide_B_y - slide_C_y;
-    const Scalar t07 = CE_y + t06;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
+    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_D_y + DE_y, t02 = u.phi_D.cos * v_s_D;
+    const Scalar t03 = slide_D_x + DE_x, t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t05 = u.phi_D.sin * v_s_D, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
     const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = slide_B_x - slide_C_x;
-    const Scalar t11 = CE_x + t10;
-    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = t04 + sin_FG * v_s_G;
-    const Scalar t14 = FG_y - CG_y - slide_G_y - t06;
-    const Scalar t15 = t09 + cos_FG * v_s_G;
-    const Scalar t16 = FG_x - CG_x - slide_G_x - t10;
+    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t10 = slide_B_x - slide_C_x;
+    const Scalar t11 = CE_x + t10, t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t13 = t04 + sin_FG * v_s_G, t14 = FG_y - CG_y - slide_G_y - t06;
+    const Scalar t15 = t09 + cos_FG * v_s_G, t16 = FG_x - CG_x - slide_G_x - t10;
     rhs(0) = t01 * jerk_D + j_x_B + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t01 * omega_D
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
         - Scalar(3) * alpha_B * t04 - j_x_D - t07 * jerk_B - omega_B * (Scalar(3) * t08
@@ -530,63 +398,31 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_G = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_G_CEG = d_rate(1);
-    const Scalar v_h_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_h_G_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_G = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), omega_G_CEG = d_rate(1), v_h_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4), v_h_G_FG = d_rate(5);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar t01 = d.psi_G_CEG.cos * cos_CEG;
-    const Scalar t02 = d.psi_G_CEG.sin * sin_CEG;
-    const Scalar cos_FG = t01 - t02;
-    const Scalar t03 = d.psi_G_CEG.cos * sin_CEG;
-    const Scalar t04 = d.psi_G_CEG.sin * cos_CEG;
-    const Scalar sin_FG = t03 + t04;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar t05 = d.h_G_CEG * sin_FG;
-    const Scalar CG_x = CE_x - t05;
-    const Scalar t06 = d.h_G_CEG * cos_FG;
-    const Scalar CG_y = CE_y + t06;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t07 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t08 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = u.phi_B.sin * v_s_B - t08;
-    const Scalar t11 = (slide_C_y - CE_y) * omega_C_BC;
-    const Scalar t12 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t13 = slide_B_y - slide_C_y;
-    const Scalar t14 = u.phi_B.cos * v_s_B - t12;
-    const Scalar t15 = FG_x - slide_G_x;
-    const Scalar t16 = CG_x - t15;
-    const Scalar t17 = (slide_C_x - t16) * omega_C_BC;
-    const Scalar t18 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t19 = sin_FG * v_s_G;
-    const Scalar t20 = cos_FG * t18 + t19;
-    const Scalar t21 = Scalar(2) * omega_C_BC + omega_G_CEG;
-    const Scalar t22 = FG_y - slide_G_y;
-    const Scalar t23 = CG_y - t22;
-    const Scalar t24 = (slide_C_y - t23) * omega_C_BC;
-    const Scalar t25 = cos_FG * v_s_G;
+    const Scalar t01 = d.psi_G_CEG.cos * cos_CEG, t02 = d.psi_G_CEG.sin * sin_CEG;
+    const Scalar cos_FG = t01 - t02, t03 = d.psi_G_CEG.cos * sin_CEG;
+    const Scalar t04 = d.psi_G_CEG.sin * cos_CEG, sin_FG = t03 + t04;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
+    const Scalar FG_y = d.h_G_FG * cos_FG, t05 = d.h_G_CEG * sin_FG, CG_x = CE_x - t05;
+    const Scalar t06 = d.h_G_CEG * cos_FG, CG_y = CE_y + t06, slide_G_x = q.s_G * cos_FG;
+    const Scalar slide_G_y = q.s_G * sin_FG, t07 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t08 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t09 = slide_B_x - slide_C_x;
+    const Scalar t10 = u.phi_B.sin * v_s_B - t08, t11 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t12 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t13 = slide_B_y - slide_C_y;
+    const Scalar t14 = u.phi_B.cos * v_s_B - t12, t15 = FG_x - slide_G_x, t16 = CG_x - t15;
+    const Scalar t17 = (slide_C_x - t16) * omega_C_BC, t18 = v_h_G_CEG - v_h_G_FG;
+    const Scalar t19 = sin_FG * v_s_G, t20 = cos_FG * t18 + t19;
+    const Scalar t21 = Scalar(2) * omega_C_BC + omega_G_CEG, t22 = FG_y - slide_G_y;
+    const Scalar t23 = CG_y - t22, t24 = (slide_C_y - t23) * omega_C_BC, t25 = cos_FG * v_s_G;
     const Scalar t26 = sin_FG * t18 - t25;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t07 + Scalar(2) * t08)
@@ -614,33 +450,18 @@ struct Model15 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CE_x + t01 - slide_C_x;
-    poses[0].y = CE_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x + DE_x;
-    poses[2].y = u.y_D + slide_D_y + DE_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = cos_FG;
+    poses[0].x = CE_x + t01 - slide_C_x;  poses[0].y = CE_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x + DE_x;  poses[2].y = u.y_D + slide_D_y + DE_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = cos_FG;
     poses[3].direction.sin = sin_FG;
   }
 
@@ -656,49 +477,32 @@ struct Model15 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_y - CE_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_y - CE_y;
     const Scalar t02 = slide_C_x - CE_x;
-    P_q(0, 0) = u.phi_B.cos;
-    P_q(0, 1) = -cos_CEG;
-    P_q(1, 0) = u.phi_B.sin;
-    P_q(1, 1) = -sin_CEG;
+    P_q(0, 0) = u.phi_B.cos;  P_q(0, 1) = -cos_CEG;
+    P_q(1, 0) = u.phi_B.sin;  P_q(1, 1) = -sin_CEG;
     P_q(3, 0) = u.phi_B.cos;
     P_q(4, 0) = u.phi_B.sin;
     P_q(6, 2) = u.phi_D.cos;
     P_q(7, 2) = u.phi_D.sin;
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
     P_d(6, 4) = u.phi_D.sin;
     P_d(7, 4) = -u.phi_D.cos;
-    P_d(11, 1) = Scalar(1);
-    P_d(11, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_d(11, 1) = Scalar(1);  P_d(11, 3) = Scalar(1);
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y - DE_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x + DE_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y - DE_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x + DE_x;
     P_u(8, 5) = Scalar(1);
     P_u(9, 6) = Scalar(1);
     P_u(10, 7) = Scalar(1);
@@ -710,43 +514,23 @@ struct Model15 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
-    v(2, 2) = omega_D;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_B;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;  v(2, 2) = omega_D;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -755,42 +539,23 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_B_x + CE_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CE_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_D_x + DE_x;
-    const Scalar t08 = slide_D_y + DE_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = slide_B_x + CE_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CE_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = slide_D_x + DE_x, t08 = slide_D_y + DE_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -804,9 +569,7 @@ struct Model15 {
     a(2, 1) = t07 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t08 * omega_D
         - Scalar(2) * u.phi_D.cos * v_s_D);
     a(2, 2) = alpha_D;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_B;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_B;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -816,35 +579,20 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar omega_B = u_rate(2);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_h_C_CEG = d_rate(0);
+    const Scalar omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4), omega_B = u_rate(2);
     const Scalar omega_D = u_rate(5);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = slide_C_x - CE_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, t01 = slide_C_x - CE_x;
+    const Scalar t02 = t01 * omega_C_BC, t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
+    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_C_y - CE_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
@@ -870,10 +618,8 @@ struct Model15 {
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
         - u.phi_D.sin * cos_FG;
-    p(0) = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    p(1) = d.psi_C_BC.sin;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;  p(1) = d.psi_C_BC.sin;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(2);
   }
 
@@ -1016,69 +762,44 @@ struct Model15 {
     const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
     S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(0, 2) = s_B_per_across_slide_G;
+    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;  S_d(0, 2) = s_B_per_across_slide_G;
     S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
-    S_d(0, 4) = s_B_per_across_slide_D;
-    S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t05 - t06;
-    S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = -s_B_per_across_slide_G;
+    S_d(1, 0) = -t05 - t06;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = s_C_per_across_slide_G;
     S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
-    S_d(1, 4) = s_C_per_across_slide_D;
-    S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t07;
-    S_d(2, 1) = t08;
-    S_d(2, 2) = s_D_per_across_slide_G;
+    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = -s_C_per_across_slide_G;
+    S_d(2, 0) = t07;  S_d(2, 1) = t08;  S_d(2, 2) = s_D_per_across_slide_G;
     S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
         - d.psi_G_CEG.sin * s_D_per_across_slide_G);
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t09;
-    S_d(3, 1) = t10;
-    S_d(3, 2) = s_G_per_across_slide_G;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = -s_D_per_across_slide_G;
+    S_d(3, 0) = t09;  S_d(3, 1) = t10;  S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
         + d.psi_G_CEG.sin * s_G_per_across_slide_G
         - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
-    S_d(3, 4) = s_G_per_across_slide_D;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_d(3, 4) = s_G_per_across_slide_D;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(0, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
         - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(0, 6) = s_B_per_x_F;
-    S_u(0, 7) = s_B_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(1, 2) = -phi_B_along_slide_D * s_C_per_across_slide_D
         - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
-    S_u(1, 6) = s_C_per_x_F;
-    S_u(1, 7) = s_C_per_y_F;
-    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
-    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
     S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
         - phi_B_along_slide_G * s_D_per_across_slide_G;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(2, 6) = s_D_per_x_F;
     S_u(2, 7) = s_D_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;
-    S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
+    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
     S_u(3, 2) = -phi_B_along_slide_D * s_G_per_across_slide_D
         - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = -q.s_D * s_G_per_across_slide_D;
-    S_u(3, 6) = s_G_per_x_F;
-    S_u(3, 7) = s_G_per_y_F;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = -q.s_D * s_G_per_across_slide_D;
+    S_u(3, 6) = s_G_per_x_F;  S_u(3, 7) = s_G_per_y_F;
   }
 
   /// dq/dt for the rates du/dt of the inputs.
@@ -1086,14 +807,8 @@ struct Model15 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
@@ -1126,14 +841,12 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
         + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
         - phi_B_along_slide_D * omega_B;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
         + phi_B_across_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
@@ -1148,10 +861,7 @@ struct Model15 {
         - velocity_along_slide_G;
     const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_G;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_G;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1160,21 +870,11 @@ struct Model15 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -1208,17 +908,12 @@ struct Model15 {
         inverse;
     const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
         inverse;
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = d.h_D_DE * omega_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = d.h_D_DE * omega_D;
     const Scalar t04 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
-    const Scalar t05 = q.s_D * omega_D;
-    const Scalar t06 = phi_B_along_slide_D * omega_B;
+    const Scalar t05 = q.s_D * omega_D, t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = phi_B_across_slide_G * omega_B;
+    const Scalar t07 = v_x_B - v_x_F, t08 = v_y_B - v_y_F, t09 = phi_B_across_slide_G * omega_B;
     const Scalar velocity_along_slide_G = cos_FG * t07 + sin_FG * t08 + t09;
     const Scalar t10 = phi_B_along_slide_G * omega_B;
     const Scalar velocity_across_slide_G = cos_FG * t08 - sin_FG * t07 - t10;
@@ -1231,9 +926,7 @@ struct Model15 {
     const Scalar t12 = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B;
     const Scalar v_s_G = t12 - velocity_along_slide_G;
     const Scalar t13 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    const Scalar v_s_D = velocity_along_slide_D + t13;
-    const Scalar t14 = a_x_B - a_x_D;
-    const Scalar t15 = a_y_B - a_y_D;
+    const Scalar v_s_D = velocity_along_slide_D + t13, t14 = a_x_B - a_x_D, t15 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_D = omega_B * (t06
         + Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
         - Scalar(2) * sin_phi_B_minus_phi_D * v_s_B) + u.phi_D.cos * t14 + u.phi_D.sin * t15
@@ -1241,8 +934,7 @@ struct Model15 {
     const Scalar acceleration_across_slide_D = u.phi_D.cos * t15 + omega_B * (t04 + Scalar(2) * t13)
         - u.phi_D.sin * t14 - omega_D * (t03 + Scalar(2) * v_s_D) - q.s_D * alpha_D
         - phi_B_along_slide_D * alpha_B;
-    const Scalar t16 = a_x_B - a_x_F;
-    const Scalar t17 = a_y_B - a_y_F;
+    const Scalar t16 = a_x_B - a_x_F, t17 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_G = omega_B * (t10 - Scalar(2) * d.psi_G_CEG.sin * v_s_C
         - Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B) + cos_FG * t16 + sin_FG * t17
         + phi_B_across_slide_G * alpha_B;
@@ -1256,13 +948,8 @@ struct Model15 {
         - acceleration_along_slide_G;
     const Scalar a_s_D = cos_phi_B_minus_phi_D * a_s_B + acceleration_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * a_s_C;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_G;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_G;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_D;
     q_second_rate(3) = a_s_G;
   }
 
@@ -1274,21 +961,11 @@ struct Model15 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -1407,69 +1084,36 @@ struct Model15 {
     const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
     S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(0, 2) = s_B_per_across_slide_G;
+    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;  S_d(0, 2) = s_B_per_across_slide_G;
     S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
-    S_d(0, 4) = s_B_per_across_slide_D;
-    S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t05 - t06;
-    S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = -s_B_per_across_slide_G;
+    S_d(1, 0) = -t05 - t06;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
     S_d(1, 2) = s_C_per_across_slide_G;
     S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
-    S_d(1, 4) = s_C_per_across_slide_D;
-    S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t07;
-    S_d(2, 1) = t08;
-    S_d(2, 2) = s_D_per_across_slide_G;
+    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = -s_C_per_across_slide_G;
+    S_d(2, 0) = t07;  S_d(2, 1) = t08;  S_d(2, 2) = s_D_per_across_slide_G;
     S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
         - d.psi_G_CEG.sin * s_D_per_across_slide_G);
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t09;
-    S_d(3, 1) = t10;
-    S_d(3, 2) = s_G_per_across_slide_G;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = -s_D_per_across_slide_G;
+    S_d(3, 0) = t09;  S_d(3, 1) = t10;  S_d(3, 2) = s_G_per_across_slide_G;
     S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
         + d.psi_G_CEG.sin * s_G_per_across_slide_G
         - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
-    S_d(3, 4) = s_G_per_across_slide_D;
-    S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = s_B_per_phi_D;
-    S_u(0, 6) = s_B_per_x_F;
-    S_u(0, 7) = s_B_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = s_C_per_phi_D;
-    S_u(1, 6) = s_C_per_x_F;
-    S_u(1, 7) = s_C_per_y_F;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = s_D_per_phi_D;
-    S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;
-    S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;
-    S_u(3, 4) = s_G_per_y_D;
-    S_u(3, 5) = s_G_per_phi_D;
-    S_u(3, 6) = s_G_per_x_F;
-    S_u(3, 7) = s_G_per_y_F;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_G;
+    S_d(3, 4) = s_G_per_across_slide_D;  S_d(3, 5) = -s_G_per_across_slide_G;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_phi_D;
+    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_phi_D;
+    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;  S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;  S_u(2, 7) = s_D_per_y_F;
+    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_phi_D;
+    S_u(3, 6) = s_G_per_x_F;  S_u(3, 7) = s_G_per_y_F;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_G;
     q_second_rate(0) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
         + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_phi_D * alpha_D + s_B_per_x_F * a_x_F
         + s_B_per_y_F * a_y_F + s_B_per_across_slide_D * centripetal_across_slide_D
@@ -1493,9 +1137,7 @@ struct Model15 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
@@ -1504,8 +1146,7 @@ struct Model15 {
     const Scalar c_0_re = -Scalar(2) * ((FB_y - FD_y) * u.phi_D.cos + d.h_D_DE - (FB_x
         - FD_x) * u.phi_D.sin - d.h_C_CEG * (d.psi_C_BC.cos * cos_phi_B_minus_phi_D
         - d.psi_C_BC.sin * sin_phi_B_minus_phi_D));
-    const Scalar c_1_re = -Scalar(2) * sin_phi_B_minus_phi_D;
-    const Scalar e_0_re = Scalar(2) * d.psi_G_CEG.sin;
+    const Scalar c_1_re = -Scalar(2) * sin_phi_B_minus_phi_D, e_0_re = Scalar(2) * d.psi_G_CEG.sin;
     const Scalar t01 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     const Scalar t02 = FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar f_0_re = -Scalar(2) * ((d.h_C_CEG + t02 * d.psi_C_BC.sin
@@ -1513,8 +1154,7 @@ struct Model15 {
         + t01 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
     const Scalar f_1_re = -Scalar(2) * (d.psi_C_BC.sin * d.psi_G_CEG.cos
         + d.psi_C_BC.cos * d.psi_G_CEG.sin);
-    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
-    T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;  T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
   /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
@@ -1523,11 +1163,8 @@ struct Model15 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = q.s_B + FB_x * u.phi_B.cos + FB_y * u.phi_B.sin;
     const Scalar t02 = FB_y * u.phi_B.cos - FB_x * u.phi_B.sin;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
         - (u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin) * d.psi_C_BC.sin);
@@ -1545,9 +1182,7 @@ struct Model15 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
     const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;

@@ -71,12 +71,10 @@ struct Model16 {
     Direction<Scalar> psi_E_DE{};  ///< angle of the slide at E on link DE from the x-axis
     Scalar h_G_FG{};  ///< offset of the slide at G on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, psi_E_DE, h_G_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC, psi_E_DE, h_G_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC,
+        psi_E_DE, h_G_FG); }
+    [[nodiscard]] auto members() const { return std::tie(psi_E_CEG, psi_G_CEG, h_G_CEG, psi_C_BC,
+        psi_E_DE, h_G_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -91,12 +89,9 @@ struct Model16 {
     Scalar x_F{};  ///< x of external joint F
     Scalar y_F{};  ///< y of external joint F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F,
+        y_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -108,12 +103,8 @@ struct Model16 {
     Scalar s_E{};  ///< displacement along the slide at E of link DE against link CEG
     Scalar s_G{};  ///< displacement along the slide at G of link FG against link CEG
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_D, s_E, s_G);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_D, s_E, s_G);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_D, s_E, s_G); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_D, s_E, s_G); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -175,28 +166,17 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_C_x - u.x_B - slide_B_x;
-    const Scalar t02 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + t01 - slide_E_x;
-    f(1) = u.y_D + slide_D_y + t02 - slide_E_y;
-    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;
-    f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_C_x - u.x_B - slide_B_x, t02 = slide_C_y - u.y_B - slide_B_y;
+    f(0) = u.x_D + slide_D_x + t01 - slide_E_x;  f(1) = u.y_D + slide_D_y + t02 - slide_E_y;
+    f(2) = u.x_F + FG_x + t01 - CG_x - slide_G_x;  f(3) = u.y_F + FG_y + t02 - CG_y - slide_G_y;
   }
 
   /// J = df/dq.
@@ -210,20 +190,10 @@ struct Model16 {
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = cos_CEG;
-    J(0, 2) = u.phi_D.cos;
-    J(0, 3) = -cos_slide_E;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = sin_CEG;
-    J(1, 2) = u.phi_D.sin;
-    J(1, 3) = -sin_slide_E;
-    J(2, 0) = -u.phi_B.cos;
-    J(2, 1) = cos_CEG;
-    J(2, 4) = -cos_FG;
-    J(3, 0) = -u.phi_B.sin;
-    J(3, 1) = sin_CEG;
-    J(3, 4) = -sin_FG;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = cos_CEG;  J(0, 2) = u.phi_D.cos;  J(0, 3) = -cos_slide_E;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = sin_CEG;  J(1, 2) = u.phi_D.sin;  J(1, 3) = -sin_slide_E;
+    J(2, 0) = -u.phi_B.cos;  J(2, 1) = cos_CEG;  J(2, 4) = -cos_FG;
+    J(3, 0) = -u.phi_B.sin;  J(3, 1) = sin_CEG;  J(3, 4) = -sin_FG;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -235,32 +205,17 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = d.psi_E_DE.cos * u.phi_D.cos - d.psi_E_DE.sin * u.phi_D.sin;
     const Scalar sin_slide_E = d.psi_E_DE.cos * u.phi_D.sin + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_G_y + CG_y - FG_y;
-    const Scalar t02 = slide_G_x + CG_x - FG_x;
-    F_d(0, 3) = -slide_C_y;
-    F_d(0, 4) = slide_E_y;
-    F_d(1, 3) = slide_C_x;
-    F_d(1, 4) = -slide_E_x;
-    F_d(2, 1) = t01;
-    F_d(2, 2) = sin_FG;
-    F_d(2, 3) = t01 - slide_C_y;
-    F_d(2, 5) = -sin_FG;
-    F_d(3, 1) = -t02;
-    F_d(3, 2) = -cos_FG;
-    F_d(3, 3) = slide_C_x - t02;
-    F_d(3, 5) = cos_FG;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_G_y + CG_y - FG_y, t02 = slide_G_x + CG_x - FG_x;
+    F_d(0, 3) = -slide_C_y;  F_d(0, 4) = slide_E_y;
+    F_d(1, 3) = slide_C_x;  F_d(1, 4) = -slide_E_x;
+    F_d(2, 1) = t01;  F_d(2, 2) = sin_FG;  F_d(2, 3) = t01 - slide_C_y;  F_d(2, 5) = -sin_FG;
+    F_d(3, 1) = -t02;  F_d(3, 2) = -cos_FG;  F_d(3, 3) = slide_C_x - t02;  F_d(3, 5) = cos_FG;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -272,38 +227,21 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t01;
-    F_u(0, 3) = Scalar(1);
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = t01;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = slide_E_y - slide_D_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t02;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x - slide_E_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t01 + CG_y + slide_G_y - FG_y;
-    F_u(2, 6) = Scalar(1);
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = FG_x - t02 - CG_x - slide_G_x;
-    F_u(3, 7) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01 + CG_y + slide_G_y - FG_y;  F_u(2, 6) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = FG_x - t02 - CG_x - slide_G_x;  F_u(3, 7) = Scalar(1);
   }
 
   /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
@@ -311,36 +249,21 @@ struct Model16 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - t01 * omega_B - v_x_D;
     rhs(1) = t02 * omega_B + v_y_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
     rhs(2) = v_x_B - v_x_F - (t01 + CG_y + slide_G_y - FG_y) * omega_B;
@@ -354,48 +277,27 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_G = q_rate(4);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_G = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_D_x - slide_E_x;
-    const Scalar t02 = slide_B_y - slide_C_y;
-    const Scalar t03 = slide_D_y - slide_E_y;
-    const Scalar t04 = slide_B_x - slide_C_x;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = slide_D_x - slide_E_x, t02 = slide_B_y - slide_C_y;
+    const Scalar t03 = slide_D_y - slide_E_y, t04 = slide_B_x - slide_C_x;
     const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = t04 + CG_x + slide_G_x - FG_x;
+    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t07 = t04 + CG_x + slide_G_x - FG_x;
     const Scalar t08 = t02 + CG_y + slide_G_y - FG_y;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * sin_slide_E * v_s_E) + t03 * alpha_D + a_x_B - t02 * alpha_B - a_x_D
@@ -417,61 +319,33 @@ struct Model16 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar a_s_E = q_second_rate(3);
-    const Scalar v_s_G = q_rate(4);
-    const Scalar a_s_G = q_second_rate(4);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_G = q_rate(4);
+    const Scalar a_s_G = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
+    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4), omega_D = u_rate(5);
+    const Scalar alpha_D = u_second_rate(5), jerk_D = u_third_rate(5), j_x_F = u_third_rate(6);
     const Scalar j_y_F = u_third_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t02 = slide_B_y - slide_C_y;
-    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t04 = slide_D_y - slide_E_y;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t07 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t08 = slide_D_x - slide_E_x;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = slide_B_y - slide_C_y;
+    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E, t04 = slide_D_y - slide_E_y;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
+    const Scalar t07 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t08 = slide_D_x - slide_E_x;
     const Scalar t09 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E;
-    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t11 = t01 + sin_FG * v_s_G;
-    const Scalar t12 = t02 + CG_y + slide_G_y - FG_y;
-    const Scalar t13 = t07 + cos_FG * v_s_G;
+    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t11 = t01 + sin_FG * v_s_G;
+    const Scalar t12 = t02 + CG_y + slide_G_y - FG_y, t13 = t07 + cos_FG * v_s_G;
     const Scalar t14 = t05 + CG_x + slide_G_x - FG_x;
     rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + j_x_B + omega_D * (Scalar(3) * t08 * alpha_D
         + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
@@ -498,61 +372,32 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_E = q_rate(3);
-    const Scalar v_s_G = q_rate(4);
-    const Scalar omega_G_CEG = d_rate(1);
-    const Scalar v_h_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_E_DE = d_rate(4);
-    const Scalar v_h_G_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_E = q_rate(3);
+    const Scalar v_s_G = q_rate(4), omega_G_CEG = d_rate(1), v_h_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), omega_E_DE = d_rate(4), v_h_G_FG = d_rate(5);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
     const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
     const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E;
-    const Scalar slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG;
-    const Scalar CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = sin_slide_E * v_s_E;
-    const Scalar t02 = slide_E_x * omega_E_DE;
-    const Scalar t03 = sin_CEG * v_s_C;
-    const Scalar t04 = slide_C_x * omega_C_BC;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = u.phi_B.sin * v_s_B - t03;
-    const Scalar t07 = cos_slide_E * v_s_E;
-    const Scalar t08 = slide_E_y * omega_E_DE;
-    const Scalar t09 = cos_CEG * v_s_C;
-    const Scalar t10 = slide_C_y * omega_C_BC;
-    const Scalar t11 = slide_B_y - slide_C_y;
-    const Scalar t12 = u.phi_B.cos * v_s_B - t09;
-    const Scalar t13 = v_h_G_CEG - v_h_G_FG;
-    const Scalar t14 = cos_FG * t13 + sin_FG * v_s_G;
-    const Scalar t15 = slide_G_x + CG_x - FG_x;
-    const Scalar t16 = t15 * omega_G_CEG;
-    const Scalar t17 = (slide_C_x - t15) * omega_C_BC;
-    const Scalar t18 = t14 + t16;
-    const Scalar t19 = sin_FG * t13 - cos_FG * v_s_G;
-    const Scalar t20 = slide_G_y + CG_y - FG_y;
-    const Scalar t21 = t20 * omega_G_CEG;
-    const Scalar t22 = (slide_C_y - t20) * omega_C_BC;
-    const Scalar t23 = t19 + t21;
+    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
+    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
+    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
+    const Scalar t01 = sin_slide_E * v_s_E, t02 = slide_E_x * omega_E_DE, t03 = sin_CEG * v_s_C;
+    const Scalar t04 = slide_C_x * omega_C_BC, t05 = slide_B_x - slide_C_x;
+    const Scalar t06 = u.phi_B.sin * v_s_B - t03, t07 = cos_slide_E * v_s_E;
+    const Scalar t08 = slide_E_y * omega_E_DE, t09 = cos_CEG * v_s_C, t10 = slide_C_y * omega_C_BC;
+    const Scalar t11 = slide_B_y - slide_C_y, t12 = u.phi_B.cos * v_s_B - t09;
+    const Scalar t13 = v_h_G_CEG - v_h_G_FG, t14 = cos_FG * t13 + sin_FG * v_s_G;
+    const Scalar t15 = slide_G_x + CG_x - FG_x, t16 = t15 * omega_G_CEG;
+    const Scalar t17 = (slide_C_x - t15) * omega_C_BC, t18 = t14 + t16;
+    const Scalar t19 = sin_FG * t13 - cos_FG * v_s_G, t20 = slide_G_y + CG_y - FG_y;
+    const Scalar t21 = t20 * omega_G_CEG, t22 = (slide_C_y - t20) * omega_C_BC, t23 = t19 + t21;
     rhs(0) = omega_D * ((slide_D_x - slide_E_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * t01 - Scalar(2) * t02) + omega_C_BC * (Scalar(2) * t03 + t04)
         - omega_E_DE * (Scalar(2) * t01 + t02) - omega_B * (t05 * omega_B + Scalar(2) * t06
@@ -577,29 +422,16 @@ struct Model16 {
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
     const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.x_B + slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG, t01 = u.x_B + slide_B_x;
     const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = t01 - slide_C_x;
-    poses[0].y = t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x;
-    poses[2].y = u.y_D + slide_D_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F;
-    poses[3].y = u.y_F;
-    poses[3].direction.cos = cos_FG;
+    poses[0].x = t01 - slide_C_x;  poses[0].y = t02 - slide_C_y;  poses[0].direction.cos = cos_CEG;
+    poses[0].direction.sin = sin_CEG;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x;  poses[2].y = u.y_D + slide_D_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F;  poses[3].y = u.y_F;  poses[3].direction.cos = cos_FG;
     poses[3].direction.sin = sin_FG;
   }
 
@@ -615,16 +447,11 @@ struct Model16 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    P_q(0, 0) = u.phi_B.cos;
-    P_q(0, 1) = -cos_CEG;
-    P_q(1, 0) = u.phi_B.sin;
-    P_q(1, 1) = -sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    P_q(0, 0) = u.phi_B.cos;  P_q(0, 1) = -cos_CEG;
+    P_q(1, 0) = u.phi_B.sin;  P_q(1, 1) = -sin_CEG;
     P_q(3, 0) = u.phi_B.cos;
     P_q(4, 0) = u.phi_B.sin;
     P_q(6, 2) = u.phi_D.cos;
@@ -632,22 +459,15 @@ struct Model16 {
     P_d(0, 3) = slide_C_y;
     P_d(1, 3) = -slide_C_x;
     P_d(2, 3) = Scalar(1);
-    P_d(11, 1) = Scalar(1);
-    P_d(11, 3) = Scalar(1);
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = slide_C_y - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - slide_C_x;
+    P_d(11, 1) = Scalar(1);  P_d(11, 3) = Scalar(1);
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = slide_C_y - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - slide_C_x;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x;
     P_u(8, 5) = Scalar(1);
     P_u(9, 6) = Scalar(1);
     P_u(10, 7) = Scalar(1);
@@ -659,39 +479,21 @@ struct Model16 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_x_B = u_rate(0);
+    const Scalar v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3), v_y_D = u_rate(4);
+    const Scalar omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
+    v(0, 1) = (slide_B_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - slide_D_y * omega_D;
-    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;
-    v(2, 2) = omega_D;
-    v(3, 0) = v_x_F;
-    v(3, 1) = v_y_F;
-    v(3, 2) = omega_B;
+    v(2, 1) = u.phi_D.sin * v_s_D + v_y_D + slide_D_x * omega_D;  v(2, 2) = omega_D;
+    v(3, 0) = v_x_F;  v(3, 1) = v_y_F;  v(3, 2) = omega_B;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -700,36 +502,20 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
     const Scalar a_y_F = u_second_rate(7);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = slide_B_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = slide_B_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
     a(0, 1) = t01 * alpha_B + t06 - omega_B * (t03 * omega_B + Scalar(2) * cos_CEG * v_s_C
@@ -743,9 +529,7 @@ struct Model16 {
     a(2, 1) = omega_D * (Scalar(2) * u.phi_D.cos * v_s_D - slide_D_y * omega_D)
         + u.phi_D.sin * a_s_D + a_y_D + slide_D_x * alpha_D;
     a(2, 2) = alpha_D;
-    a(3, 0) = a_x_F;
-    a(3, 1) = a_y_F;
-    a(3, 2) = alpha_B;
+    a(3, 0) = a_x_F;  a(3, 1) = a_y_F;  a(3, 2) = alpha_B;
   }
 
   /// d2p/dt2 of the link frames p for constant dq/dt, dd/dt and du/dt, one row per link;
@@ -755,27 +539,16 @@ struct Model16 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), omega_C_BC = d_rate(3);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar t01 = u.phi_B.sin * v_s_B;
-    const Scalar t02 = sin_CEG * v_s_C;
-    const Scalar t03 = slide_C_x * omega_C_BC;
-    const Scalar t04 = u.phi_B.cos * v_s_B;
-    const Scalar t05 = cos_CEG * v_s_C;
-    const Scalar t06 = slide_C_y * omega_C_BC;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar t01 = u.phi_B.sin * v_s_B, t02 = sin_CEG * v_s_C, t03 = slide_C_x * omega_C_BC;
+    const Scalar t04 = u.phi_B.cos * v_s_B, t05 = cos_CEG * v_s_C, t06 = slide_C_y * omega_C_BC;
     p(0, 0) = omega_C_BC * (Scalar(2) * t02 + t03) - omega_B * ((slide_B_x - slide_C_x) * omega_B
         + Scalar(2) * t01 - Scalar(2) * t02 - Scalar(2) * t03);
     p(0, 1) = -omega_B * ((slide_B_y - slide_C_y) * omega_B + Scalar(2) * t05 - Scalar(2) * t04

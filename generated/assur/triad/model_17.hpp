@@ -104,12 +104,9 @@ struct Model17 {
     Scalar h_D_DE{};  ///< offset of the slide at D on link DE, positive to the left
     Scalar h_F_FG{};  ///< offset of the slide at F on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, h_D_DE, h_F_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, h_D_DE, h_F_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, h_D_DE, h_F_FG); }
+    [[nodiscard]] auto members() const { return std::tie(CE, x_G_CEG, y_G_CEG, h_B_BC, h_D_DE,
+        h_F_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -125,12 +122,10 @@ struct Model17 {
     Scalar y_F{};  ///< y of a point on the base's slide at F
     Direction<Scalar> phi_F{};  ///< angle of the base's slide at F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F, phi_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F, phi_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F,
+        phi_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F,
+        phi_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -141,12 +136,8 @@ struct Model17 {
     Scalar s_D{};  ///< displacement along the slide at D of link DE against the base
     Scalar s_F{};  ///< displacement along the slide at F of link FG against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(theta_CEG, s_B, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(theta_CEG, s_B, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(theta_CEG, s_B, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(theta_CEG, s_B, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -202,28 +193,18 @@ struct Model17 {
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = BC_x + u.x_B + slide_B_x;
-    const Scalar t02 = BC_y + u.y_B + slide_B_y;
-    f(0) = u.x_D + slide_D_x + DE_x - CE_x - t01;
-    f(1) = u.y_D + slide_D_y + DE_y - CE_y - t02;
-    f(2) = u.x_F + slide_F_x + FG_x - CG_x - t01;
-    f(3) = u.y_F + slide_F_y + FG_y - CG_y - t02;
+    const Scalar t01 = BC_x + u.x_B + slide_B_x, t02 = BC_y + u.y_B + slide_B_y;
+    f(0) = u.x_D + slide_D_x + DE_x - CE_x - t01;  f(1) = u.y_D + slide_D_y + DE_y - CE_y - t02;
+    f(2) = u.x_F + slide_F_x + FG_x - CG_x - t01;  f(3) = u.y_F + slide_F_y + FG_y - CG_y - t02;
   }
 
   /// J = df/dq.
@@ -231,22 +212,13 @@ struct Model17 {
   static void jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, unknown_count>& J) {
     J.setZero();
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    J(0, 0) = CE_y;
-    J(0, 1) = -u.phi_B.cos;
-    J(0, 2) = u.phi_D.cos;
-    J(1, 0) = -CE_x;
-    J(1, 1) = -u.phi_B.sin;
-    J(1, 2) = u.phi_D.sin;
-    J(2, 0) = CG_y;
-    J(2, 1) = -u.phi_B.cos;
-    J(2, 3) = u.phi_F.cos;
-    J(3, 0) = -CG_x;
-    J(3, 1) = -u.phi_B.sin;
-    J(3, 3) = u.phi_F.sin;
+    J(0, 0) = CE_y;  J(0, 1) = -u.phi_B.cos;  J(0, 2) = u.phi_D.cos;
+    J(1, 0) = -CE_x;  J(1, 1) = -u.phi_B.sin;  J(1, 2) = u.phi_D.sin;
+    J(2, 0) = CG_y;  J(2, 1) = -u.phi_B.cos;  J(2, 3) = u.phi_F.cos;
+    J(3, 0) = -CG_x;  J(3, 1) = -u.phi_B.sin;  J(3, 3) = u.phi_F.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -254,19 +226,11 @@ struct Model17 {
   static void dimension_jacobian(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, dimension_count>& F_d) {
     F_d.setZero();
-    F_d(0, 0) = -q.theta_CEG.cos;
-    F_d(0, 3) = -u.phi_B.sin;
-    F_d(0, 4) = u.phi_D.sin;
-    F_d(1, 0) = -q.theta_CEG.sin;
-    F_d(1, 3) = u.phi_B.cos;
-    F_d(1, 4) = -u.phi_D.cos;
-    F_d(2, 1) = -q.theta_CEG.cos;
-    F_d(2, 2) = q.theta_CEG.sin;
-    F_d(2, 3) = -u.phi_B.sin;
+    F_d(0, 0) = -q.theta_CEG.cos;  F_d(0, 3) = -u.phi_B.sin;  F_d(0, 4) = u.phi_D.sin;
+    F_d(1, 0) = -q.theta_CEG.sin;  F_d(1, 3) = u.phi_B.cos;  F_d(1, 4) = -u.phi_D.cos;
+    F_d(2, 1) = -q.theta_CEG.cos;  F_d(2, 2) = q.theta_CEG.sin;  F_d(2, 3) = -u.phi_B.sin;
     F_d(2, 5) = u.phi_F.sin;
-    F_d(3, 1) = -q.theta_CEG.sin;
-    F_d(3, 2) = -q.theta_CEG.cos;
-    F_d(3, 3) = u.phi_B.cos;
+    F_d(3, 1) = -q.theta_CEG.sin;  F_d(3, 2) = -q.theta_CEG.cos;  F_d(3, 3) = u.phi_B.cos;
     F_d(3, 5) = -u.phi_F.cos;
   }
 
@@ -275,35 +239,20 @@ struct Model17 {
   static void input_jacobian(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, equation_count, input_count>& F_u) {
     F_u.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = t01;
-    F_u(0, 3) = Scalar(1);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = t01;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DE_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -t02;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DE_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = t01;
-    F_u(2, 6) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 6) = Scalar(1);
     F_u(2, 8) = -slide_F_y - FG_y;
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -t02;
-    F_u(3, 7) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 7) = Scalar(1);
     F_u(3, 8) = slide_F_x + FG_x;
   }
 
@@ -312,27 +261,15 @@ struct Model17 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
     rhs(0) = (slide_D_y + DE_y) * omega_D - v_x_D - t01;
@@ -348,49 +285,27 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = slide_D_x + DE_x;
-    const Scalar t02 = slide_D_y + DE_y;
-    const Scalar t03 = omega_CEG * omega_CEG;
-    const Scalar t04 = slide_B_x + BC_x;
-    const Scalar t05 = slide_B_y + BC_y;
+    const Scalar t01 = slide_D_x + DE_x, t02 = slide_D_y + DE_y, t03 = omega_CEG * omega_CEG;
+    const Scalar t04 = slide_B_x + BC_x, t05 = slide_B_y + BC_y;
     const Scalar t06 = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
         - t05 * alpha_B;
     const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (t05 * omega_B
         - Scalar(2) * u.phi_B.cos * v_s_B);
-    const Scalar t08 = slide_F_x + FG_x;
-    const Scalar t09 = slide_F_y + FG_y;
+    const Scalar t08 = slide_F_x + FG_x, t09 = slide_F_y + FG_y;
     rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + t06
         - a_x_D - CE_x * t03;
     rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
@@ -409,63 +324,33 @@ struct Model17 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
-    const Scalar j_y_F = u_third_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
-    const Scalar jerk_F = u_third_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_B = q_rate(1);
+    const Scalar a_s_B = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
+    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7), omega_F = u_rate(8);
+    const Scalar alpha_F = u_second_rate(8), jerk_F = u_third_rate(8);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = slide_D_y + DE_y;
-    const Scalar t02 = u.phi_D.cos * v_s_D;
-    const Scalar t03 = slide_D_x + DE_x;
-    const Scalar t04 = omega_CEG * omega_CEG;
-    const Scalar t05 = u.phi_D.sin * v_s_D;
-    const Scalar t06 = slide_B_y + BC_y;
-    const Scalar t07 = u.phi_B.cos * v_s_B;
-    const Scalar t08 = slide_B_x + BC_x;
-    const Scalar t09 = u.phi_B.sin * v_s_B;
+    const Scalar t01 = slide_D_y + DE_y, t02 = u.phi_D.cos * v_s_D, t03 = slide_D_x + DE_x;
+    const Scalar t04 = omega_CEG * omega_CEG, t05 = u.phi_D.sin * v_s_D, t06 = slide_B_y + BC_y;
+    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = slide_B_x + BC_x, t09 = u.phi_B.sin * v_s_B;
     const Scalar t10 = omega_B * (omega_B * (t06 * omega_B - Scalar(3) * t07)
         - Scalar(3) * t08 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t06 * jerk_B + j_x_B
         - Scalar(3) * alpha_B * t09;
     const Scalar t11 = omega_B * (omega_B * (t08 * omega_B + Scalar(3) * t09)
         + Scalar(3) * t06 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t08 * jerk_B - j_y_B
         - Scalar(3) * t07 * alpha_B;
-    const Scalar t12 = slide_F_y + FG_y;
-    const Scalar t13 = u.phi_F.cos * v_s_F;
-    const Scalar t14 = slide_F_x + FG_x;
+    const Scalar t12 = slide_F_y + FG_y, t13 = u.phi_F.cos * v_s_F, t14 = slide_F_x + FG_x;
     const Scalar t15 = u.phi_F.sin * v_s_F;
     rhs(0) = t01 * jerk_D + Scalar(3) * alpha_D * t05 + t10 - omega_D * (omega_D * (t01 * omega_D
         - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
@@ -488,33 +373,17 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_CE = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_h_F_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
-    const Scalar omega_F = u_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos;
-    const Scalar CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_CE = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar v_h_B_BC = d_rate(3), v_h_D_DE = d_rate(4), v_h_F_FG = d_rate(5);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5), omega_F = u_rate(8);
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
     const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
@@ -540,36 +409,20 @@ struct Model17 {
   template <typename Scalar>
   static void link_poses(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = u.x_B + slide_B_x + BC_x;
-    const Scalar t02 = u.y_B + slide_B_y + BC_y;
-    poses[0].x = t01;
-    poses[0].y = t02;
-    poses[0].direction.cos = q.theta_CEG.cos;
-    poses[0].direction.sin = q.theta_CEG.sin;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x + DE_x;
-    poses[2].y = u.y_D + slide_D_y + DE_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F + slide_F_x + FG_x;
-    poses[3].y = u.y_F + slide_F_y + FG_y;
-    poses[3].direction.cos = u.phi_F.cos;
-    poses[3].direction.sin = u.phi_F.sin;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = u.x_B + slide_B_x + BC_x, t02 = u.y_B + slide_B_y + BC_y;
+    poses[0].x = t01;  poses[0].y = t02;  poses[0].direction.cos = q.theta_CEG.cos;
+    poses[0].direction.sin = q.theta_CEG.sin;  poses[1].x = t01;  poses[1].y = t02;
+    poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x + DE_x;  poses[2].y = u.y_D + slide_D_y + DE_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F + slide_F_x + FG_x;  poses[3].y = u.y_F + slide_F_y + FG_y;
+    poses[3].direction.cos = u.phi_F.cos;  poses[3].direction.sin = u.phi_F.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -582,20 +435,13 @@ struct Model17 {
     P_q.setZero();
     P_d.setZero();
     P_u.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_B_y + BC_y;
-    const Scalar t02 = slide_B_x + BC_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_B_y + BC_y, t02 = slide_B_x + BC_x;
     P_q(0, 1) = u.phi_B.cos;
     P_q(1, 1) = u.phi_B.sin;
     P_q(2, 0) = Scalar(1);
@@ -613,24 +459,16 @@ struct Model17 {
     P_d(7, 4) = -u.phi_D.cos;
     P_d(9, 5) = u.phi_F.sin;
     P_d(10, 5) = -u.phi_F.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = -t01;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = t02;
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -t01;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = -t01;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = t02;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -t01;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = t02;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y - DE_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x + DE_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y - DE_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x + DE_x;
     P_u(8, 5) = Scalar(1);
-    P_u(9, 6) = Scalar(1);
-    P_u(9, 8) = -slide_F_y - FG_y;
-    P_u(10, 7) = Scalar(1);
-    P_u(10, 8) = slide_F_x + FG_x;
+    P_u(9, 6) = Scalar(1);  P_u(9, 8) = -slide_F_y - FG_y;
+    P_u(10, 7) = Scalar(1);  P_u(10, 8) = slide_F_x + FG_x;
     P_u(11, 8) = Scalar(1);
   }
 
@@ -639,45 +477,24 @@ struct Model17 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar omega_CEG = q_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = (slide_B_y + BC_y) * omega_B - u.phi_B.cos * v_s_B - v_x_B;
     const Scalar t02 = (slide_B_x + BC_x) * omega_B + u.phi_B.sin * v_s_B + v_y_B;
-    v(0, 0) = -t01;
-    v(0, 1) = t02;
-    v(0, 2) = omega_CEG;
-    v(1, 0) = -t01;
-    v(1, 1) = t02;
-    v(1, 2) = omega_B;
+    v(0, 0) = -t01;  v(0, 1) = t02;  v(0, 2) = omega_CEG;
+    v(1, 0) = -t01;  v(1, 1) = t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
-    v(2, 2) = omega_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;  v(2, 2) = omega_D;
     v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - (slide_F_y + FG_y) * omega_F;
-    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;
-    v(3, 2) = omega_F;
+    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;  v(3, 2) = omega_F;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -686,53 +503,28 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar alpha_CEG = q_second_rate(0);
-    const Scalar v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
+    const Scalar alpha_CEG = q_second_rate(0), v_s_B = q_rate(1), a_s_B = q_second_rate(1);
+    const Scalar v_s_D = q_rate(2), a_s_D = q_second_rate(2), v_s_F = q_rate(3);
+    const Scalar a_s_F = q_second_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
+    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7), omega_F = u_rate(8);
     const Scalar alpha_F = u_second_rate(8);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_B_x + BC_x;
-    const Scalar t02 = slide_B_y + BC_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
     const Scalar t03 = omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) + t02 * alpha_B
         - u.phi_B.cos * a_s_B - a_x_B;
     const Scalar t04 = omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t01 * alpha_B
         - u.phi_B.sin * a_s_B - a_y_B;
-    const Scalar t05 = slide_D_x + DE_x;
-    const Scalar t06 = slide_D_y + DE_y;
-    const Scalar t07 = slide_F_x + FG_x;
+    const Scalar t05 = slide_D_x + DE_x, t06 = slide_D_y + DE_y, t07 = slide_F_x + FG_x;
     const Scalar t08 = slide_F_y + FG_y;
-    a(0, 0) = -t03;
-    a(0, 1) = -t04;
-    a(0, 2) = alpha_CEG;
-    a(1, 0) = -t03;
-    a(1, 1) = -t04;
-    a(1, 2) = alpha_B;
+    a(0, 0) = -t03;  a(0, 1) = -t04;  a(0, 2) = alpha_CEG;
+    a(1, 0) = -t03;  a(1, 1) = -t04;  a(1, 2) = alpha_B;
     a(2, 0) = u.phi_D.cos * a_s_D + a_x_D - omega_D * (t05 * omega_D
         + Scalar(2) * u.phi_D.sin * v_s_D) - t06 * alpha_D;
     a(2, 1) = t05 * alpha_D + u.phi_D.sin * a_s_D + a_y_D - omega_D * (t06 * omega_D
@@ -752,36 +544,22 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_B_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_h_F_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
-    const Scalar omega_F = u_rate(8);
+    const Scalar v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3), v_h_B_BC = d_rate(3);
+    const Scalar v_h_D_DE = d_rate(4), v_h_F_FG = d_rate(5), omega_B = u_rate(2);
+    const Scalar omega_D = u_rate(5), omega_F = u_rate(8);
     p.setZero();
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin;
-    const Scalar BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
     const Scalar t01 = omega_B * ((slide_B_x + BC_x) * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
         - Scalar(2) * u.phi_B.cos * v_h_B_BC);
     const Scalar t02 = omega_B * ((slide_B_y + BC_y) * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
         - Scalar(2) * u.phi_B.sin * v_h_B_BC);
-    p(0, 0) = -t01;
-    p(0, 1) = -t02;
-    p(1, 0) = -t01;
-    p(1, 1) = -t02;
+    p(0, 0) = -t01;  p(0, 1) = -t02;
+    p(1, 0) = -t01;  p(1, 1) = -t02;
     p(2, 0) = -omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE);
     p(2, 1) = -omega_D * ((slide_D_y + DE_y) * omega_D - Scalar(2) * u.phi_D.cos * v_s_D
@@ -942,67 +720,44 @@ struct Model17 {
     S_d(0, 2) = CEG_per_across_slide_F * cos_CEG_minus_phi_F;
     S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
         - CEG_per_across_slide_F * cos_phi_B_minus_phi_F;
-    S_d(0, 4) = CEG_per_across_slide_D;
-    S_d(0, 5) = CEG_per_across_slide_F;
+    S_d(0, 4) = CEG_per_across_slide_D;  S_d(0, 5) = CEG_per_across_slide_F;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
     S_d(1, 1) = sin_CEG_minus_phi_F * s_B_per_across_slide_F;
-    S_d(1, 2) = cos_CEG_minus_phi_F * s_B_per_across_slide_F;
-    S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = s_B_per_across_slide_D;
-    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 2) = cos_CEG_minus_phi_F * s_B_per_across_slide_F;  S_d(1, 3) = -t01 - t02;
+    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = s_B_per_across_slide_F;
     S_d(2, 0) = cos_CEG_minus_phi_D + sin_CEG_minus_phi_D * s_D_per_across_slide_D;
     S_d(2, 1) = sin_CEG_minus_phi_F * s_D_per_across_slide_F;
     S_d(2, 2) = cos_CEG_minus_phi_F * s_D_per_across_slide_F;
     S_d(2, 3) = sin_phi_B_minus_phi_D - cos_phi_B_minus_phi_D * s_D_per_across_slide_D
         - cos_phi_B_minus_phi_F * s_D_per_across_slide_F;
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = s_D_per_across_slide_F;
     S_d(3, 0) = sin_CEG_minus_phi_D * s_F_per_across_slide_D;
     S_d(3, 1) = cos_CEG_minus_phi_F + sin_CEG_minus_phi_F * s_F_per_across_slide_F;
     S_d(3, 2) = cos_CEG_minus_phi_F * s_F_per_across_slide_F - sin_CEG_minus_phi_F;
     S_d(3, 3) = sin_phi_B_minus_phi_F - cos_phi_B_minus_phi_D * s_F_per_across_slide_D
         - cos_phi_B_minus_phi_F * s_F_per_across_slide_F;
-    S_d(3, 4) = s_F_per_across_slide_D;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;
-    S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
+    S_d(3, 4) = s_F_per_across_slide_D;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
     S_u(0, 2) = -CEG_per_across_slide_D * phi_B_along_slide_D
         - CEG_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = CEG_per_x_F;
-    S_u(0, 7) = CEG_per_y_F;
-    S_u(0, 8) = -CEG_per_across_slide_F * q.s_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
+    S_u(0, 6) = CEG_per_x_F;  S_u(0, 7) = CEG_per_y_F;  S_u(0, 8) = -CEG_per_across_slide_F * q.s_F;
+    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
         - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(1, 6) = s_B_per_x_F;
-    S_u(1, 7) = s_B_per_y_F;
-    S_u(1, 8) = -q.s_F * s_B_per_across_slide_F;
-    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
-    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;  S_u(1, 8) = -q.s_F * s_B_per_across_slide_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
     S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
         - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
-    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;
-    S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;  S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
+    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;  S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
     S_u(3, 2) = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
         - phi_B_along_slide_F * s_F_per_across_slide_F;
-    S_u(3, 3) = s_F_per_x_D;
-    S_u(3, 4) = s_F_per_y_D;
-    S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
-    S_u(3, 6) = s_F_per_x_F;
-    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 3) = s_F_per_x_D;  S_u(3, 4) = s_F_per_y_D;  S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
+    S_u(3, 6) = s_F_per_x_F;  S_u(3, 7) = s_F_per_y_F;
     S_u(3, 8) = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
   }
 
@@ -1011,14 +766,8 @@ struct Model17 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
@@ -1049,14 +798,12 @@ struct Model17 {
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
         + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
         - phi_B_along_slide_D * omega_B;
-    const Scalar t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F;
+    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t03 + u.phi_F.sin * t04
         + phi_B_across_slide_F * omega_B - d.h_F_FG * omega_F;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t04 - u.phi_F.sin * t03 - q.s_F * omega_F
@@ -1069,10 +816,7 @@ struct Model17 {
         + velocity_along_slide_F;
     const Scalar v_s_D = CEG_across_slide_D * omega_CEG + cos_phi_B_minus_phi_D * v_s_B
         + velocity_along_slide_D;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1081,24 +825,12 @@ struct Model17 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
@@ -1128,21 +860,15 @@ struct Model17 {
     const Scalar determinant = CEG_along_slide_F * sin_phi_B_minus_phi_D
         - CEG_along_slide_D * sin_phi_B_minus_phi_F;
     const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar t03 = d.h_D_DE * omega_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D, t03 = d.h_D_DE * omega_D;
     const Scalar t04 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02 + t04 - t03;
-    const Scalar t05 = q.s_D * omega_D;
-    const Scalar t06 = phi_B_along_slide_D * omega_B;
+    const Scalar t05 = q.s_D * omega_D, t06 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - t05 - t06;
-    const Scalar t07 = v_x_B - v_x_F;
-    const Scalar t08 = v_y_B - v_y_F;
-    const Scalar t09 = d.h_F_FG * omega_F;
+    const Scalar t07 = v_x_B - v_x_F, t08 = v_y_B - v_y_F, t09 = d.h_F_FG * omega_F;
     const Scalar t10 = phi_B_across_slide_F * omega_B;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t07 + u.phi_F.sin * t08 + t10 - t09;
-    const Scalar t11 = q.s_F * omega_F;
-    const Scalar t12 = phi_B_along_slide_F * omega_B;
+    const Scalar t11 = q.s_F * omega_F, t12 = phi_B_along_slide_F * omega_B;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t08 - u.phi_F.sin * t07 - t11 - t12;
     const Scalar omega_CEG = inverse * (sin_phi_B_minus_phi_D * velocity_across_slide_F
         - sin_phi_B_minus_phi_F * velocity_across_slide_D);
@@ -1152,17 +878,14 @@ struct Model17 {
     const Scalar v_s_F = CEG_across_slide_F * omega_CEG + t13 + velocity_along_slide_F;
     const Scalar t14 = cos_phi_B_minus_phi_D * v_s_B;
     const Scalar v_s_D = CEG_across_slide_D * omega_CEG + t14 + velocity_along_slide_D;
-    const Scalar t15 = a_x_B - a_x_D;
-    const Scalar t16 = a_y_B - a_y_D;
-    const Scalar t17 = omega_CEG * omega_CEG;
+    const Scalar t15 = a_x_B - a_x_D, t16 = a_y_B - a_y_D, t17 = omega_CEG * omega_CEG;
     const Scalar acceleration_along_slide_D = u.phi_D.cos * t15 + u.phi_D.sin * t16 + omega_B * (t06
         - Scalar(2) * sin_phi_B_minus_phi_D * v_s_B) + phi_B_across_slide_D * alpha_B
         + CEG_along_slide_D * t17 + omega_D * t05 - d.h_D_DE * alpha_D;
     const Scalar acceleration_across_slide_D = u.phi_D.cos * t16 + omega_B * (t04 + Scalar(2) * t14)
         + CEG_across_slide_D * t17 - u.phi_D.sin * t15 - omega_D * (t03 + Scalar(2) * v_s_D)
         - q.s_D * alpha_D - phi_B_along_slide_D * alpha_B;
-    const Scalar t18 = a_x_B - a_x_F;
-    const Scalar t19 = a_y_B - a_y_F;
+    const Scalar t18 = a_x_B - a_x_F, t19 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_F = u.phi_F.cos * t18 + u.phi_F.sin * t19 + omega_B * (t12
         - Scalar(2) * sin_phi_B_minus_phi_F * v_s_B) + phi_B_across_slide_F * alpha_B
         + CEG_along_slide_F * t17 + omega_F * t11 - d.h_F_FG * alpha_F;
@@ -1177,13 +900,8 @@ struct Model17 {
         + acceleration_along_slide_F;
     const Scalar a_s_D = CEG_across_slide_D * alpha_CEG + cos_phi_B_minus_phi_D * a_s_B
         + acceleration_along_slide_D;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = alpha_CEG;
-    q_second_rate(1) = a_s_B;
-    q_second_rate(2) = a_s_D;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
+    q_second_rate(0) = alpha_CEG;  q_second_rate(1) = a_s_B;  q_second_rate(2) = a_s_D;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1195,24 +913,12 @@ struct Model17 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
     const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
@@ -1322,68 +1028,36 @@ struct Model17 {
     S_d(0, 2) = CEG_per_across_slide_F * cos_CEG_minus_phi_F;
     S_d(0, 3) = -CEG_per_across_slide_D * cos_phi_B_minus_phi_D
         - CEG_per_across_slide_F * cos_phi_B_minus_phi_F;
-    S_d(0, 4) = CEG_per_across_slide_D;
-    S_d(0, 5) = CEG_per_across_slide_F;
+    S_d(0, 4) = CEG_per_across_slide_D;  S_d(0, 5) = CEG_per_across_slide_F;
     S_d(1, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
     S_d(1, 1) = sin_CEG_minus_phi_F * s_B_per_across_slide_F;
-    S_d(1, 2) = cos_CEG_minus_phi_F * s_B_per_across_slide_F;
-    S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = s_B_per_across_slide_D;
-    S_d(1, 5) = s_B_per_across_slide_F;
+    S_d(1, 2) = cos_CEG_minus_phi_F * s_B_per_across_slide_F;  S_d(1, 3) = -t01 - t02;
+    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = s_B_per_across_slide_F;
     S_d(2, 0) = cos_CEG_minus_phi_D + sin_CEG_minus_phi_D * s_D_per_across_slide_D;
     S_d(2, 1) = sin_CEG_minus_phi_F * s_D_per_across_slide_F;
     S_d(2, 2) = cos_CEG_minus_phi_F * s_D_per_across_slide_F;
     S_d(2, 3) = sin_phi_B_minus_phi_D - cos_phi_B_minus_phi_D * s_D_per_across_slide_D
         - cos_phi_B_minus_phi_F * s_D_per_across_slide_F;
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = s_D_per_across_slide_F;
     S_d(3, 0) = sin_CEG_minus_phi_D * s_F_per_across_slide_D;
     S_d(3, 1) = cos_CEG_minus_phi_F + sin_CEG_minus_phi_F * s_F_per_across_slide_F;
     S_d(3, 2) = cos_CEG_minus_phi_F * s_F_per_across_slide_F - sin_CEG_minus_phi_F;
     S_d(3, 3) = sin_phi_B_minus_phi_F - cos_phi_B_minus_phi_D * s_F_per_across_slide_D
         - cos_phi_B_minus_phi_F * s_F_per_across_slide_F;
-    S_d(3, 4) = s_F_per_across_slide_D;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = CEG_per_x_B;
-    S_u(0, 1) = CEG_per_y_B;
-    S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;
-    S_u(0, 4) = CEG_per_y_D;
-    S_u(0, 5) = CEG_per_phi_D;
-    S_u(0, 6) = CEG_per_x_F;
-    S_u(0, 7) = CEG_per_y_F;
-    S_u(0, 8) = CEG_per_phi_F;
-    S_u(1, 0) = s_B_per_x_B;
-    S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;
-    S_u(1, 4) = s_B_per_y_D;
-    S_u(1, 5) = s_B_per_phi_D;
-    S_u(1, 6) = s_B_per_x_F;
-    S_u(1, 7) = s_B_per_y_F;
-    S_u(1, 8) = s_B_per_phi_F;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = s_D_per_phi_D;
-    S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(2, 8) = s_D_per_phi_F;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = s_F_per_x_D;
-    S_u(3, 4) = s_F_per_y_D;
-    S_u(3, 5) = s_F_per_phi_D;
-    S_u(3, 6) = s_F_per_x_F;
-    S_u(3, 7) = s_F_per_y_F;
-    S_u(3, 8) = s_F_per_phi_F;
-    q_rate(0) = omega_CEG;
-    q_rate(1) = v_s_B;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    S_d(3, 4) = s_F_per_across_slide_D;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_phi_D;
+    S_u(0, 6) = CEG_per_x_F;  S_u(0, 7) = CEG_per_y_F;  S_u(0, 8) = CEG_per_phi_F;
+    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_phi_D;
+    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;  S_u(1, 8) = s_B_per_phi_F;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;  S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;  S_u(2, 7) = s_D_per_y_F;  S_u(2, 8) = s_D_per_phi_F;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = s_F_per_x_D;  S_u(3, 4) = s_F_per_y_D;  S_u(3, 5) = s_F_per_phi_D;
+    S_u(3, 6) = s_F_per_x_F;  S_u(3, 7) = s_F_per_y_F;  S_u(3, 8) = s_F_per_phi_F;
+    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
     q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
         + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_phi_D * alpha_D + CEG_per_x_F * a_x_F
         + CEG_per_y_F * a_y_F + CEG_per_phi_F * alpha_F
@@ -1411,13 +1085,10 @@ struct Model17 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       TrigonometricPolynomial<Scalar, polynomial_degree>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar b_0_re = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
-    const Scalar c_m1_re = d.CE * u.phi_D.sin;
-    const Scalar c_m1_im = -d.CE * u.phi_D.cos;
+    const Scalar c_m1_re = d.CE * u.phi_D.sin, c_m1_im = -d.CE * u.phi_D.cos;
     const Scalar c_0_re = Scalar(2) * ((d.h_B_BC * u.phi_B.cos + FD_y - FB_y) * u.phi_D.cos
         + (d.h_B_BC * u.phi_B.sin + FB_x - FD_x) * u.phi_D.sin - d.h_D_DE);
     const Scalar e_0_re = Scalar(2) * (u.phi_B.cos * u.phi_F.sin - u.phi_B.sin * u.phi_F.cos);
@@ -1437,11 +1108,8 @@ struct Model17 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = d.h_B_BC * u.phi_B.cos - FB_y;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = d.h_B_BC * u.phi_B.cos - FB_y;
     const Scalar t02 = d.h_B_BC * u.phi_B.sin + FB_x;
     e(0, 1) = Scalar(2) * (u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos);
     e(0, 2) = -Scalar(2) * (d.h_D_DE + (d.CE * q.theta_CEG.sin - FD_y - t01) * u.phi_D.cos
@@ -1456,11 +1124,8 @@ struct Model17 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = FB_x + q.s_B * u.phi_B.cos + d.h_B_BC * u.phi_B.sin;
     const Scalar t02 = FB_y + q.s_B * u.phi_B.sin - d.h_B_BC * u.phi_B.cos;
     q.s_D = (d.CE * q.theta_CEG.cos + t01 - FD_x) * u.phi_D.cos + (d.CE * q.theta_CEG.sin + t02
         - FD_y) * u.phi_D.sin;

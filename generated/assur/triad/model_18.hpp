@@ -105,12 +105,10 @@ struct Model18 {
     Scalar h_D_DE{};  ///< offset of the slide at D on link DE, positive to the left
     Scalar h_F_FG{};  ///< offset of the slide at F on link FG, positive to the left
 
-    [[nodiscard]] auto members() {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE, h_F_FG);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE, h_F_FG);
-    }
+    [[nodiscard]] auto members() { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC, h_D_DE,
+        h_F_FG); }
+    [[nodiscard]] auto members() const { return std::tie(h_C_CEG, x_G_CEG, y_G_CEG, psi_C_BC,
+        h_D_DE, h_F_FG); }
   };
 
   /// Inputs u: where the base holds the external joints.
@@ -126,12 +124,10 @@ struct Model18 {
     Scalar y_F{};  ///< y of a point on the base's slide at F
     Direction<Scalar> phi_F{};  ///< angle of the base's slide at F
 
-    [[nodiscard]] auto members() {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F, phi_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F, phi_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F,
+        phi_F); }
+    [[nodiscard]] auto members() const { return std::tie(x_B, y_B, phi_B, x_D, y_D, phi_D, x_F, y_F,
+        phi_F); }
   };
 
   /// Unknowns q: one assembly configuration.
@@ -142,12 +138,8 @@ struct Model18 {
     Scalar s_D{};  ///< displacement along the slide at D of link DE against the base
     Scalar s_F{};  ///< displacement along the slide at F of link FG against the base
 
-    [[nodiscard]] auto members() {
-      return std::tie(s_B, s_C, s_D, s_F);
-    }
-    [[nodiscard]] auto members() const {
-      return std::tie(s_B, s_C, s_D, s_F);
-    }
+    [[nodiscard]] auto members() { return std::tie(s_B, s_C, s_D, s_F); }
+    [[nodiscard]] auto members() const { return std::tie(s_B, s_C, s_D, s_F); }
   };
 
   /// The variables in the order of the vectors and matrices below.
@@ -207,29 +199,18 @@ struct Model18 {
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_C_x - u.x_B - slide_B_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_C_x - u.x_B - slide_B_x;
     const Scalar t03 = slide_C_y - u.y_B - slide_B_y;
-    f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;
-    f(1) = u.y_D + slide_D_y + DE_y + t03 - CE_y;
-    f(2) = u.x_F + slide_F_x + FG_x + t02 - CG_x;
-    f(3) = u.y_F + slide_F_y + FG_y + t03 - CG_y;
+    f(0) = u.x_D + slide_D_x + DE_x + t02 - CE_x;  f(1) = u.y_D + slide_D_y + DE_y + t03 - CE_y;
+    f(2) = u.x_F + slide_F_x + FG_x + t02 - CG_x;  f(3) = u.y_F + slide_F_y + FG_y + t03 - CG_y;
   }
 
   /// J = df/dq.
@@ -239,18 +220,10 @@ struct Model18 {
     J.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    J(0, 0) = -u.phi_B.cos;
-    J(0, 1) = cos_CEG;
-    J(0, 2) = u.phi_D.cos;
-    J(1, 0) = -u.phi_B.sin;
-    J(1, 1) = sin_CEG;
-    J(1, 2) = u.phi_D.sin;
-    J(2, 0) = -u.phi_B.cos;
-    J(2, 1) = cos_CEG;
-    J(2, 3) = u.phi_F.cos;
-    J(3, 0) = -u.phi_B.sin;
-    J(3, 1) = sin_CEG;
-    J(3, 3) = u.phi_F.sin;
+    J(0, 0) = -u.phi_B.cos;  J(0, 1) = cos_CEG;  J(0, 2) = u.phi_D.cos;
+    J(1, 0) = -u.phi_B.sin;  J(1, 1) = sin_CEG;  J(1, 2) = u.phi_D.sin;
+    J(2, 0) = -u.phi_B.cos;  J(2, 1) = cos_CEG;  J(2, 3) = u.phi_F.cos;
+    J(3, 0) = -u.phi_B.sin;  J(3, 1) = sin_CEG;  J(3, 3) = u.phi_F.sin;
   }
 
   /// F_d = df/dd; the sensitivities solve J dq/dd = -F_d.
@@ -260,29 +233,16 @@ struct Model18 {
     F_d.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
     const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    F_d(0, 0) = -sin_CEG;
-    F_d(0, 3) = CE_y - slide_C_y;
-    F_d(0, 4) = u.phi_D.sin;
-    F_d(1, 0) = cos_CEG;
-    F_d(1, 3) = slide_C_x - CE_x;
-    F_d(1, 4) = -u.phi_D.cos;
-    F_d(2, 0) = -sin_CEG;
-    F_d(2, 1) = -cos_CEG;
-    F_d(2, 2) = sin_CEG;
-    F_d(2, 3) = CG_y - slide_C_y;
-    F_d(2, 5) = u.phi_F.sin;
-    F_d(3, 0) = cos_CEG;
-    F_d(3, 1) = -sin_CEG;
-    F_d(3, 2) = -cos_CEG;
-    F_d(3, 3) = slide_C_x - CG_x;
-    F_d(3, 5) = -u.phi_F.cos;
+    F_d(0, 0) = -sin_CEG;  F_d(0, 3) = CE_y - slide_C_y;  F_d(0, 4) = u.phi_D.sin;
+    F_d(1, 0) = cos_CEG;  F_d(1, 3) = slide_C_x - CE_x;  F_d(1, 4) = -u.phi_D.cos;
+    F_d(2, 0) = -sin_CEG;  F_d(2, 1) = -cos_CEG;  F_d(2, 2) = sin_CEG;
+    F_d(2, 3) = CG_y - slide_C_y;  F_d(2, 5) = u.phi_F.sin;
+    F_d(3, 0) = cos_CEG;  F_d(3, 1) = -sin_CEG;  F_d(3, 2) = -cos_CEG;
+    F_d(3, 3) = slide_C_x - CG_x;  F_d(3, 5) = -u.phi_F.cos;
   }
 
   /// F_u = df/du; the sensitivities solve J dq/du = -F_u.
@@ -292,40 +252,23 @@ struct Model18 {
     F_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
-    F_u(0, 0) = -Scalar(1);
-    F_u(0, 2) = CE_y + t02;
-    F_u(0, 3) = Scalar(1);
+    F_u(0, 0) = -Scalar(1);  F_u(0, 2) = CE_y + t02;  F_u(0, 3) = Scalar(1);
     F_u(0, 5) = -slide_D_y - DE_y;
-    F_u(1, 1) = -Scalar(1);
-    F_u(1, 2) = -CE_x - t03;
-    F_u(1, 4) = Scalar(1);
+    F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t03;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DE_x;
-    F_u(2, 0) = -Scalar(1);
-    F_u(2, 2) = CG_y + t02;
-    F_u(2, 6) = Scalar(1);
+    F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t02;  F_u(2, 6) = Scalar(1);
     F_u(2, 8) = -slide_F_y - FG_y;
-    F_u(3, 1) = -Scalar(1);
-    F_u(3, 2) = -CG_x - t03;
-    F_u(3, 7) = Scalar(1);
+    F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t03;  F_u(3, 7) = Scalar(1);
     F_u(3, 8) = slide_F_x + FG_x;
   }
 
@@ -334,35 +277,20 @@ struct Model18 {
   static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_B_y - slide_C_y;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
     const Scalar t03 = slide_B_x - slide_C_x;
     rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t02) * omega_B;
     rhs(1) = v_y_B + (CE_x + t03) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
@@ -377,53 +305,26 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
+    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_D_x + DE_x;
-    const Scalar t03 = slide_D_y + DE_y;
-    const Scalar t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = CE_x + t05;
-    const Scalar t07 = slide_B_y - slide_C_y;
-    const Scalar t08 = CE_y + t07;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = slide_F_x + FG_x;
-    const Scalar t11 = slide_F_y + FG_y;
-    const Scalar t12 = CG_x + t05;
-    const Scalar t13 = CG_y + t07;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_x + DE_x;
+    const Scalar t03 = slide_D_y + DE_y, t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = CE_x + t05, t07 = slide_B_y - slide_C_y;
+    const Scalar t08 = CE_y + t07, t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
+    const Scalar t10 = slide_F_x + FG_x, t11 = slide_F_y + FG_y, t12 = CG_x + t05, t13 = CG_y + t07;
     rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t03 * alpha_D + a_x_B
         - a_x_D - omega_B * (Scalar(2) * t04 + t06 * omega_B) - t08 * alpha_B;
     rhs(1) = omega_D * (t03 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t06 * alpha_B
@@ -442,68 +343,33 @@ struct Model18 {
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6);
-    const Scalar j_y_F = u_third_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
-    const Scalar jerk_F = u_third_rate(8);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
+    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
+    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
+    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7), omega_F = u_rate(8);
+    const Scalar alpha_F = u_second_rate(8), jerk_F = u_third_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = slide_D_y + DE_y;
-    const Scalar t03 = u.phi_D.cos * v_s_D;
-    const Scalar t04 = slide_D_x + DE_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = alpha_B * t05;
-    const Scalar t07 = u.phi_D.sin * v_s_D;
-    const Scalar t08 = slide_B_y - slide_C_y;
-    const Scalar t09 = CE_y + t08;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_y + DE_y;
+    const Scalar t03 = u.phi_D.cos * v_s_D, t04 = slide_D_x + DE_x;
+    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t06 = alpha_B * t05;
+    const Scalar t07 = u.phi_D.sin * v_s_D, t08 = slide_B_y - slide_C_y, t09 = CE_y + t08;
     const Scalar t10 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t12 = slide_B_x - slide_C_x;
-    const Scalar t13 = CE_x + t12;
-    const Scalar t14 = t11 * alpha_B;
-    const Scalar t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t16 = slide_F_y + FG_y;
-    const Scalar t17 = u.phi_F.cos * v_s_F;
-    const Scalar t18 = slide_F_x + FG_x;
-    const Scalar t19 = u.phi_F.sin * v_s_F;
-    const Scalar t20 = CG_y + t08;
-    const Scalar t21 = CG_x + t12;
+    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t12 = slide_B_x - slide_C_x;
+    const Scalar t13 = CE_x + t12, t14 = t11 * alpha_B, t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
+    const Scalar t16 = slide_F_y + FG_y, t17 = u.phi_F.cos * v_s_F, t18 = slide_F_x + FG_x;
+    const Scalar t19 = u.phi_F.sin * v_s_F, t20 = CG_y + t08, t21 = CG_x + t12;
     rhs(0) = t02 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07 - omega_D * (omega_D * (t02 * omega_D
         - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
         - Scalar(3) * t06 - j_x_D - t09 * jerk_B - omega_B * (Scalar(3) * t10
@@ -529,51 +395,27 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar v_x_G_CEG = d_rate(1);
-    const Scalar v_y_G_CEG = d_rate(2);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_h_F_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
-    const Scalar omega_F = u_rate(8);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), v_x_G_CEG = d_rate(1), v_y_G_CEG = d_rate(2);
+    const Scalar omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4), v_h_F_FG = d_rate(5);
+    const Scalar omega_B = u_rate(2), omega_D = u_rate(5), omega_F = u_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = (slide_C_x - CE_x) * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_x - slide_C_x;
-    const Scalar t06 = (slide_C_y - CE_y) * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
-    const Scalar t09 = slide_B_y - slide_C_y;
-    const Scalar t10 = (slide_C_x - CG_x) * omega_C_BC;
-    const Scalar t11 = v_h_C_CEG - v_y_G_CEG;
-    const Scalar t12 = v_s_C - v_x_G_CEG;
-    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12;
-    const Scalar t14 = (slide_C_y - CG_y) * omega_C_BC;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
+    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = (slide_C_x - CE_x) * omega_C_BC;
+    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_B_x - slide_C_x, t06 = (slide_C_y - CE_y) * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
+    const Scalar t09 = slide_B_y - slide_C_y, t10 = (slide_C_x - CG_x) * omega_C_BC;
+    const Scalar t11 = v_h_C_CEG - v_y_G_CEG, t12 = v_s_C - v_x_G_CEG;
+    const Scalar t13 = cos_CEG * t11 + sin_CEG * t12, t14 = (slide_C_y - CG_y) * omega_C_BC;
     const Scalar t15 = cos_CEG * t12 - sin_CEG * t11;
     rhs(0) = omega_D * ((slide_D_x + DE_x) * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
         - Scalar(2) * u.phi_D.cos * v_h_D_DE) + omega_C_BC * (t02 + Scalar(2) * t03)
@@ -595,38 +437,21 @@ struct Model18 {
       const Configuration<Scalar>& q, Poses<Scalar, link_count>& poses) {
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = u.x_B + slide_B_x;
-    const Scalar t02 = u.y_B + slide_B_y;
-    poses[0].x = CE_x + t01 - slide_C_x;
-    poses[0].y = CE_y + t02 - slide_C_y;
-    poses[0].direction.cos = cos_CEG;
-    poses[0].direction.sin = sin_CEG;
-    poses[1].x = t01;
-    poses[1].y = t02;
-    poses[1].direction.cos = u.phi_B.cos;
-    poses[1].direction.sin = u.phi_B.sin;
-    poses[2].x = u.x_D + slide_D_x + DE_x;
-    poses[2].y = u.y_D + slide_D_y + DE_y;
-    poses[2].direction.cos = u.phi_D.cos;
-    poses[2].direction.sin = u.phi_D.sin;
-    poses[3].x = u.x_F + slide_F_x + FG_x;
-    poses[3].y = u.y_F + slide_F_y + FG_y;
-    poses[3].direction.cos = u.phi_F.cos;
-    poses[3].direction.sin = u.phi_F.sin;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = u.x_B + slide_B_x, t02 = u.y_B + slide_B_y;
+    poses[0].x = CE_x + t01 - slide_C_x;  poses[0].y = CE_y + t02 - slide_C_y;
+    poses[0].direction.cos = cos_CEG;  poses[0].direction.sin = sin_CEG;  poses[1].x = t01;
+    poses[1].y = t02;  poses[1].direction.cos = u.phi_B.cos;  poses[1].direction.sin = u.phi_B.sin;
+    poses[2].x = u.x_D + slide_D_x + DE_x;  poses[2].y = u.y_D + slide_D_y + DE_y;
+    poses[2].direction.cos = u.phi_D.cos;  poses[2].direction.sin = u.phi_D.sin;
+    poses[3].x = u.x_F + slide_F_x + FG_x;  poses[3].y = u.y_F + slide_F_y + FG_y;
+    poses[3].direction.cos = u.phi_F.cos;  poses[3].direction.sin = u.phi_F.sin;
   }
 
   /// Partial derivatives of the link frames p, rows (x, y, theta) link by link:
@@ -641,60 +466,40 @@ struct Model18 {
     P_u.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_C_y - CE_y;
-    const Scalar t02 = slide_C_x - CE_x;
-    P_q(0, 0) = u.phi_B.cos;
-    P_q(0, 1) = -cos_CEG;
-    P_q(1, 0) = u.phi_B.sin;
-    P_q(1, 1) = -sin_CEG;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_C_y - CE_y, t02 = slide_C_x - CE_x;
+    P_q(0, 0) = u.phi_B.cos;  P_q(0, 1) = -cos_CEG;
+    P_q(1, 0) = u.phi_B.sin;  P_q(1, 1) = -sin_CEG;
     P_q(3, 0) = u.phi_B.cos;
     P_q(4, 0) = u.phi_B.sin;
     P_q(6, 2) = u.phi_D.cos;
     P_q(7, 2) = u.phi_D.sin;
     P_q(9, 3) = u.phi_F.cos;
     P_q(10, 3) = u.phi_F.sin;
-    P_d(0, 0) = sin_CEG;
-    P_d(0, 3) = t01;
-    P_d(1, 0) = -cos_CEG;
-    P_d(1, 3) = -t02;
+    P_d(0, 0) = sin_CEG;  P_d(0, 3) = t01;
+    P_d(1, 0) = -cos_CEG;  P_d(1, 3) = -t02;
     P_d(2, 3) = Scalar(1);
     P_d(6, 4) = u.phi_D.sin;
     P_d(7, 4) = -u.phi_D.cos;
     P_d(9, 5) = u.phi_F.sin;
     P_d(10, 5) = -u.phi_F.cos;
-    P_u(0, 0) = Scalar(1);
-    P_u(0, 2) = t01 - slide_B_y;
-    P_u(1, 1) = Scalar(1);
-    P_u(1, 2) = slide_B_x - t02;
+    P_u(0, 0) = Scalar(1);  P_u(0, 2) = t01 - slide_B_y;
+    P_u(1, 1) = Scalar(1);  P_u(1, 2) = slide_B_x - t02;
     P_u(2, 2) = Scalar(1);
-    P_u(3, 0) = Scalar(1);
-    P_u(3, 2) = -slide_B_y;
-    P_u(4, 1) = Scalar(1);
-    P_u(4, 2) = slide_B_x;
+    P_u(3, 0) = Scalar(1);  P_u(3, 2) = -slide_B_y;
+    P_u(4, 1) = Scalar(1);  P_u(4, 2) = slide_B_x;
     P_u(5, 2) = Scalar(1);
-    P_u(6, 3) = Scalar(1);
-    P_u(6, 5) = -slide_D_y - DE_y;
-    P_u(7, 4) = Scalar(1);
-    P_u(7, 5) = slide_D_x + DE_x;
+    P_u(6, 3) = Scalar(1);  P_u(6, 5) = -slide_D_y - DE_y;
+    P_u(7, 4) = Scalar(1);  P_u(7, 5) = slide_D_x + DE_x;
     P_u(8, 5) = Scalar(1);
-    P_u(9, 6) = Scalar(1);
-    P_u(9, 8) = -slide_F_y - FG_y;
-    P_u(10, 7) = Scalar(1);
-    P_u(10, 8) = slide_F_x + FG_x;
+    P_u(9, 6) = Scalar(1);  P_u(9, 8) = -slide_F_y - FG_y;
+    P_u(10, 7) = Scalar(1);  P_u(10, 8) = slide_F_x + FG_x;
     P_u(11, 8) = Scalar(1);
   }
 
@@ -703,49 +508,27 @@ struct Model18 {
   static void link_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, link_count, 3>& v) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B;
-    const Scalar t02 = u.phi_B.sin * v_s_B + v_y_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = u.phi_B.cos * v_s_B + v_x_B, t02 = u.phi_B.sin * v_s_B + v_y_B;
     v(0, 0) = t01 - (slide_B_y + CE_y - slide_C_y) * omega_B - cos_CEG * v_s_C;
-    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;
-    v(0, 2) = omega_B;
-    v(1, 0) = t01 - slide_B_y * omega_B;
-    v(1, 1) = slide_B_x * omega_B + t02;
-    v(1, 2) = omega_B;
+    v(0, 1) = (slide_B_x + CE_x - slide_C_x) * omega_B + t02 - sin_CEG * v_s_C;  v(0, 2) = omega_B;
+    v(1, 0) = t01 - slide_B_y * omega_B;  v(1, 1) = slide_B_x * omega_B + t02;  v(1, 2) = omega_B;
     v(2, 0) = u.phi_D.cos * v_s_D + v_x_D - (slide_D_y + DE_y) * omega_D;
-    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;
-    v(2, 2) = omega_D;
+    v(2, 1) = (slide_D_x + DE_x) * omega_D + u.phi_D.sin * v_s_D + v_y_D;  v(2, 2) = omega_D;
     v(3, 0) = u.phi_F.cos * v_s_F + v_x_F - (slide_F_y + FG_y) * omega_F;
-    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;
-    v(3, 2) = omega_F;
+    v(3, 1) = (slide_F_x + FG_x) * omega_F + u.phi_F.sin * v_s_F + v_y_F;  v(3, 2) = omega_F;
   }
 
   /// Acceleration (ax, ay, alpha) of each link's frame, one row per link.
@@ -754,51 +537,26 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Matrix<Scalar, link_count, 3>& a) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar a_s_B = q_second_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar a_s_F = q_second_rate(3);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
+    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
+    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), a_x_B = u_second_rate(0);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
+    const Scalar alpha_D = u_second_rate(5), a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
+    const Scalar omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_B_x + CE_x - slide_C_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + CE_y - slide_C_y;
-    const Scalar t04 = u.phi_B.cos * a_s_B + a_x_B;
-    const Scalar t05 = u.phi_B.cos * v_s_B;
-    const Scalar t06 = u.phi_B.sin * a_s_B + a_y_B;
-    const Scalar t07 = slide_D_x + DE_x;
-    const Scalar t08 = slide_D_y + DE_y;
-    const Scalar t09 = slide_F_x + FG_x;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_B_x + CE_x - slide_C_x, t02 = u.phi_B.sin * v_s_B;
+    const Scalar t03 = slide_B_y + CE_y - slide_C_y, t04 = u.phi_B.cos * a_s_B + a_x_B;
+    const Scalar t05 = u.phi_B.cos * v_s_B, t06 = u.phi_B.sin * a_s_B + a_y_B;
+    const Scalar t07 = slide_D_x + DE_x, t08 = slide_D_y + DE_y, t09 = slide_F_x + FG_x;
     const Scalar t10 = slide_F_y + FG_y;
     a(0, 0) = t04 - omega_B * (t01 * omega_B + Scalar(2) * t02 - Scalar(2) * sin_CEG * v_s_C)
         - t03 * alpha_B - cos_CEG * a_s_C;
@@ -827,42 +585,24 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
       const Vector<Scalar, dimension_count>& d_rate, const Vector<Scalar, input_count>& u_rate,
       Matrix<Scalar, link_count, 3>& p) {
-    const Scalar v_s_B = q_rate(0);
-    const Scalar v_s_C = q_rate(1);
-    const Scalar v_s_D = q_rate(2);
-    const Scalar v_s_F = q_rate(3);
-    const Scalar v_h_C_CEG = d_rate(0);
-    const Scalar omega_C_BC = d_rate(3);
-    const Scalar v_h_D_DE = d_rate(4);
-    const Scalar v_h_F_FG = d_rate(5);
-    const Scalar omega_B = u_rate(2);
-    const Scalar omega_D = u_rate(5);
+    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
+    const Scalar v_h_C_CEG = d_rate(0), omega_C_BC = d_rate(3), v_h_D_DE = d_rate(4);
+    const Scalar v_h_F_FG = d_rate(5), omega_B = u_rate(2), omega_D = u_rate(5);
     const Scalar omega_F = u_rate(8);
     p.setZero();
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos;
-    const Scalar slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin;
-    const Scalar DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos;
-    const Scalar slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG;
-    const Scalar slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos;
-    const Scalar slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar FG_x = d.h_F_FG * u.phi_F.sin;
-    const Scalar FG_y = -d.h_F_FG * u.phi_F.cos;
-    const Scalar t01 = slide_C_x - CE_x;
-    const Scalar t02 = t01 * omega_C_BC;
-    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG;
-    const Scalar t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_C_y - CE_y;
-    const Scalar t06 = t05 * omega_C_BC;
-    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG;
-    const Scalar t08 = u.phi_B.cos * v_s_B;
+    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
+    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
+    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
+    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
+    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
+    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
+    const Scalar FG_x = d.h_F_FG * u.phi_F.sin, FG_y = -d.h_F_FG * u.phi_F.cos;
+    const Scalar t01 = slide_C_x - CE_x, t02 = t01 * omega_C_BC;
+    const Scalar t03 = sin_CEG * v_s_C + cos_CEG * v_h_C_CEG, t04 = u.phi_B.sin * v_s_B;
+    const Scalar t05 = slide_C_y - CE_y, t06 = t05 * omega_C_BC;
+    const Scalar t07 = cos_CEG * v_s_C - sin_CEG * v_h_C_CEG, t08 = u.phi_B.cos * v_s_B;
     p(0, 0) = omega_C_BC * (t02 + Scalar(2) * t03) + omega_B * (Scalar(2) * t02 + Scalar(2) * t03
         - Scalar(2) * t04 - (slide_B_x - t01) * omega_B);
     p(0, 1) = omega_C_BC * (t06 - Scalar(2) * t07) + omega_B * (Scalar(2) * t06 + Scalar(2) * t08
@@ -887,10 +627,8 @@ struct Model18 {
       const Configuration<Scalar>&, Vector<Scalar, pivot_count>& p,
       Vector<Scalar, pivot_count>& size, Scalar& terms) {
     const Scalar sin_phi_D_minus_phi_F = u.phi_D.sin * u.phi_F.cos - u.phi_D.cos * u.phi_F.sin;
-    p(0) = sin_phi_D_minus_phi_F;
-    p(1) = d.psi_C_BC.sin;
-    size(0) = Scalar(1);
-    size(1) = Scalar(1);
+    p(0) = sin_phi_D_minus_phi_F;  p(1) = d.psi_C_BC.sin;
+    size(0) = Scalar(1);  size(1) = Scalar(1);
     terms = Scalar(2);
   }
 
@@ -973,8 +711,7 @@ struct Model18 {
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t04 = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t03 * sin_phi_B_plus_psi_C_BC_minus_phi_F;
     const Scalar phi_B_along_slide_F = t04 - q.s_B * cos_phi_B_minus_phi_F;
@@ -1022,25 +759,19 @@ struct Model18 {
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_phi_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
     S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D - t08;
-    S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
-    S_d(0, 2) = t08;
+    S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;  S_d(0, 2) = t08;
     S_d(0, 3) = -t04 * s_B_per_across_slide_F - t01 * s_B_per_across_slide_D;
-    S_d(0, 4) = s_B_per_across_slide_D;
-    S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = s_B_per_across_slide_F;
     S_d(1, 0) = -t06 - t07;
-    S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;
-    S_d(1, 2) = t07;
+    S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;  S_d(1, 2) = t07;
     S_d(1, 3) = -t04 * s_C_per_across_slide_F - t01 * s_C_per_across_slide_D;
-    S_d(1, 4) = s_C_per_across_slide_D;
-    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = s_C_per_across_slide_F;
     S_d(2, 0) = t10 - t09;
-    S_d(2, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
-    S_d(2, 2) = t09;
+    S_d(2, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;  S_d(2, 2) = t09;
     S_d(2, 3) = q.s_C * t10 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D)
         - t04 * s_D_per_across_slide_F;
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = s_D_per_across_slide_F;
     S_d(3, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_F_per_across_slide_D;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_phi_F
         + sin_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
@@ -1048,47 +779,28 @@ struct Model18 {
     S_d(3, 3) = (t02 + t03 * s_F_per_across_slide_F) * sin_phi_B_plus_psi_C_BC_minus_phi_F + (t03
         - t02 * s_F_per_across_slide_F) * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t01 * s_F_per_across_slide_D;
-    S_d(3, 4) = s_F_per_across_slide_D;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;
-    S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
+    S_d(3, 4) = s_F_per_across_slide_D;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
     S_u(0, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
         - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(0, 6) = s_B_per_x_F;
-    S_u(0, 7) = s_B_per_y_F;
-    S_u(0, 8) = -q.s_F * s_B_per_across_slide_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;
-    S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
+    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;  S_u(0, 8) = -q.s_F * s_B_per_across_slide_F;
+    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
     S_u(1, 2) = -phi_B_along_slide_D * s_C_per_across_slide_D
         - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
-    S_u(1, 6) = s_C_per_x_F;
-    S_u(1, 7) = s_C_per_y_F;
-    S_u(1, 8) = -q.s_F * s_C_per_across_slide_F;
-    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;
-    S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
+    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;  S_u(1, 8) = -q.s_F * s_C_per_across_slide_F;
+    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
     S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
         - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
-    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;
-    S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;
+    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(2, 6) = s_D_per_x_F;
+    S_u(2, 7) = s_D_per_y_F;  S_u(2, 8) = -q.s_F * s_D_per_across_slide_F;
+    S_u(3, 0) = -s_F_per_x_D - s_F_per_x_F;  S_u(3, 1) = -s_F_per_y_D - s_F_per_y_F;
     S_u(3, 2) = phi_B_across_slide_F - phi_B_along_slide_D * s_F_per_across_slide_D
         - phi_B_along_slide_F * s_F_per_across_slide_F;
-    S_u(3, 3) = s_F_per_x_D;
-    S_u(3, 4) = s_F_per_y_D;
-    S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
-    S_u(3, 6) = s_F_per_x_F;
-    S_u(3, 7) = s_F_per_y_F;
+    S_u(3, 3) = s_F_per_x_D;  S_u(3, 4) = s_F_per_y_D;  S_u(3, 5) = -q.s_D * s_F_per_across_slide_D;
+    S_u(3, 6) = s_F_per_x_F;  S_u(3, 7) = s_F_per_y_F;
     S_u(3, 8) = -q.s_F * s_F_per_across_slide_F - d.h_F_FG;
   }
 
@@ -1097,14 +809,8 @@ struct Model18 {
   static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar v_y_F = u_rate(7);
+    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
+    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
     const Scalar omega_F = u_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
@@ -1124,8 +830,7 @@ struct Model18 {
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * cos_phi_B_minus_phi_F;
     const Scalar phi_B_across_slide_F = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
@@ -1135,15 +840,13 @@ struct Model18 {
     // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
-    const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
-    const Scalar t03 = v_x_B - v_x_D;
+    const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse, t03 = v_x_B - v_x_D;
     const Scalar t04 = v_y_B - v_y_D;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04
         + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - q.s_D * omega_D
         - phi_B_along_slide_D * omega_B;
-    const Scalar t05 = v_x_B - v_x_F;
-    const Scalar t06 = v_y_B - v_y_F;
+    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t05 + u.phi_F.sin * t06
         + phi_B_across_slide_F * omega_B - d.h_F_FG * omega_F;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t06 - u.phi_F.sin * t05 - q.s_F * omega_F
@@ -1157,10 +860,7 @@ struct Model18 {
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C;
     const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1169,24 +869,12 @@ struct Model18 {
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
@@ -1205,8 +893,7 @@ struct Model18 {
         - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t01 = q.s_C - d.x_G_CEG;
-    const Scalar t02 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
     const Scalar phi_B_along_slide_F = t01 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t02 * sin_phi_B_plus_psi_C_BC_minus_phi_F - q.s_B * cos_phi_B_minus_phi_F;
     const Scalar phi_B_across_slide_F = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
@@ -1216,22 +903,16 @@ struct Model18 {
     // A zero divisor means sin(phi_D - phi_F) = 0, or sin(psi_C_BC) = 0.
     const Scalar inverse = Scalar(1) / pivot_product;
     const Scalar inverse_sin_phi_D_minus_phi_F = d.psi_C_BC.sin * inverse;
-    const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse;
-    const Scalar t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar t05 = d.h_D_DE * omega_D;
+    const Scalar inverse_sin_psi_C_BC = sin_phi_D_minus_phi_F * inverse, t03 = v_x_B - v_x_D;
+    const Scalar t04 = v_y_B - v_y_D, t05 = d.h_D_DE * omega_D;
     const Scalar t06 = phi_B_across_slide_D * omega_B;
     const Scalar velocity_along_slide_D = u.phi_D.cos * t03 + u.phi_D.sin * t04 + t06 - t05;
-    const Scalar t07 = q.s_D * omega_D;
-    const Scalar t08 = phi_B_along_slide_D * omega_B;
+    const Scalar t07 = q.s_D * omega_D, t08 = phi_B_along_slide_D * omega_B;
     const Scalar velocity_across_slide_D = u.phi_D.cos * t04 - u.phi_D.sin * t03 - t07 - t08;
-    const Scalar t09 = v_x_B - v_x_F;
-    const Scalar t10 = v_y_B - v_y_F;
-    const Scalar t11 = d.h_F_FG * omega_F;
+    const Scalar t09 = v_x_B - v_x_F, t10 = v_y_B - v_y_F, t11 = d.h_F_FG * omega_F;
     const Scalar t12 = phi_B_across_slide_F * omega_B;
     const Scalar velocity_along_slide_F = u.phi_F.cos * t09 + u.phi_F.sin * t10 + t12 - t11;
-    const Scalar t13 = q.s_F * omega_F;
-    const Scalar t14 = phi_B_along_slide_F * omega_B;
+    const Scalar t13 = q.s_F * omega_F, t14 = phi_B_along_slide_F * omega_B;
     const Scalar velocity_across_slide_F = u.phi_F.cos * t10 - u.phi_F.sin * t09 - t13 - t14;
     const Scalar t15 = inverse_sin_psi_C_BC * inverse_sin_phi_D_minus_phi_F;
     const Scalar v_s_B = -t15 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_F
@@ -1241,9 +922,7 @@ struct Model18 {
     const Scalar t16 = cos_phi_B_minus_phi_F * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C;
     const Scalar v_s_F = velocity_along_slide_F + t16;
     const Scalar t17 = cos_phi_B_minus_phi_D * v_s_B - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    const Scalar v_s_D = velocity_along_slide_D + t17;
-    const Scalar t18 = a_x_B - a_x_D;
-    const Scalar t19 = a_y_B - a_y_D;
+    const Scalar v_s_D = velocity_along_slide_D + t17, t18 = a_x_B - a_x_D, t19 = a_y_B - a_y_D;
     const Scalar acceleration_along_slide_D = omega_B * (t08
         + Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
         - Scalar(2) * sin_phi_B_minus_phi_D * v_s_B) + u.phi_D.cos * t18 + u.phi_D.sin * t19
@@ -1251,8 +930,7 @@ struct Model18 {
     const Scalar acceleration_across_slide_D = u.phi_D.cos * t19 + omega_B * (t06 + Scalar(2) * t17)
         - u.phi_D.sin * t18 - omega_D * (t05 + Scalar(2) * v_s_D) - q.s_D * alpha_D
         - phi_B_along_slide_D * alpha_B;
-    const Scalar t20 = a_x_B - a_x_F;
-    const Scalar t21 = a_y_B - a_y_F;
+    const Scalar t20 = a_x_B - a_x_F, t21 = a_y_B - a_y_F;
     const Scalar acceleration_along_slide_F = omega_B * (t14
         + Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_F * v_s_C
         - Scalar(2) * sin_phi_B_minus_phi_F * v_s_B) + u.phi_F.cos * t20 + u.phi_F.sin * t21
@@ -1268,13 +946,8 @@ struct Model18 {
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * a_s_C;
     const Scalar a_s_D = cos_phi_B_minus_phi_D * a_s_B + acceleration_along_slide_D
         - cos_phi_B_plus_psi_C_BC_minus_phi_D * a_s_C;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
-    q_second_rate(0) = a_s_B;
-    q_second_rate(1) = a_s_C;
-    q_second_rate(2) = a_s_D;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
+    q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;  q_second_rate(2) = a_s_D;
     q_second_rate(3) = a_s_F;
   }
 
@@ -1286,24 +959,12 @@ struct Model18 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
-    const Scalar v_x_B = u_rate(0);
-    const Scalar a_x_B = u_second_rate(0);
-    const Scalar v_y_B = u_rate(1);
-    const Scalar a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2);
-    const Scalar v_x_D = u_rate(3);
-    const Scalar a_x_D = u_second_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar v_x_F = u_rate(6);
-    const Scalar a_x_F = u_second_rate(6);
-    const Scalar v_y_F = u_rate(7);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar alpha_F = u_second_rate(8);
+    const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
+    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
+    const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
+    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
+    const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
+    const Scalar a_y_F = u_second_rate(7), omega_F = u_rate(8), alpha_F = u_second_rate(8);
     const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
     const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
@@ -1323,8 +984,7 @@ struct Model18 {
     const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
     const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
         + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t04 = t02 * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t03 * sin_phi_B_plus_psi_C_BC_minus_phi_F;
     const Scalar phi_B_along_slide_F = t04 - q.s_B * cos_phi_B_minus_phi_F;
@@ -1420,25 +1080,19 @@ struct Model18 {
     const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_phi_F
         - cos_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
     S_d(0, 0) = -cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D - t08;
-    S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;
-    S_d(0, 2) = t08;
+    S_d(0, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_B_per_across_slide_F;  S_d(0, 2) = t08;
     S_d(0, 3) = -t04 * s_B_per_across_slide_F - t01 * s_B_per_across_slide_D;
-    S_d(0, 4) = s_B_per_across_slide_D;
-    S_d(0, 5) = s_B_per_across_slide_F;
+    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = s_B_per_across_slide_F;
     S_d(1, 0) = -t06 - t07;
-    S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;
-    S_d(1, 2) = t07;
+    S_d(1, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_C_per_across_slide_F;  S_d(1, 2) = t07;
     S_d(1, 3) = -t04 * s_C_per_across_slide_F - t01 * s_C_per_across_slide_D;
-    S_d(1, 4) = s_C_per_across_slide_D;
-    S_d(1, 5) = s_C_per_across_slide_F;
+    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = s_C_per_across_slide_F;
     S_d(2, 0) = t10 - t09;
-    S_d(2, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;
-    S_d(2, 2) = t09;
+    S_d(2, 1) = sin_phi_B_plus_psi_C_BC_minus_phi_F * s_D_per_across_slide_F;  S_d(2, 2) = t09;
     S_d(2, 3) = q.s_C * t10 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
         + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D)
         - t04 * s_D_per_across_slide_F;
-    S_d(2, 4) = s_D_per_across_slide_D;
-    S_d(2, 5) = s_D_per_across_slide_F;
+    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = s_D_per_across_slide_F;
     S_d(3, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_F_per_across_slide_D;
     S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_phi_F
         + sin_phi_B_plus_psi_C_BC_minus_phi_F * s_F_per_across_slide_F;
@@ -1446,48 +1100,20 @@ struct Model18 {
     S_d(3, 3) = (t02 + t03 * s_F_per_across_slide_F) * sin_phi_B_plus_psi_C_BC_minus_phi_F + (t03
         - t02 * s_F_per_across_slide_F) * cos_phi_B_plus_psi_C_BC_minus_phi_F
         - t01 * s_F_per_across_slide_D;
-    S_d(3, 4) = s_F_per_across_slide_D;
-    S_d(3, 5) = s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;
-    S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = s_B_per_x_D;
-    S_u(0, 4) = s_B_per_y_D;
-    S_u(0, 5) = s_B_per_phi_D;
-    S_u(0, 6) = s_B_per_x_F;
-    S_u(0, 7) = s_B_per_y_F;
-    S_u(0, 8) = s_B_per_phi_F;
-    S_u(1, 0) = s_C_per_x_B;
-    S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = s_C_per_x_D;
-    S_u(1, 4) = s_C_per_y_D;
-    S_u(1, 5) = s_C_per_phi_D;
-    S_u(1, 6) = s_C_per_x_F;
-    S_u(1, 7) = s_C_per_y_F;
-    S_u(1, 8) = s_C_per_phi_F;
-    S_u(2, 0) = s_D_per_x_B;
-    S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = s_D_per_x_D;
-    S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = s_D_per_phi_D;
-    S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(2, 8) = s_D_per_phi_F;
-    S_u(3, 0) = s_F_per_x_B;
-    S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = s_F_per_x_D;
-    S_u(3, 4) = s_F_per_y_D;
-    S_u(3, 5) = s_F_per_phi_D;
-    S_u(3, 6) = s_F_per_x_F;
-    S_u(3, 7) = s_F_per_y_F;
-    S_u(3, 8) = s_F_per_phi_F;
-    q_rate(0) = v_s_B;
-    q_rate(1) = v_s_C;
-    q_rate(2) = v_s_D;
-    q_rate(3) = v_s_F;
+    S_d(3, 4) = s_F_per_across_slide_D;  S_d(3, 5) = s_F_per_across_slide_F;
+    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_phi_D;
+    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;  S_u(0, 8) = s_B_per_phi_F;
+    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_phi_D;
+    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;  S_u(1, 8) = s_C_per_phi_F;
+    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;  S_u(2, 5) = s_D_per_phi_D;
+    S_u(2, 6) = s_D_per_x_F;  S_u(2, 7) = s_D_per_y_F;  S_u(2, 8) = s_D_per_phi_F;
+    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+    S_u(3, 3) = s_F_per_x_D;  S_u(3, 4) = s_F_per_y_D;  S_u(3, 5) = s_F_per_phi_D;
+    S_u(3, 6) = s_F_per_x_F;  S_u(3, 7) = s_F_per_y_F;  S_u(3, 8) = s_F_per_phi_F;
+    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
     q_second_rate(0) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
         + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_phi_D * alpha_D + s_B_per_x_F * a_x_F
         + s_B_per_y_F * a_y_F + s_B_per_phi_F * alpha_F
@@ -1515,9 +1141,7 @@ struct Model18 {
   template <typename Scalar>
   static void position_polynomial(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Vector<Scalar, static_cast<int>(polynomial_degree) + 1>& T) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
     const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_D.sin * u.phi_B.sin;
@@ -1530,15 +1154,13 @@ struct Model18 {
     const Scalar sin_phi_B_minus_phi_F = u.phi_B.sin * u.phi_F.cos - u.phi_B.cos * u.phi_F.sin;
     const Scalar e_0_re = Scalar(2) * (d.psi_C_BC.sin * (u.phi_B.cos * u.phi_F.cos
         + u.phi_B.sin * u.phi_F.sin) + d.psi_C_BC.cos * sin_phi_B_minus_phi_F);
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar t02 = t01 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
+    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, t02 = t01 * u.phi_B.cos - d.x_G_CEG * u.phi_B.sin;
     const Scalar t03 = t01 * u.phi_B.sin + d.x_G_CEG * u.phi_B.cos;
     const Scalar f_0_re = -Scalar(2) * ((FB_y + t03 * d.psi_C_BC.sin
         - t02 * d.psi_C_BC.cos) * u.phi_F.cos + d.h_F_FG - (FB_x + t03 * d.psi_C_BC.cos
         + t02 * d.psi_C_BC.sin) * u.phi_F.sin);
     const Scalar f_1_re = -Scalar(2) * sin_phi_B_minus_phi_F;
-    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;
-    T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
+    T(0) = f_0_re * b_0_re - c_0_re * e_0_re;  T(1) = b_0_re * f_1_re - e_0_re * c_1_re;
   }
 
   /// The reduced equations, one per row, where s_B is known: e(i, 0) z^2 + e(i, 1) z + e(i, 2) = 0
@@ -1547,11 +1169,8 @@ struct Model18 {
   static void second_equations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Matrix<Scalar, 2, 3>& e) {
     e.setZero();
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
-    const Scalar FD_y = u.y_D - u.y_F;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
+    const Scalar FD_y = u.y_D - u.y_F, t01 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t02 = q.s_B + t01 * d.psi_C_BC.sin + d.x_G_CEG * d.psi_C_BC.cos;
     const Scalar t03 = t01 * d.psi_C_BC.cos - d.x_G_CEG * d.psi_C_BC.sin;
     e(0, 1) = -Scalar(2) * ((u.phi_B.cos * u.phi_D.sin - u.phi_B.sin * u.phi_D.cos) * d.psi_C_BC.cos
@@ -1570,13 +1189,10 @@ struct Model18 {
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {
-    const Scalar FB_x = u.x_B - u.x_F;
-    const Scalar FD_x = u.x_D - u.x_F;
-    const Scalar FB_y = u.y_B - u.y_F;
+    const Scalar FB_x = u.x_B - u.x_F, FD_x = u.x_D - u.x_F, FB_y = u.y_B - u.y_F;
     const Scalar FD_y = u.y_D - u.y_F;
     const Scalar t01 = q.s_B + d.h_C_CEG * d.psi_C_BC.sin - q.s_C * d.psi_C_BC.cos;
-    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos;
-    const Scalar t03 = q.s_C - d.x_G_CEG;
+    const Scalar t02 = q.s_C * d.psi_C_BC.sin + d.h_C_CEG * d.psi_C_BC.cos, t03 = q.s_C - d.x_G_CEG;
     const Scalar t04 = d.h_C_CEG - d.y_G_CEG;
     const Scalar t05 = q.s_B + t04 * d.psi_C_BC.sin - t03 * d.psi_C_BC.cos;
     const Scalar t06 = t04 * d.psi_C_BC.cos + t03 * d.psi_C_BC.sin;

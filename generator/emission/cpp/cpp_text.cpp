@@ -16,8 +16,6 @@ namespace {
 
 using Operation = program::ExpressionGraph::Operation;
 
-constexpr std::size_t line_width = 100;
-constexpr std::size_t body_indentation = 4;
 constexpr int small = 1000000;  ///< whole numbers below this are printed as such
 
 /// A number that is a product of named constants.
@@ -130,8 +128,8 @@ class CppText {
     return scaled(step.value);
   }
 
-  /// One statement for each named constant whose value no double holds.
-  [[nodiscard]] std::vector<std::string> quotients() const {
+  /// Declares each named constant whose value no double holds.
+  void add_quotients(FilledLines& lines) const {
     std::map<std::string, GiNaC::numeric> values;
     const program::SymbolOrder& order = program_.graph().order();
     for (const program::Coefficient& coefficient : coefficients_of(program_)) {
@@ -139,12 +137,9 @@ class CppText {
         values[name->get_name()] = *order.number(*name);
       }
     }
-    std::vector<std::string> lines;
     for (const auto& [name, value] : values) {
-      lines.push_back("const Scalar " + name + " = " + (value.is_negative() ? "-" : "") +
-                      literal(GiNaC::abs(value)) + ";");
+      lines.declare(name, (value.is_negative() ? "-" : "") + literal(GiNaC::abs(value)));
     }
-    return lines;
   }
 
  private:
@@ -321,29 +316,31 @@ std::string round_trip(double value) {
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;
 }
 
-std::vector<std::string> cpp_lines(const program::Program& program, const Spelling& spelling) {
+void add_program(const program::Program& program, const Spelling& spelling, FilledLines& lines) {
   const CppText text(program, spelling);
-  std::vector<std::string> lines = text.quotients();
+  text.add_quotients(lines);
   for (const program::Program::Step& step : program.steps()) {
     const bool root = step.form == equations::NamedQuantity::Form::square_root;
-    std::string statement = "const Scalar " + step.name + " = " + text.computed(step) + ";";
-    if (!step.degeneracy.empty()) {
-      const std::string comment =
-          "// " +
-          std::string(root ? "Where the radicand is not positive, " : "A zero divisor means ") +
-          step.degeneracy + ".";
-      if (statement.size() + comment.size() + 2 > line_width - body_indentation) {
-        lines.push_back(comment);
-      } else {
-        statement += "  " + comment;
-      }
+    const std::string value = text.computed(step);
+    if (step.degeneracy.empty()) {
+      lines.declare(step.name, value);
+      continue;
     }
-    lines.push_back(statement);
+    const std::string comment =
+        "// " +
+        std::string(root ? "Where the radicand is not positive, " : "A zero divisor means ") +
+        step.degeneracy + ".";
+    const std::string statement = "const Scalar " + step.name + " = " + value + ";";
+    if (statement.size() + comment.size() + 2 > line_width - body_indentation) {
+      lines.add(comment);
+      lines.add(statement);
+    } else {
+      lines.add(statement + "  " + comment);
+    }
   }
   for (const program::Program::Assignment& assignment : program.assignments()) {
-    lines.push_back(assignment.target + " = " + text.scaled(assignment.value) + ";");
+    lines.assign(assignment.target, text.scaled(assignment.value));
   }
-  return lines;
 }
 
 std::set<std::string> constants_of(const program::Program& program) {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <set>
 #include <string>
-#include <vector>
 
+#include "emission/cpp/filled_lines.hpp"
 #include "program/program.hpp"
 
 namespace assur::generator::emission::cpp {
@@ -21,9 +21,8 @@ using Spelling = std::function<std::string(const std::string& symbol)>;
 /// Whether a double equals a rational number exactly.
 [[nodiscard]] bool is_double(const GiNaC::numeric& number);
 
-/// The program's statements, one per line.
-[[nodiscard]] std::vector<std::string> cpp_lines(const program::Program& program,
-                                                 const Spelling& spelling);
+/// Adds the program's statements.
+void add_program(const program::Program& program, const Spelling& spelling, FilledLines& lines);
 
 /// The named constants that these statements read.
 [[nodiscard]] std::set<std::string> constants_of(const program::Program& program);

@@ -98,41 +98,45 @@ cpp::View::List link_list(const equations::ClosureEquations& equations) {
 cpp::View function_view(const ModelFunction& function, const program::Program& program,
                         const ModelSpelling& spelling, ZeroResults zeros) {
   const auto spell = [&](const std::string& symbol) { return spelling.spell(symbol); };
-  std::vector<std::string> body;
+  cpp::FilledLines body;
+  std::vector<std::pair<std::string, std::string>> taken_out;
   std::set<std::string> used;
   bool sizes = false;
   for (const std::string& symbol : program.reads()) {
-    const std::string alias = spelling.taken_out(symbol);
-    const std::string source = alias.empty() ? spell(symbol) : alias.substr(alias.find('=') + 2);
+    const std::string entry = spelling.taken_out(symbol);
+    const std::string source = entry.empty() ? spell(symbol) : entry;
     const bool size = source.starts_with("abs(");
     const std::size_t start = size ? source.find('(') + 1 : 0;
     used.insert(source.substr(start, source.find_first_of(".(", start) - start));
     sizes = sizes || size;
-    if (!alias.empty()) {
-      body.push_back(alias);
+    if (!entry.empty()) {
+      taken_out.emplace_back(symbol, entry);
     }
   }
   const program::OperationCount count = program.count();
-  if (sizes) {
-    body.insert(body.begin(), "using std::abs;");
-  }
   if (count.square_roots > 0) {
-    body.insert(body.begin(), "using std::sqrt;");
+    body.add("using std::sqrt;");
   }
+  if (sizes) {
+    body.add("using std::abs;");
+  }
+  for (const auto& [symbol, entry] : taken_out) {
+    body.declare(symbol, entry);
+  }
+  body.begin_line();
   for (const Parameter& output : function.outputs) {
     if (mostly_zero(function, output)) {
-      body.push_back(output.name + ".setZero();");
+      body.add(output.name + ".setZero();");
     }
   }
   if (zeros == ZeroResults::assigned) {
     for (const program::Result& result : function.results) {
       if (result.value.is_zero() && result.target.find('(') == std::string::npos) {
-        body.push_back(result.target + " = Scalar(0);");
+        body.assign(result.target, "Scalar(0)");
       }
     }
   }
-  const std::vector<std::string> lines = cpp::cpp_lines(program, spell);
-  body.insert(body.end(), lines.begin(), lines.end());
+  cpp::add_program(program, spell, body);
 
   const auto input_text = [&](const Parameter& parameter) {
     return parameter.type + (used.contains(parameter.name) ? " " + parameter.name : "");
@@ -150,7 +154,7 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
   view.set("doc", cpp::line_list(function.doc, ""));
   view.set("parameters", text::joined(function.inputs, ", ", input_text) + ", " +
                              text::joined(function.outputs, ", ", output_text));
-  view.set("body", cpp::line_list(body, "    "));
+  view.set("body", cpp::line_list(body.lines(), "    "));
   view.set("padded_name", function.name + ":" + std::string(28 - function.name.size(), ' '));
   view.set("multiplications", std::to_string(count.multiplications));
   view.set("additions", std::to_string(count.additions));

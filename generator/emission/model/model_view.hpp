@@ -35,10 +35,10 @@ class ModelSpelling {
     const auto found = members_.find(symbol);
     return found == members_.end() ? symbol : found->second;
   }
-  /// `const Scalar omega_BCG = q_rate(0);`, or nothing for a symbol that is no entry.
+  /// The entry that a symbol is taken out of, such as `q_rate(0)`; empty for a symbol that is none.
   [[nodiscard]] std::string taken_out(const std::string& symbol) const {
     const auto found = rates_.find(symbol);
-    return found == rates_.end() ? "" : "const Scalar " + symbol + " = " + found->second + ";";
+    return found == rates_.end() ? "" : found->second;
   }
 
  private:

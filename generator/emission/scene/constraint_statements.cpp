@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <assur/mechanism/held_pairs.hpp>
-#include <assur/text/names.hpp>
 #include <utility>
+
+#include "emission/cpp/page.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -18,7 +19,7 @@ class Constraints {
   explicit Constraints(const SolverScene& solver)
       : solver_(solver),
         stands_(solver.plan.structure().placed_by_drivers()),
-        lines_(solver.parameters, solver.numbers, solver.derivative_order) {
+        body_(solver.body()) {
     for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
       if (!is_fixed(link)) {
         moving_.push_back(link);
@@ -46,15 +47,18 @@ class Constraints {
            !reports_slides;
   }
 
-  [[nodiscard]] std::vector<std::string> statements() {
+  [[nodiscard]] cpp::Block statements() {
     add_pairs();
-    const std::string links =
-        text::joined(moving_, ", ", [&](auto link) { return "&" + solver_.placed(link); });
-    lines_.add("return support::settle_links<" + std::to_string(rows_) +
-               ">(std::array<LinkFrame*, " + std::to_string(moving_.size()) + ">{{" + links +
-               "}}, std::array<support::HeldPair<LinkFrame>, " + std::to_string(pairs_.size()) +
-               ">{{" + text::joined(pairs_, ", ") + "}}, placed.regularity);");
-    return lines_.lines();
+    std::vector<cpp::Expression> links;
+    for (const mechanism::LinkIndex link : moving_) {
+      links.push_back(cpp::address(*solver_.placed(link)));
+    }
+    body_.add(cpp::returned(
+        cpp::call("support::settle_links<" + std::to_string(rows_) + ">",
+                  {cpp::array({"LinkFrame*", "LinkFrame"}, std::move(links)),
+                   cpp::array({"support::HeldPair<LinkFrame>", "LinkFrame"}, std::move(pairs_)),
+                   cpp::variable("placed").member("regularity")})));
+    return body_.block();
   }
 
  private:
@@ -70,11 +74,15 @@ class Constraints {
         continue;
       }
       rows_ += static_cast<int>(std::ranges::count(pair.holds, true));
-      const std::string holds = text::joined(
-          pair.holds, ", ", [](bool is_held) -> std::string { return is_held ? "true" : "false"; });
-      const std::string frames = frame(pair.first) + ", " + frame(pair.second);
-      pairs_.push_back("support::HeldPair<LinkFrame>{" + place(pair.first) + ", " +
-                       place(pair.second) + ", " + frames + ", {{" + holds + "}}}");
+      std::vector<cpp::Expression> holds;
+      for (const bool is_held : pair.holds) {
+        holds.push_back(cpp::word(cpp::boolean(is_held)));
+      }
+      const cpp::Expression second = frame(pair.second);
+      const cpp::Expression first = frame(pair.first);
+      pairs_.push_back(cpp::braces({"support::HeldPair<LinkFrame>", "LinkFrame"},
+                                   {place(pair.first), place(pair.second), first, second,
+                                    cpp::braces("", {cpp::braces("", std::move(holds))})}));
     }
   }
 
@@ -82,34 +90,33 @@ class Constraints {
     return solver_.mechanism().features()[feature].link;
   }
   /// The place of a feature's link among those that move; -1 for a fixed link.
-  [[nodiscard]] std::string place(mechanism::FeatureIndex feature) const {
+  [[nodiscard]] cpp::Expression place(mechanism::FeatureIndex feature) const {
     const auto found = std::ranges::find(moving_, link_of(feature));
-    return found == moving_.end() ? "-1" : std::to_string(found - moving_.begin());
+    return cpp::word(found == moving_.end() ? "-1" : std::to_string(found - moving_.begin()));
   }
   /// The frame of a feature: on its link, if that moves, and else in the fixed frame.
-  [[nodiscard]] std::string frame(mechanism::FeatureIndex index) {
+  [[nodiscard]] cpp::Expression frame(mechanism::FeatureIndex index) {
     const mechanism::Feature& feature = solver_.mechanism().features()[index];
     const LinkFeature<SceneNumber> at = solver_.numbers.feature(index, feature.is_line);
-    const std::string own = lines_.frame("held", {at.x, at.y, at.along});
-    const std::string link = is_fixed(feature.link) ? solver_.placed(feature.link) : "";
-    return link.empty()  ? own.empty() ? "LinkFrame()" : own
-           : own.empty() ? link
-                         : "support::frame_in(" + link + ", " + own + ")";
+    const OptionalExpression own = body_.frame("held", {at.x, at.y, at.along});
+    const OptionalExpression link =
+        is_fixed(feature.link) ? solver_.placed(feature.link) : std::nullopt;
+    return link || own ? nested_frames({link, own}) : cpp::call(cpp::alias("LinkFrame"));
   }
 
   const SolverScene& solver_;
   mechanism::Table<mechanism::LinkIndex, bool> stands_;
-  SceneLines lines_;
+  FunctionBody body_;
   std::vector<mechanism::LinkIndex> moving_;
-  std::vector<std::string> pairs_;
+  std::vector<cpp::Expression> pairs_;
   int rows_ = 0;
 };
 
 }  // namespace
 
-std::vector<std::string> settling_statements(const SolverScene& solver) {
+cpp::Block settling_statements(const SolverScene& solver) {
   Constraints constraints(solver);
-  return constraints.can_be_closed() ? constraints.statements() : std::vector<std::string>{};
+  return constraints.can_be_closed() ? constraints.statements() : cpp::Block{};
 }
 
 }  // namespace assur::generator::emission::scene

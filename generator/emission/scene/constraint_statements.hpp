@@ -2,9 +2,6 @@
 // makes all of them hold.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "emission/scene/solver_scene.hpp"
 
 namespace assur::generator::emission::scene {
@@ -13,6 +10,6 @@ namespace assur::generator::emission::scene {
 /// they do. There are none for a scene without redundant constraints, with a tolerance for them,
 /// with a driver that moves links that groups place or reads where these are, with reported slides,
 /// or with so many links that the statements would need too much stack.
-[[nodiscard]] std::vector<std::string> settling_statements(const SolverScene& solver);
+[[nodiscard]] cpp::Block settling_statements(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

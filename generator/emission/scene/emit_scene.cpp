@@ -7,12 +7,15 @@
 #include <assur/text/names.hpp>
 #include <functional>
 #include <iterator>
+#include <set>
 
 #include "emission/cpp/cpp_text.hpp"
+#include "emission/cpp/statement_text.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
+#include "emission/scene/listing_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
@@ -22,10 +25,20 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether one of the lines names something.
-bool mention(const std::vector<std::string>& lines, const std::string& name) {
-  return std::any_of(lines.begin(), lines.end(),
-                     [&](const std::string& line) { return line.find(name) != std::string::npos; });
+/// Whether an expression is a row of rates that are assigned one by one, or contains a number as a
+/// rate: these rates do not all follow from arguments.
+bool is_own_rate(const cpp::Expression& part) {
+  const bool is_row = part.form == cpp::Expression::Form::member && part.text == "row" &&
+                      part.parts[0].text == "rates";
+  return is_row || (part.name.text == "Rates" &&
+                    std::ranges::any_of(
+                        part.parts, [](const cpp::Expression& rate) { return rate.is_number(); }));
+}
+
+/// Whether an expression is `placed.drivers`.
+bool is_placed_drivers(const cpp::Expression& part) {
+  return part.form == cpp::Expression::Form::member && part.text == "drivers" &&
+         part.parts[0].text == "placed";
 }
 
 /// Fills the view that templates/scene.hpp.mustache shows.
@@ -60,14 +73,14 @@ class SceneEmitter {
 
  private:
   /// Shows statements under a name, and whether there are any.
-  void show(const std::string& name, const std::vector<std::string>& lines) {
-    view_.set("has_" + name, !lines.empty());
-    view_.set(name, shown(lines));
+  void show(const std::string& name, const cpp::Block& block) {
+    view_.set("has_" + name, !block.empty());
+    view_.set(name, shown(block));
   }
   /// Statements of a function; they are kept to see what they use.
-  [[nodiscard]] cpp::View::List shown(const std::vector<std::string>& lines) {
-    statements_.insert(statements_.end(), lines.begin(), lines.end());
-    return cpp::line_list(lines, "");
+  [[nodiscard]] cpp::View::List shown(const cpp::Block& block) {
+    statements_.insert(statements_.end(), block.begin(), block.end());
+    return cpp::line_list(cpp::printed(block), "");
   }
 
   void show_drivers() {
@@ -101,7 +114,7 @@ class SceneEmitter {
     }
     const PlacingStatements driving = driving_statements(solver_);
     slides_ = driving.slides;
-    view_.set("driving", shown(driving.lines));
+    view_.set("driving", shown(driving.block));
     view_.set("drivers", drivers);
     view_.set("driver_list", text::joined(names, ", ", std::identity()));
     view_.set("driver_count", std::to_string(names.size()));
@@ -149,6 +162,7 @@ class SceneEmitter {
     view_.set("batch_values", variables.empty() ? "{}" : "values");
     view_.set("variable_option", variables.empty() ? "" : " --variable " + variable_names());
     view_.set("has_variables", !variables.empty());
+    view_.set("call_given", variables.empty() ? "drivers" : "drivers, values");
     view_.set("given", variables.empty() ? "drivers" : "{drivers, values}");
     view_.set("given_list", variables.empty() ? "const Drivers<Scalar>& drivers"
                                               : "const Drivers<Scalar>& drivers, const "
@@ -168,11 +182,11 @@ class SceneEmitter {
     SpecialisedGroup special = specialised_group_of(solver_, group);
     const PlacingStatements placing = placing_statements(solver_, group);
     slides_.insert(slides_.end(), placing.slides.begin(), placing.slides.end());
-    const std::vector<std::string> held = holding_statements(solver_, group);
+    const cpp::Block held = holding_statements(solver_, group);
     special.view.set("held", shown(held));
-    special.view.set("base_name", mention(held, "placed.") ? " placed" : "");
+    special.view.set("base_name", cpp::reads(held, "placed") ? " placed" : "");
     special.view.set("held_name", held.empty() ? "" : " held");
-    special.view.set("placing", shown(placing.lines));
+    special.view.set("placing", shown(placing.block));
     first_key_ = order_key(group, special);
     groups_.push_back(special.view);
     structs_.push_back(solver_.group_struct(group));
@@ -193,7 +207,10 @@ class SceneEmitter {
   /// Shows what a state holds, and what the search places.
   void show_results() {
     std::vector<std::string> links;
-    std::vector<std::string> placed;
+    cpp::Block placed;
+    const auto place = [&placed](const cpp::Name& type, const std::string& member) {
+      placed.push_back(cpp::declared(type, cpp::variable(member)));
+    };
     for (const mechanism::LinkIndex link : solver_.mechanism().links().keys()) {
       const std::string& member = solver_.members.links[link];
       if (solver_.reports(link)) {
@@ -204,10 +221,10 @@ class SceneEmitter {
       const std::string& member = solver_.members.links[link];
       if (!solver_.is_ground(link) && solver_.needs[link] != FrameNeed::nothing) {
         const bool whole = solver_.needs[link] == FrameNeed::everything;
-        placed.push_back((whole ? "LinkFrame " : "Direction<Scalar> ") + member + ";");
+        place(whole ? cpp::alias("LinkFrame") : cpp::Name("Direction<Scalar>"), member);
       }
       if (const std::string& relative = solver_.members.relative[link]; !relative.empty()) {
-        placed.push_back("LinkFrame " + relative + ";");
+        place(cpp::alias("LinkFrame"), relative);
       }
     }
     std::vector<std::string> reported;
@@ -219,13 +236,13 @@ class SceneEmitter {
       }
     }
     for (const std::string& slide : slides_) {
-      placed.push_back("LinkSlide slide_" + slide + ";");
+      place(cpp::alias("LinkSlide"), "slide_" + slide);
     }
     view_.set("placed", shown(placed));
-    view_.set("keeps_drivers", mention(statements_, "placed.drivers"));
+    view_.set("keeps_drivers", cpp::any_part(statements_, is_placed_drivers));
     view_.set("links", member_list(links));
     view_.set("has_links", !links.empty());
-    const std::vector<std::string> limits = limit_statements(solver_);
+    const cpp::Block limits = limit_statements(solver_);
     const auto& redundant = solver_.plan.redundant();
     view_.set("has_redundant", !redundant.empty());
     view_.set("redundant_list", cpp::comment_text(text::joined(
@@ -238,16 +255,10 @@ class SceneEmitter {
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));
     view_.set("has_outputs", !solver_.mechanism().outputs().empty());
-    const std::vector<std::string> listing = listing_statements(solver_, reported);
-    view_.set("listing", shown(listing));
+    view_.set("listing", shown(listing_statements(solver_, reported)));
     show_state_members(solver_, !links.empty(), !reported.empty(), view_);
-    const auto computes = [&](const std::string& name) {
-      return mention(statements_, name) || mention(listing, name);
-    };
-    view_.set("has_own_rates", computes(".rates.row(") || computes("Rates(Scalar("));
-    view_.set("in_packs", cpp::boolean(redundant.empty() && !computes("std::") &&
-                                       !computes("support::angle_between") &&
-                                       !computes("support::power_derivative")));
+    view_.set("has_own_rates", cpp::any_part(statements_, is_own_rate));
+    view_.set("in_packs", cpp::boolean(redundant.empty() && cpp::serves_packs(statements_)));
   }
 
   /// For each group the groups that hold it, directly or through others, as a number with one bit
@@ -338,9 +349,10 @@ class SceneEmitter {
         {"LinkSlide", "support::Slide<Scalar, order>"},
         {"ParameterRow", "Matrix<Scalar, 1, parameter_count>"},
         {"Rates", "Matrix<Scalar, 1, order>"}};
+    const std::set<std::string> used = cpp::aliases_in(statements_);
     std::vector<std::string> lines;
     for (const auto& [name, type] : aliases) {
-      if (mention(statements_, name)) {
+      if (used.contains(name)) {
         lines.push_back("using " + name + " = " + type + ";");
       }
     }
@@ -393,9 +405,9 @@ class SceneEmitter {
   }
 
   SolverScene solver_;
-  std::vector<std::string> slides_;      ///< members, in the order in which they are placed
-  std::vector<std::string> statements_;  ///< of all functions
-  std::vector<std::string> structs_;     ///< of the groups
+  std::vector<std::string> slides_;   ///< members, in the order in which they are placed
+  cpp::Block statements_;             ///< of all functions
+  std::vector<std::string> structs_;  ///< of the groups
   std::vector<std::string> steps_;
   std::size_t max_configurations_ = 1;
   std::size_t branch_numbers_ = 0;

@@ -2,15 +2,12 @@
 // that test them.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "emission/scene/solver_scene.hpp"
 
 namespace assur::generator::emission::scene {
 
 /// Statements that return whether every joint keeps its limits and every redundant joint holds,
 /// once all links are placed; empty if no joint has limits or is redundant.
-[[nodiscard]] std::vector<std::string> limit_statements(const SolverScene& solver);
+[[nodiscard]] cpp::Block limit_statements(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

@@ -3,109 +3,117 @@
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/held_pairs.hpp>
-#include <assur/text/names.hpp>
 #include <cmath>
-
-#include "emission/cpp/cpp_text.hpp"
 
 namespace assur::generator::emission::scene {
 
 namespace {
 
 /// The pose of a feature; a point has the direction of its link.
-std::string pose_of(const SolverScene& solver, mechanism::FeatureIndex index, SceneLines& lines) {
+cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
+                        const FunctionBody& body) {
   const mechanism::Feature& feature = solver.mechanism().features()[index];
   const LinkFeature<SceneNumber> place = solver.numbers.feature(index, feature.is_line);
-  const std::string own = "Pose<Scalar>{" + lines.number(place.x) + ", " + lines.number(place.y) +
-                          ", " + lines.direction(place.along) + "}";
-  const std::string link = solver.placed(feature.link);
-  return link.empty() ? own : "support::pose_in(" + link + ".pose, " + own + ")";
+  const cpp::Expression own = cpp::braces(
+      "Pose<Scalar>", {body.number(place.x), body.number(place.y), body.direction(place.along)});
+  const OptionalExpression link = solver.placed(feature.link);
+  return link ? cpp::call("support::pose_in", {link->member("pose"), own}) : own;
 }
 
 /// Where the features of joints are on their links: where all links stand at the origin, no other
 /// length tells what rounding is. Those that do not change are one place with the largest
 /// coordinates.
-std::vector<std::string> own_places(const SolverScene& solver, SceneLines& lines) {
-  std::vector<std::string> places;
+std::vector<cpp::Expression> own_places(const SolverScene& solver, const FunctionBody& body) {
+  std::vector<cpp::Expression> places;
+  const auto add = [&places](const cpp::Expression& x, const cpp::Expression& y) {
+    places.push_back(cpp::braces("Pose<Scalar>", {x, y, cpp::braces("")}));
+  };
   double largest = 0;
   for (const mechanism::Joint& joint : solver.mechanism().joints()) {
     for (const mechanism::FeatureIndex index : joint.between) {
       const LinkFeature<SceneNumber> place = solver.numbers.feature(index, false);
       if (may_change(place.x) || may_change(place.y)) {
-        places.push_back("Pose<Scalar>{" + lines.number(place.x) + ", " + lines.number(place.y) +
-                         ", {}}");
+        add(body.number(place.x), body.number(place.y));
       } else {
         largest = std::max({largest, std::abs(place.x.value()), std::abs(place.y.value())});
       }
     }
   }
-  places.push_back("Pose<Scalar>{Scalar(" + cpp::round_trip(largest) + "), Scalar(0.0), {}}");
+  add(cpp::number(largest), cpp::number(0));
   return places;
 }
 
-/// Expressions for how far redundant joints are from holding. `lines` gets the poses of their
+cpp::Name maximum() { return cpp::scalar_only("(std::max)"); }
+
+/// Expressions for how far redundant joints are from holding. `body` gets the poses of their
 /// features, the largest coordinate of these and of the links' origins as `size`, and the largest
 /// of that and of the features' coordinates on their links as `reach`.
-std::vector<std::string> gaps(const SolverScene& solver, SceneLines& lines) {
-  std::vector<std::string> gaps;
-  std::vector<std::string> poses;
+std::vector<cpp::Expression> gaps(const SolverScene& solver, FunctionBody& body) {
+  std::vector<cpp::Expression> gaps;
+  std::vector<cpp::Expression> poses;
   for (const mechanism::LinkIndex link : solver.mechanism().links().keys()) {
-    if (!solver.is_ground(link)) {
-      poses.push_back(solver.placed(link) + ".pose");
+    if (const OptionalExpression placed = solver.placed(link)) {
+      poses.push_back(placed->member("pose"));
     }
   }
+  const cpp::Expression size = cpp::variable("size");
   for (const mechanism::RedundantJoint& joint : solver.plan.redundant()) {
-    const std::string pair = "redundant_" + std::to_string(gaps.size() + 1);
-    lines.add("const std::array<Pose<Scalar>, 2> " + pair + " = {{" +
-              pose_of(solver, joint.one, lines) + ", " + pose_of(solver, joint.other, lines) +
-              "}};");
+    const cpp::Expression pair = cpp::variable("redundant_" + std::to_string(gaps.size() + 1));
+    body.add(
+        cpp::declared("const std::array<Pose<Scalar>, 2>", pair,
+                      cpp::braces("", {cpp::braces("", {pose_of(solver, joint.one, body),
+                                                        pose_of(solver, joint.other, body)})})));
     const std::array<bool, 3> holds = mechanism::held_by(solver.mechanism(), joint).holds;
     const bool are_lines = holds[2];
-    poses.insert(poses.end(), {pair + "[0]", pair + "[1]"});
-    const std::string apart = are_lines  ? "lines_apart("
-                              : holds[0] ? "points_apart("
-                                         : "point_off_line(";
-    gaps.push_back("support::" + apart + pair + "[0], " + pair + "[1]" +
-                   (are_lines ? ", size" : "") + ")");
+    std::vector<cpp::Expression> compared = {pair.item(0), pair.item(1)};
+    poses.insert(poses.end(), compared.begin(), compared.end());
+    if (are_lines) {
+      compared.push_back(size);
+    }
+    gaps.push_back(cpp::call(are_lines  ? "support::lines_apart"
+                             : holds[0] ? "support::points_apart"
+                                        : "support::point_off_line",
+                             std::move(compared)));
   }
-  lines.add("const Scalar size = support::largest_coordinate(std::array<Pose<Scalar>, " +
-            std::to_string(poses.size()) + ">{{" + text::joined(poses, ", ") + "}});");
-  const std::vector<std::string> places = own_places(solver, lines);
-  lines.add(
-      "const Scalar reach = (std::max)(size, support::largest_coordinate(std::array<Pose<"
-      "Scalar>, " +
-      std::to_string(places.size()) + ">{{" + text::joined(places, ", ") + "}}));");
+  const auto largest = [](std::vector<cpp::Expression> of) {
+    return cpp::call("support::largest_coordinate", {cpp::array("Pose<Scalar>", std::move(of))});
+  };
+  body.add(cpp::declared("const Scalar", size, largest(std::move(poses))));
+  body.add(cpp::declared("const Scalar", cpp::variable("reach"),
+                         cpp::call(maximum(), {size, largest(own_places(solver, body))})));
   return gaps;
 }
 
 }  // namespace
 
-std::vector<std::string> redundancy_tests(const SolverScene& solver, SceneLines& lines) {
-  std::vector<std::string> tests;
+std::vector<cpp::Expression> redundancy_tests(const SolverScene& solver, FunctionBody& body) {
+  std::vector<cpp::Expression> tests;
   if (solver.plan.redundant().empty()) {
     return tests;
   }
-  for (const std::string& gap : gaps(solver, lines)) {
-    tests.push_back(gap + " <= slack");
+  const cpp::Expression slack = cpp::variable("slack");
+  for (const cpp::Expression& gap : gaps(solver, body)) {
+    tests.push_back(cpp::infix(" <= ", {gap, slack}));
   }
-  const std::string slack = "support::redundancy_slack(reach, placed.regularity)";
+  const cpp::Expression rounding =
+      cpp::call("support::redundancy_slack",
+                {cpp::variable("reach"), cpp::variable("placed").member("regularity")});
   const mechanism::NumberIndex given = solver.plan.request().redundancy_tolerance;
-  lines.add("const Scalar slack = " +
-            (given.exists() ? "(std::max)(" + slack + ", Scalar(" +
-                                  lines.number(solver.numbers.number(given)) + "))"
-                            : slack) +
-            ";");
+  body.add(cpp::declared(
+      "const Scalar", slack,
+      given.exists() ? cpp::call(maximum(), {rounding, body.number(solver.numbers.number(given))})
+                     : rounding));
   return tests;
 }
 
-std::vector<std::string> redundant_gap(const SolverScene& solver) {
+cpp::Block redundant_gap(const SolverScene& solver) {
   if (solver.plan.redundant().empty() || solver.plan.request().redundancy_tolerance.exists()) {
     return {};
   }
-  SceneLines lines(solver.parameters, solver.numbers, solver.derivative_order);
-  const std::vector<std::string> missed = gaps(solver, lines);
-  lines.add("return (std::max)({" + text::joined(missed, ", ") + "}) / reach;");
-  return lines.lines();
+  FunctionBody body = solver.body();
+  const cpp::Expression most = cpp::call(maximum(), {cpp::braces("", gaps(solver, body))});
+  body.add(cpp::returned(cpp::quotient(most, cpp::variable("reach"))));
+  return body.block();
 }
 
 }  // namespace assur::generator::emission::scene

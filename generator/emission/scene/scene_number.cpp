@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "emission/cpp/cpp_text.hpp"
-#include "emission/scene/parameter_text.hpp"
+#include "emission/scene/formula_expression.hpp"
 #include "equations/symbols.hpp"
 
 namespace assur::generator::emission::scene {

@@ -1,7 +1,7 @@
-// Turns numbers of a scene, their rates and their slopes into the text that computes them.
+// Turns numbers of a scene, their rates and their slopes into the expressions that compute them.
 #include <algorithm>
 
-#include "emission/scene/parameter_text.hpp"
+#include "emission/scene/formula_expression.hpp"
 #include "emission/scene/scene_numbers.hpp"
 
 namespace assur::generator::emission::scene {
@@ -10,32 +10,32 @@ bool SceneNumbers::moves(const SceneNumber& number) const {
   return number.has_formula() && movers_.move(number.formula());
 }
 
-std::string SceneNumbers::spelled(const GiNaC::ex& formula) const {
-  return cpp_formula(formula.subs(spellings_));
+cpp::Expression SceneNumbers::expression(const GiNaC::ex& formula) const {
+  return expression_of(formula.subs(directions_), expressions_);
 }
 
-std::vector<std::string> SceneNumbers::rates(const SceneNumber& number, int order) const {
+std::vector<cpp::Expression> SceneNumbers::rates(const SceneNumber& number, int order) const {
   const GiNaC::ex formula = number.formula();
-  std::vector<std::string> texts;
+  std::vector<cpp::Expression> rates;
   for (const GiNaC::ex& one : {movers_.rate(formula), movers_.second_rate(formula)}) {
-    texts.push_back(spelled(shortened(at_run_time(one))));
+    rates.push_back(expression(shortened(at_run_time(one))));
   }
-  texts.resize(static_cast<std::size_t>(order));
-  return texts;
+  rates.resize(static_cast<std::size_t>(order));
+  return rates;
 }
 
-std::vector<std::string> SceneNumbers::rates(const Direction<SceneNumber>& direction,
-                                             int order) const {
+std::vector<cpp::Expression> SceneNumbers::rates(const Direction<SceneNumber>& direction,
+                                                 int order) const {
   const auto [x, y, square] = lengthened(direction);
   const GiNaC::ex first = (x * movers_.rate(y) - y * movers_.rate(x)) / square;
   const GiNaC::ex second = (x * movers_.second_rate(y) - y * movers_.second_rate(x)) / square -
                            movers_.rate(square) / square * first;
-  std::vector<std::string> texts;
+  std::vector<cpp::Expression> rates;
   for (const GiNaC::ex& one : {first, second}) {
-    texts.push_back(spelled(shortened(at_run_time(one.expand()))));
+    rates.push_back(expression(shortened(at_run_time(one.expand()))));
   }
-  texts.resize(static_cast<std::size_t>(order));
-  return texts;
+  rates.resize(static_cast<std::size_t>(order));
+  return rates;
 }
 
 bool SceneNumbers::varies(const GiNaC::ex& formula) const {
@@ -51,15 +51,15 @@ bool SceneNumbers::varies(const SceneNumber& number) const {
 /// With r^2 = R: r' = R' / (2 r) and r'' = (R'' / 2 - r'^2) / r.
 const std::vector<SceneNumbers::NamedStep>& SceneNumbers::steps(int order) const {
   const auto add = [&](const GiNaC::symbol& symbol, const GiNaC::ex& formula) {
-    steps_.push_back({symbol.get_name(), spelled(shortened(at_run_time(formula)))});
+    steps_.push_back({symbol.get_name(), expression(shortened(at_run_time(formula)))});
   };
   while (roots_in_steps_ < symbols_.roots().size()) {
     const Root& root = symbols_.roots()[roots_in_steps_++];
     if (!varies(root.radicand)) {
       continue;
     }
-    steps_.push_back(
-        {root.symbol.get_name(), "std::sqrt(" + spelled(at_run_time(root.radicand)) + ")"});
+    steps_.push_back({root.symbol.get_name(), cpp::call(cpp::scalar_only("std::sqrt"),
+                                                        {expression(at_run_time(root.radicand))})});
     if (!movers_.names_rates(root)) {
       continue;
     }
@@ -74,8 +74,8 @@ const std::vector<SceneNumbers::NamedStep>& SceneNumbers::steps(int order) const
   return steps_;
 }
 
-std::string SceneNumbers::text(const SceneNumber& number) const {
-  return spelled(at_run_time(number.formula()));
+cpp::Expression SceneNumbers::expression(const SceneNumber& number) const {
+  return expression(at_run_time(number.formula()));
 }
 
 GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
@@ -102,13 +102,13 @@ GiNaC::ex SceneNumbers::derivative(const GiNaC::ex& formula, const GiNaC::ex& sy
   return at_run_time(slope);
 }
 
-std::vector<std::string> SceneNumbers::gradient(const SceneNumber& number) const {
-  std::vector<std::string> texts;
+Gradient SceneNumbers::gradient(const SceneNumber& number) const {
+  Gradient gradient;
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex slope = derivative(number.formula(), symbol);
-    texts.push_back(slope.is_zero() ? "" : spelled(slope));
+    gradient.push_back(slope.is_zero() ? std::nullopt : std::optional(expression(slope)));
   }
-  return texts;
+  return gradient;
 }
 
 SceneNumbers::LongDirection SceneNumbers::lengthened(
@@ -126,15 +126,15 @@ SceneNumbers::LongDirection SceneNumbers::lengthened(
 }
 
 /// The angle of (x, y) / r has the slope (x dy - y dx) / r^2, whatever r is.
-std::vector<std::string> SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
+Gradient SceneNumbers::gradient(const Direction<SceneNumber>& direction) const {
   const auto [x, y, square] = lengthened(direction);
-  std::vector<std::string> texts;
+  Gradient gradient;
   for (const GiNaC::ex& symbol : modelled_) {
     const GiNaC::ex slope =
         shortened(at_run_time((x * derivative(y, symbol) - y * derivative(x, symbol)) / square));
-    texts.push_back(slope.is_zero() ? "" : spelled(slope));
+    gradient.push_back(slope.is_zero() ? std::nullopt : std::optional(expression(slope)));
   }
-  return texts;
+  return gradient;
 }
 
 }  // namespace assur::generator::emission::scene

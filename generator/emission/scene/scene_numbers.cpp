@@ -4,7 +4,8 @@
 #include <assur/mechanism/error.hpp>
 
 #include "emission/cpp/cpp_text.hpp"
-#include "emission/scene/parameter_text.hpp"
+#include "emission/cpp/statement_text.hpp"
+#include "emission/scene/formula_expression.hpp"
 #include "emission/scene/sample_poses.hpp"
 
 namespace assur::generator::emission::scene {
@@ -28,21 +29,11 @@ bool have_rates_of_parameters(const mechanism::Plan& plan) {
   return (want.velocity || want.acceleration) && (places_move || laws_move);
 }
 
-/// A mover whose symbols are the members of `name`.
-Mover named_mover(const std::string& name, const std::string& position, const std::string& velocity,
-                  const std::string& acceleration) {
-  return {GiNaC::symbol(name + position),
-          GiNaC::symbol(name + velocity),
-          GiNaC::symbol(name + acceleration),
-          {},
-          {}};
-}
-
 }  // namespace
 
 SceneNumbers::SceneNumbers(
     const mechanism::Plan& plan, const mechanism::Values& values,
-    const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
+    const std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>>& variable,
     const std::vector<Eigen::Index>& modelled,
     const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
     const mechanism::Table<mechanism::JointIndex, std::string>& joints,
@@ -52,8 +43,8 @@ SceneNumbers::SceneNumbers(
   symbol_of_.assign(parameters.size(), 0);
   is_variable_.assign(parameters.size(), false);
   parameters_.resize(parameters.size());
-  for (const auto& [parameter, spelling] : variable) {
-    const GiNaC::symbol symbol(spelling);
+  for (const auto& [parameter, argument] : variable) {
+    const GiNaC::symbol symbol = this->symbol(argument);
     symbol_of_[parameter] = symbol;
     is_variable_[parameter] = true;
     symbols_.add(symbol, cpp::exact(values.parameter(parameter)));
@@ -210,8 +201,9 @@ void SceneNumbers::add_positions(
     const mechanism::Formula& law =
         mechanism.numbers()[mechanism.drivers()[driver].position].formula;
     if (law.joints().empty()) {
-      const std::string member = "drivers." + drivers[driver];
-      Mover mover = named_mover(member, ".position", ".velocity", ".acceleration");
+      const cpp::Expression state = cpp::variable("drivers").member(drivers[driver]);
+      Mover mover = this->mover(state.member("position"), state.member("velocity"),
+                                state.member("acceleration"));
       const SceneNumber given = this->law(driver);
       for (const GiNaC::ex& symbol : modelled_) {
         mover.gradient.push_back(
@@ -225,11 +217,13 @@ void SceneNumbers::add_positions(
         read[joint] = positions_[mechanism.driver_of(joint)];
       } else if (!read[joint]) {
         // Where the joint is depends on the configuration: any number will do.
-        const std::string member = "joint_" + joints[joint];
-        Mover mover = named_mover(member, ".position", ".rates(0)", ".rates(1)");
+        const cpp::Expression coordinate = cpp::variable("joint_" + joints[joint]);
+        const cpp::Expression rates = coordinate.member("rates");
+        Mover mover = this->mover(coordinate.member("position"), rates.at({cpp::word(0U)}),
+                                  rates.at({cpp::word(1U)}));
         for (std::size_t column = 0; column < modelled_.size(); ++column) {
           mover.gradient.emplace_back(
-              GiNaC::symbol(member + ".gradient(" + std::to_string(column) + ")"));
+              symbol(coordinate.member("gradient").at({cpp::word(column)})));
         }
         read[joint] = add_mover(mover, mechanism::Dual(1.0));
       }
@@ -261,23 +255,37 @@ void SceneNumbers::add_relative_frames(
       continue;
     }
     const Pose<double> there = seen_from(poses[link.from], poses[link.to]);
-    const std::string frame = "placed." + relative[link.to];
-    const auto coordinate = [&](const std::string& member, int row, double value) {
-      const std::string entry = "(" + std::to_string(row) + ", ";
-      Mover mover = named_mover(frame, member, ".rates" + entry + "0)", ".rates" + entry + "1)");
+    const cpp::Expression frame = cpp::variable("placed").member(relative[link.to]);
+    const cpp::Expression pose = frame.member("pose");
+    const auto coordinate = [&](const cpp::Expression& position, std::size_t row, double value) {
+      const auto entry = [&](const std::string& matrix, std::size_t column) {
+        return frame.member(matrix).at({cpp::word(row), cpp::word(column)});
+      };
+      Mover mover = this->mover(position, entry("rates", 0), entry("rates", 1));
       for (std::size_t column = 0; column < modelled_.size(); ++column) {
-        mover.gradient.emplace_back(
-            GiNaC::symbol(frame + ".gradient" + entry + std::to_string(column) + ")"));
+        mover.gradient.emplace_back(symbol(entry("gradient", column)));
       }
       return add_mover(mover, mechanism::Dual(value));
     };
-    const SceneNumber theta = coordinate(".theta", 2, angle_of(there.direction));
-    relative_[link.to] = {coordinate(".pose.x", 0, there.x),
-                          coordinate(".pose.y", 1, there.y),
+    const SceneNumber theta = coordinate(frame.member("theta"), 2, angle_of(there.direction));
+    relative_[link.to] = {coordinate(pose.member("x"), 0, there.x),
+                          coordinate(pose.member("y"), 1, there.y),
                           {cos(theta), sin(theta)}};
-    spellings_[GiNaC::cos(theta.formula())] = GiNaC::symbol(frame + ".pose.direction.cos");
-    spellings_[GiNaC::sin(theta.formula())] = GiNaC::symbol(frame + ".pose.direction.sin");
+    const cpp::Expression direction = pose.member("direction");
+    directions_[GiNaC::cos(theta.formula())] = symbol(direction.member("cos"));
+    directions_[GiNaC::sin(theta.formula())] = symbol(direction.member("sin"));
   }
+}
+
+GiNaC::symbol SceneNumbers::symbol(const cpp::Expression& expression) {
+  const std::string name = cpp::printed(expression);
+  expressions_.emplace(name, expression);
+  return GiNaC::symbol(name);
+}
+
+Mover SceneNumbers::mover(const cpp::Expression& position, const cpp::Expression& velocity,
+                          const cpp::Expression& acceleration) {
+  return {symbol(position), symbol(velocity), symbol(acceleration), {}, {}};
 }
 
 SceneNumber SceneNumbers::add_mover(const Mover& mover, const mechanism::Dual& value) {

@@ -9,22 +9,26 @@
 #include <utility>
 #include <vector>
 
+#include "emission/scene/formula_expression.hpp"
 #include "emission/scene/scene_movers.hpp"
 
 namespace assur::generator::emission::scene {
+
+/// An expression for each modelled parameter; none where the derivative is zero.
+using Gradient = std::vector<std::optional<cpp::Expression>>;
 
 /// The numbers that a solver is made from. Those that depend on parameters that vary at run time
 /// have formulas.
 class SceneNumbers {
  public:
-  /// `variable`: the parameters that vary, each with its name in C++; `modelled`: the columns of
+  /// `variable`: the parameters that vary, each with its expression; `modelled`: the columns of
   /// the parameters to which derivatives are modelled; `drivers` and `joints`: the members that
   /// stand for them; `relative`: for each link whose group is solved relative to a moving link, the
   /// member for its frame. Throws MechanismError for a length that variable parameters change and
   /// that is zero at the scene's own numbers, and if groups are solved relative to moving links but
   /// the scene has no configuration at its own numbers.
   SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
-               const std::vector<std::pair<mechanism::ParameterIndex, std::string>>& variable,
+               const std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>>& variable,
                const std::vector<Eigen::Index>& modelled,
                const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
                const mechanism::Table<mechanism::JointIndex, std::string>& joints,
@@ -54,10 +58,10 @@ class SceneNumbers {
   /// Whether the number depends on something that moves, such as a driver.
   [[nodiscard]] bool moves(const SceneNumber& number) const;
   /// The formulas of its rates in time, as many as `order`.
-  [[nodiscard]] std::vector<std::string> rates(const SceneNumber& number, int order) const;
+  [[nodiscard]] std::vector<cpp::Expression> rates(const SceneNumber& number, int order) const;
   /// The same for the angle of a direction that moves: c s' - s c', c s'' - s c''.
-  [[nodiscard]] std::vector<std::string> rates(const Direction<SceneNumber>& direction,
-                                               int order) const;
+  [[nodiscard]] std::vector<cpp::Expression> rates(const Direction<SceneNumber>& direction,
+                                                   int order) const;
 
   /// Whether the number depends on a parameter that varies at run time, or on a driver.
   [[nodiscard]] bool varies(const SceneNumber& number) const;
@@ -66,16 +70,17 @@ class SceneNumbers {
   }
   /// A square root in formulas that vary, or one of its rates, which a function computes by name.
   struct NamedStep {
-    std::string name, formula;
+    std::string name;
+    cpp::Expression formula;
   };
   /// The steps in the order in which they depend on one another, with as many rates as `order`.
   [[nodiscard]] const std::vector<NamedStep>& steps(int order) const;
   /// The formula of a number that varies.
-  [[nodiscard]] std::string text(const SceneNumber& number) const;
-  /// The formulas of its derivatives to the modelled parameters; empty where one is zero.
-  [[nodiscard]] std::vector<std::string> gradient(const SceneNumber& number) const;
+  [[nodiscard]] cpp::Expression expression(const SceneNumber& number) const;
+  /// The formulas of its derivatives to the modelled parameters; none where one is zero.
+  [[nodiscard]] Gradient gradient(const SceneNumber& number) const;
   /// The same for the angle of a direction that varies: c ds - s dc.
-  [[nodiscard]] std::vector<std::string> gradient(const Direction<SceneNumber>& direction) const;
+  [[nodiscard]] Gradient gradient(const Direction<SceneNumber>& direction) const;
 
  private:
   /// Evaluates a parameter after those on which it depends.
@@ -89,8 +94,13 @@ class SceneNumbers {
   SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
   /// The formula in what varies at run time: deviations are zero, so that their roots are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
-  /// The C++ text of a formula that `at_run_time` returned.
-  [[nodiscard]] std::string spelled(const GiNaC::ex& formula) const;
+  /// The expression of a formula that `at_run_time` returned.
+  [[nodiscard]] cpp::Expression expression(const GiNaC::ex& formula) const;
+  /// A symbol that stands for an expression.
+  [[nodiscard]] GiNaC::symbol symbol(const cpp::Expression& expression);
+  /// A mover with the expressions of its position and its rates.
+  [[nodiscard]] Mover mover(const cpp::Expression& position, const cpp::Expression& velocity,
+                            const cpp::Expression& acceleration);
   /// A direction as (x, y) / r, with r^2. Without the roots that both parts are divided by, the
   /// derivatives of its angle are shorter.
   struct LongDirection {
@@ -119,7 +129,8 @@ class SceneNumbers {
   mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
   /// The frames of links whose groups are solved relative to a link, in the frame of that link.
   mechanism::Table<mechanism::LinkIndex, Pose<SceneNumber>> relative_;
-  GiNaC::exmap spellings_;  ///< of the cosines and sines of these frames' angles
+  GiNaC::exmap directions_;  ///< cosines and sines of these frames' angles to symbols
+  SymbolExpressions expressions_;
   mechanism::Table<mechanism::GroupIndex, mechanism::GroupGeometry<SceneNumber>> groups_;
 };
 

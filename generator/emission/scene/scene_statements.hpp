@@ -10,20 +10,16 @@ namespace assur::generator::emission::scene {
 
 /// Statements that place links, and the members of the slides that they place.
 struct PlacingStatements {
-  std::vector<std::string> lines;
+  cpp::Block block;
   std::vector<std::string> slides;
 };
 
 /// Places the links that the ground carries.
 [[nodiscard]] PlacingStatements driving_statements(const SolverScene& solver);
 /// Holds a group's external joints where moving links have them.
-[[nodiscard]] std::vector<std::string> holding_statements(const SolverScene& solver,
-                                                          mechanism::GroupIndex group);
+[[nodiscard]] cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex group);
 /// Places the links and slides of a group in one of its configurations.
 [[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,
                                                    mechanism::GroupIndex group);
-/// Fills a state from the placed links, and from the slides with these members.
-[[nodiscard]] std::vector<std::string> listing_statements(const SolverScene& solver,
-                                                          const std::vector<std::string>& slides);
 
 }  // namespace assur::generator::emission::scene

@@ -62,11 +62,11 @@ ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechan
 }
 
 /// The variable parameters as the statements of a solver call them.
-std::vector<std::pair<mechanism::ParameterIndex, std::string>> spelled(
+std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>> arguments(
     const std::vector<VariableParameter>& variable) {
-  std::vector<std::pair<mechanism::ParameterIndex, std::string>> list;
+  std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>> list;
   for (const VariableParameter& parameter : variable) {
-    list.emplace_back(parameter.index, "p." + parameter.member);
+    list.emplace_back(parameter.index, cpp::variable("p").member(parameter.member));
   }
   return list;
 }
@@ -191,7 +191,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),
       members(scene_members(plan.mechanism(), plan.structure())),
-      numbers(plan, values, spelled(variable), parameters.columns(), members.drivers,
+      numbers(plan, values, arguments(variable), parameters.columns(), members.drivers,
               members.joints, members.relative),
       needs(needs_of_links(*this)),
       derivative_order(order_of(described.request.want)),

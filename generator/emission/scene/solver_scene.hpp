@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "emission/scene/scene_lines.hpp"
+#include "emission/scene/function_body.hpp"
 #include "emission/scene/scene_numbers.hpp"
 #include "emission/scene/specialised_group.hpp"
 #include "structure/kind.hpp"
@@ -89,13 +89,17 @@ struct SolverScene {
     const mechanism::Want& want = plan.request().want;
     return want.position || want.velocity || want.acceleration;
   }
-  /// `placed.crank`, or an empty text for the ground, whose frame is the fixed one.
-  [[nodiscard]] std::string placed(mechanism::LinkIndex link) const {
-    return is_ground(link) ? "" : "placed." + members.links[link];
+  /// `placed.crank`, or nothing for the ground, whose frame is the fixed one.
+  [[nodiscard]] std::optional<cpp::Expression> placed(mechanism::LinkIndex link) const {
+    return is_ground(link) ? std::nullopt
+                           : std::optional(cpp::variable("placed").member(members.links[link]));
   }
+  /// The body of a function of the solver, without statements.
+  [[nodiscard]] FunctionBody body() const { return {parameters, numbers, derivative_order}; }
   /// The place where a group puts one of its links: `placed.crank`, or `placed.rod_on_crank`.
-  [[nodiscard]] std::string placed_by_group(mechanism::LinkIndex link) const {
-    return "placed." + (members.relative[link].empty() ? members.links : members.relative)[link];
+  [[nodiscard]] cpp::Expression placed_by_group(mechanism::LinkIndex link) const {
+    const auto& names = members.relative[link].empty() ? members.links : members.relative;
+    return cpp::variable("placed").member(names[link]);
   }
   [[nodiscard]] const std::string& slide_member(const mechanism::ElementaryJoint& at) const {
     return members.joints[at.joint];

@@ -18,8 +18,8 @@ struct ExternalJoint {
     return solver.numbers.feature(*joint, base);
   }
   /// The frame of that link, nothing where it is the frame of the group.
-  [[nodiscard]] std::string frame(const SolverScene& solver) const {
-    return is_in_frame ? "" : solver.placed(base);
+  [[nodiscard]] OptionalExpression frame(const SolverScene& solver) const {
+    return is_in_frame ? std::nullopt : solver.placed(base);
   }
   /// Whether the group is held at one place of its frame at every time and with any parameters.
   [[nodiscard]] bool is_fixed(const SolverScene& solver) const;

@@ -9,6 +9,7 @@
 
 #include "command/command.hpp"
 #include "generator/emitted_code.hpp"
+#include "generator/solver_comparison.hpp"
 
 namespace assur::test::emit_scene_content_test {
 namespace {
@@ -86,6 +87,59 @@ TEST(EmitSceneContent, PlacesNoPointOfWhichNothingIsWanted) {
   };
   EXPECT_NE(emitted("position").find("point_P"), std::string::npos);
   EXPECT_EQ(emitted("sensitivity").find("point_P"), std::string::npos);
+}
+
+/// Rates that a law gives as numbers are no arguments, whatever their sign and their place.
+TEST(EmitSceneContent, TellsOfRatesThatAreNoArguments) {
+  const TemporaryDirectory directory;
+  Json scene = Json::parse(R"({"links": {"ground": {"A": [0, 0], "D": [4, 0]},
+      "crank": {"A": [0, 0], "P": [1, 0]}, "wheel": {"D": [0, 0], "Q": [1, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+               "D": {"type": "revolute", "between": ["ground.D", "wheel.D"]}},
+    "outputs": {"P": "crank.P", "Q": "wheel.Q"}})");
+  const auto has_own_rates = [&](const Json& wheel) {
+    scene["drivers"] = {{"A", {{"position", 0.5}, {"velocity", 1}}}, {"D", wheel}};
+    const fs::path file = directory.write("gears.json", scene.dump());
+    const CommandResult result =
+        run_assur("emit --scene " + file.string() + " --output " + directory.path().string());
+    EXPECT_EQ(result.status, 0) << result.messages;
+    const std::string code = code_of(read_file(directory.path() / "assur/scenes/gears.hpp"));
+    return code.find("has_own_rates = true") != std::string::npos;
+  };
+  const std::string law = "-2*joint(A)";
+  EXPECT_FALSE(has_own_rates({{"position", law}}));
+  EXPECT_TRUE(has_own_rates({{"position", law}, {"velocity", 3}}));
+  EXPECT_TRUE(has_own_rates({{"position", law}, {"velocity", -3}}));
+  EXPECT_TRUE(has_own_rates({{"position", law}, {"acceleration", -3}}));
+}
+
+/// The lines under "How to call it" in the head of a solver.
+std::string usage_in(const std::string& header) {
+  const std::string lead = "//   ";
+  std::istringstream lines(header.substr(header.find("// How to call it:\n")));
+  std::string line;
+  std::getline(lines, line);
+  std::string usage;
+  while (std::getline(lines, line) && line.starts_with(lead)) {
+    usage += line.substr(lead.size()) + "\n";
+  }
+  return usage;
+}
+
+TEST(EmitSceneContent, ShowsInItsHeadHowToCallIt) {
+  const TemporaryDirectory directory;
+  const CommandResult result =
+      run_assur("emit --scene " ASSUR_EXAMPLES "/slider_crank.json --variable all --output " +
+                directory.path().string());
+  ASSERT_EQ(result.status, 0) << result.messages;
+  const std::string usage = usage_in(read_file(directory.path() / "assur/scenes/slider_crank.hpp"));
+  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 10);
+  const fs::path source = directory.write(
+      "use.cpp", "#include <assur/scenes/slider_crank.hpp>\nint main() {\n" + usage +
+                     "return found.count == 2 && track.status == assur::Status::ok ? 0 : 1;\n}\n");
+  const std::string program = (directory.path() / "use").string();
+  compile_program(source, program, directory);
+  EXPECT_EQ(std::system(program.c_str()), 0) << usage;
 }
 
 TEST(EmitSceneContent, IsTheSameInEveryProcess) {

@@ -1,0 +1,38 @@
+// Lays out the statements of a straight-line function: those that belong together share lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace assur::generator::emission::cpp {
+
+/// The columns of a line of emitted text, and how far the body of a member function is indented.
+constexpr std::size_t line_width = 100;
+constexpr std::size_t body_indentation = 4;
+
+/// Consecutive declarations become one statement, and assignments to entries of one row of a matrix
+/// stand beside one another, as long as the line is not full.
+class FilledLines {
+ public:
+  /// A line that shares its place with no other.
+  void add(const std::string& line);
+  /// What follows begins a line.
+  void begin_line() { last_ = Last::other; }
+  /// `const Scalar name = value`
+  void declare(const std::string& name, const std::string& value);
+  /// `target = value`
+  void assign(const std::string& target, const std::string& value);
+
+  [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
+
+ private:
+  enum class Last : unsigned char { other, declaration, assignment };
+  /// Whether a line has room for more text behind it.
+  [[nodiscard]] bool has_room(const std::string& more) const;
+
+  std::vector<std::string> lines_;
+  Last last_ = Last::other;
+  std::string row_;  ///< of the last assignment
+};
+
+}  // namespace assur::generator::emission::cpp

@@ -1,0 +1,149 @@
+#include "emission/scene/carried_links.hpp"
+
+#include <array>
+
+namespace assur::generator::emission::scene {
+
+namespace {
+
+/// Rates as a row; nothing if none are wanted.
+OptionalExpression row_of(std::vector<cpp::Expression> rates) {
+  return rates.empty() ? std::nullopt
+                       : OptionalExpression(cpp::call(cpp::alias("Rates"), std::move(rates)));
+}
+
+/// A driver as statements read it.
+struct DriverValue {
+  cpp::Expression position;
+  OptionalExpression rates;  ///< nothing if none are wanted
+  SceneNumber law;           ///< how the position follows the parameters
+};
+
+/// An argument of the solver, or the formula of a law in the joints that it reads.
+DriverValue driver_value(const SolverScene& solver, mechanism::DriverIndex index,
+                         const FunctionBody& body) {
+  if (solver.is_argument(index)) {
+    const cpp::Expression state = cpp::variable("drivers").member(solver.members.drivers[index]);
+    std::vector<cpp::Expression> rates = {state.member("velocity"), state.member("acceleration")};
+    rates.resize(static_cast<std::size_t>(solver.derivative_order));
+    return {state.member("position"), row_of(std::move(rates)), solver.numbers.law(index)};
+  }
+  const SceneNumber& position = solver.numbers.position(index);
+  const mechanism::Driver& driver = solver.mechanism().drivers()[index];
+  std::vector<cpp::Expression> rates = solver.numbers.rates(position, solver.derivative_order);
+  const std::array<mechanism::NumberIndex, 2> given = {driver.velocity, driver.acceleration};
+  for (std::size_t order = 0; order < rates.size(); ++order) {
+    if (given[order].exists()) {
+      rates[order] = cpp::number(solver.values.number(given[order]).value());
+    }
+  }
+  return {body.number(position), row_of(std::move(rates)), position};
+}
+
+std::string coordinate_of(const SolverScene& solver, mechanism::JointIndex joint) {
+  return "joint_" + solver.members.joints[joint];
+}
+
+}  // namespace
+
+std::string feature_name(const SolverScene& solver, const std::string& feature,
+                         mechanism::LinkIndex link) {
+  return feature + "_on_" + solver.link_name(link);
+}
+
+Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::ElementaryJoint& at,
+                                mechanism::LinkIndex link) {
+  const LinkFeature<SceneNumber> feature = solver.numbers.feature(at, link);
+  return {feature.x, feature.y, feature.along};
+}
+
+cpp::Expression with_sense(double sense, const cpp::Expression& expression) {
+  return sense < 0 ? cpp::negative(expression) : expression;
+}
+
+cpp::Expression placed_slide(const std::string& member) {
+  return cpp::variable("placed").member("slide_" + member);
+}
+
+cpp::Expression slide_of(const cpp::Expression& displacement, const OptionalExpression& rates) {
+  return rates ? cpp::braces("", {displacement, *rates}) : cpp::braces("", {displacement});
+}
+
+cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
+                             FunctionBody& body) {
+  const mechanism::Mechanism& mechanism = solver.mechanism();
+  const auto frame_of = [&](mechanism::FeatureIndex index) {
+    const mechanism::Feature& described = mechanism.features()[index];
+    const LinkFeature<SceneNumber> feature = solver.numbers.feature(index, described.is_line);
+    const OptionalExpression own = body.frame(feature_name(solver, described.name, described.link),
+                                              {feature.x, feature.y, feature.along});
+    return nested_frames({solver.placed(described.link), own});
+  };
+  const std::vector<mechanism::FeatureIndex>& between = mechanism.joints()[slide].between;
+  const std::size_t line = mechanism.features()[between[0]].is_line ? 0 : 1;
+  const cpp::Expression from = frame_of(between[line]);
+  return cpp::call("support::displacement_along", {from, frame_of(between[1 - line])});
+}
+
+void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
+                     const std::function<bool(const std::string&)>& is_read) {
+  const mechanism::Mechanism& mechanism = solver.mechanism();
+  const auto link_of = [&](mechanism::FeatureIndex feature) {
+    return mechanism.features()[feature].link;
+  };
+  for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
+    const mechanism::Joint& at = mechanism.joints()[joint];
+    const std::string name = coordinate_of(solver, joint);
+    if (mechanism.driver_of(joint).exists() || body.declares(name) || !is_read(name)) {
+      continue;
+    }
+    const cpp::Expression value =
+        at.type == mechanism::JointType::revolute
+            ? cpp::call(cpp::scalar_only("support::angle_between"),
+                        {nested_frames({solver.placed(link_of(at.between[0]))}),
+                         nested_frames({solver.placed(link_of(at.between[1]))})})
+            : displacement(solver, joint, body);
+    body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
+  }
+}
+
+void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,
+                      FunctionBody& body, std::vector<std::string>& slides) {
+  if (link.group.exists()) {
+    body.add(
+        cpp::assigned(*solver.placed(link.to),
+                      nested_frames({solver.placed(link.from), solver.placed_by_group(link.to)})));
+    return;
+  }
+  const mechanism::ElementaryJoint& at = solver.joint(link.joint);
+  add_joints_read(solver, link.driver, body, [](const std::string&) { return true; });
+  const DriverValue driver = driver_value(solver, link.driver, body);
+  const double sense = at.first == link.from ? 1 : -1;
+  const OptionalExpression gradient =
+      body.gradient(at.name + "_gradient", SceneNumber(sense) * driver.law);
+  const bool is_formula = !solver.is_argument(link.driver) && sense < 0;
+  std::vector<cpp::Expression> law = {
+      with_sense(sense, is_formula ? cpp::parentheses(driver.position) : driver.position)};
+  if (driver.rates || gradient) {
+    law.push_back(driver.rates ? with_sense(sense, *driver.rates) : cpp::braces(""));
+  }
+  if (gradient) {
+    law.push_back(*gradient);
+  }
+  const std::string kind = at.prismatic ? "support::sliding" : "support::turning";
+  const cpp::Expression moved =
+      cpp::call(kind + "<Scalar, order, parameter_count>", std::move(law));
+  const OptionalExpression near =
+      body.frame(feature_name(solver, at.name, link.from), feature_frame(solver, at, link.from));
+  const OptionalExpression far = body.frame(solver.link_name(link.to) + "_on_" + at.name,
+                                            mechanism::inverse(feature_frame(solver, at, link.to)));
+  body.add(cpp::assigned(*solver.placed(link.to),
+                         nested_frames({solver.placed(link.from), near, moved, far})));
+  if (at.prismatic) {
+    const std::string& slide = solver.slide_member(at);
+    body.add(cpp::assigned(placed_slide(slide), slide_of(driver.position, driver.rates)));
+    slides.push_back(slide);
+  }
+}
+
+}  // namespace assur::generator::emission::scene

@@ -1,0 +1,37 @@
+// Turns links that others carry, and joints that laws read, into statements of a solver.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "emission/scene/solver_scene.hpp"
+
+namespace assur::generator::emission::scene {
+
+/// The name of a feature's frame: `B_on_crank`.
+[[nodiscard]] std::string feature_name(const SolverScene& solver, const std::string& feature,
+                                       mechanism::LinkIndex link);
+/// A joint's feature as a frame of the link: a line along its x-axis, a point in the link's axes.
+[[nodiscard]] Pose<SceneNumber> feature_frame(const SolverScene& solver,
+                                              const mechanism::ElementaryJoint& at,
+                                              mechanism::LinkIndex link);
+/// The expression, or its negative.
+[[nodiscard]] cpp::Expression with_sense(double sense, const cpp::Expression& expression);
+[[nodiscard]] cpp::Expression placed_slide(const std::string& member);
+/// A slide's displacement with its rates, if they are wanted.
+[[nodiscard]] cpp::Expression slide_of(const cpp::Expression& displacement,
+                                       const OptionalExpression& rates);
+/// How far along its line a slide is, where the links stand.
+[[nodiscard]] cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
+                                           FunctionBody& body);
+
+/// Declares the coordinates of the joints that a driver's law reads and that groups place, as far
+/// as `is_read` tells for their names.
+void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
+                     const std::function<bool(const std::string&)>& is_read);
+/// Places a link that another one carries. A slide that this moves is added to `slides`.
+void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,
+                      FunctionBody& body, std::vector<std::string>& slides);
+
+}  // namespace assur::generator::emission::scene
