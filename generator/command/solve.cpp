@@ -199,9 +199,9 @@ bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
                  const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   expect_no_setting_of(plan, options);
-  const int chosen =
-      options.nearest ? nearest_branch(scene.mechanism, scene.request).value_or(0) : options.branch;
-  const bool is_all = !options.nearest && options.branch == 0;
+  const std::optional<int> chosen = options.nearest ? nearest_branch(scene.mechanism, scene.request)
+                                                    : std::optional(options.branch);
+  const bool is_all = chosen == 0;
   ProgressBar bar;
   bool degenerate = false;
   int last_branch = 0;
@@ -209,7 +209,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
   std::string text = csv_header(plan);
   const auto record = [&](const mechanism::SweepRecord& row) {
     last_branch = std::max(last_branch, row.branch);
-    if (is_all || row.branch == chosen) {
+    if (is_all || (row.event.empty() && row.branch == chosen)) {
       has_row = true;
       add_csv_row(plan, row, text);
     }

@@ -61,12 +61,14 @@ class NearestBranchFinder {
     if (!start) {
       return std::nullopt;
     }
-    // A sweep up to the step has the same branches as the whole one, with the same numbers.
+    // A sweep to the next step has the same branches there as the whole one, with the same numbers;
+    // without that step it would not tell branches apart that cross here.
+    const int next = std::min(start->step + 1, request_.sweep->count - 1);
     const double size = size_of(start->configuration);
     double least = std::numeric_limits<double>::infinity();
     std::optional<int> found;
-    run_sweep(from_, value_at(start->step), start->step + 1, [&](const SweepRecord& row) {
-      if (row.event.empty() && row.step == start->step) {
+    run_sweep(from_, value_at(next), next + 1, [&](const SweepRecord& row) {
+      if (row.event.empty() && row.branch > 0 && row.step == start->step) {
         const double square = square_between(*row.state, start->configuration, size);
         if (square < least) {  // At a crossing the first of the branches is followed.
           least = square;

@@ -152,6 +152,9 @@ def compare_sweep(name, scene, answer, solve):
     # Close to another configuration, which is nearest depends on rounding.
     if phi is None or drawn["runner_up"] and drawn["runner_up"] - drawn["distance"] < 1e-3:
         return
+    # At a dead centre two branches begin where the drawing stands.
+    if answer["configurations"][drawn["configuration"] - 1]["regularity"] != "regular":
+        return
     count = 9
     swept = {**scene, "want": ["position"], "sweep": {
         "parameter": phi, "from": f"{phi} - 0.4", "to": f"{phi} + 0.4", "count": count}}
