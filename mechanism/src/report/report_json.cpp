@@ -3,6 +3,7 @@
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
 
+#include "forces_json.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -125,6 +126,7 @@ Json configuration_json(const Configuration& configuration, const Report& report
   }
   const Want& want = report.plan.request().want;
   Json entry = parts_json(configuration, report, want);
+  add_forces(report, configuration, entry);
   if (!configuration.branches.empty()) {
     entry["branches"] = Json::array();
   }
