@@ -51,6 +51,15 @@ class LoadedLinks {
   [[nodiscard]] double number(NumberIndex number) const {
     return number.exists() ? values_.value_of(number) : 0;
   }
+  /// A mass, an inertia, a stiffness, the length of a spring, or a damping.
+  [[nodiscard]] double size(NumberIndex index) const {
+    const double value = number(index);
+    if (value < 0) {
+      throw MechanismError(mechanism_.numbers()[index].part,
+                           "the value is negative; give zero or more");
+    }
+    return value;
+  }
 
  private:
   [[nodiscard]] Dual in_time(NumberIndex number) const {
@@ -138,9 +147,9 @@ class LoadCollector {
     const MovingPlace other = links_.place(spring.between[1]);
     const Vector2d apart = other.at - one.at;
     const double length = apart.norm();
-    const double stiffness = links_.number(spring.stiffness);
-    const double damping = links_.number(spring.damping);
-    const double rest = links_.number(spring.rest);
+    const double stiffness = links_.size(spring.stiffness);
+    const double damping = links_.size(spring.damping);
+    const double rest = links_.size(spring.rest);
     // Where the ends coincide, the spring has no direction; with the length 0 it needs none.
     Vector2d pull = stiffness * apart;
     if ((stiffness > 0 && rest > 0) || damping > 0) {
@@ -160,8 +169,8 @@ class LoadCollector {
   void add_joint_spring(const Spring& spring) {
     const CoordinatePair pair = balance_.coordinates().pair_of(spring.between);
     const Frame relative = balance_.coordinates().relative(pair);
-    const double damping = links_.number(spring.damping);
-    double effort = -links_.number(spring.stiffness) * deflection(spring, pair, relative);
+    const double damping = links_.size(spring.damping);
+    double effort = -links_.size(spring.stiffness) * deflection(spring, pair, relative);
     if (damping > 0) {
       effort -= damping * relative.velocity(pair.coordinate);
     }
@@ -185,7 +194,11 @@ class LoadCollector {
         return balance_.coordinates().value(index) - rest;
       }
     }
-    return std::remainder(angle_of(relative.pose.direction) - rest, 2 * std::numbers::pi);
+    // At half a turn rounding would choose between the two senses; it counts as positive.
+    constexpr double rounding_of_angles = 1e-9;
+    const double turn = 2 * std::numbers::pi;
+    const double within = std::remainder(angle_of(relative.pose.direction) - rest, turn);
+    return within < rounding_of_angles - turn / 2 ? within + turn : within;
   }
 
   const Values& values_;
@@ -203,8 +216,8 @@ std::vector<MassCentre> mass_centres(const Values& values, const Configuration& 
   std::vector<MassCentre> centres;
   for (const Mass& mass : values.plan().mechanism.loading().masses) {
     const MovingPlace at = links.place(mass.at);
-    centres.push_back({mass.at.link, links.number(mass.mass), links.number(mass.inertia), at.arm,
-                       at.acceleration});
+    centres.push_back(
+        {mass.at.link, links.size(mass.mass), links.size(mass.inertia), at.arm, at.acceleration});
   }
   return centres;
 }

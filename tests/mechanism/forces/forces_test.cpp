@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <numeric>
@@ -157,6 +158,88 @@ TEST_P(ForcesOfScenes, KeepLinksInEquilibrium) {
     });
     expect_small(most);
   }
+}
+
+/// The scene with parameters at rest, and with drivers that follow their laws where these read
+/// joints.
+Json at_rest(Json scene) {
+  for (auto& [name, parameter] : scene["parameters"].items()) {
+    if (parameter.is_object()) {
+      parameter.erase("velocity");
+      parameter.erase("acceleration");
+    }
+  }
+  double rate = 0.7;
+  for (auto& [name, driver] : scene["drivers"].items()) {
+    driver.erase("velocity");
+    driver.erase("acceleration");
+    if (driver["position"].dump().find("joint(") == std::string::npos) {
+      driver["velocity"] = rate = 1.3 - rate;
+      driver["acceleration"] = rate - 1;
+    }
+  }
+  scene["want"] = {"position", "velocity", "acceleration", "coefficients"};
+  return scene;
+}
+
+/// Rates by the chain rule from the coefficients and the rates of the drivers.
+template <int Coordinates>
+std::array<Eigen::Matrix<double, Coordinates, 1>, 2> rates_by_chain_rule(
+    const mechanism::Derivatives<Coordinates>& of, const Eigen::VectorXd& rate,
+    const Eigen::VectorXd& second_rate) {
+  Eigen::Matrix<double, Coordinates, 1> acceleration = of.first * second_rate;
+  for (std::size_t row = 0; row < Coordinates; ++row) {
+    acceleration(static_cast<Eigen::Index>(row)) += rate.dot(of.second[row] * rate);
+  }
+  return {of.first * rate, acceleration};
+}
+
+/// The group solver's velocities and accelerations follow from the coefficients of all bodies.
+TEST_P(ForcesOfScenes, HaveCoefficientsThatGiveTheRates) {
+  double worst = 0;
+  int count = 0;
+  for_each_scene(12, 300, Places::anywhere, [&](const RandomDrivenScene& made, unsigned) {
+    const Solved scene = solved(at_rest(made.scene()));
+    for (const Configuration& configuration : scene.configurations()) {
+      if (configuration.regularity != Status::ok || !configuration.rates_known) {
+        continue;
+      }
+      const mechanism::KinematicCoefficients all =
+          mechanism::coefficients_of(scene.values, configuration);
+      Eigen::VectorXd rate(std::ssize(all.drivers));
+      Eigen::VectorXd second_rate(std::ssize(all.drivers));
+      for (std::size_t place = 0; place < all.drivers.size(); ++place) {
+        const auto row = static_cast<Eigen::Index>(place);
+        rate(row) = scene.values.motion(all.drivers[place]).velocity;
+        second_rate(row) = scene.values.motion(all.drivers[place]).acceleration;
+      }
+      double size = 1;
+      for (const mechanism::Frame& link : configuration.links) {
+        size = std::max({size, link.velocity.norm(), link.acceleration.norm()});
+      }
+      const auto compare = [&](const auto& told, const auto& velocity, const auto& acceleration) {
+        const auto [first, second] = rates_by_chain_rule(told, rate, second_rate);
+        worst = largest(worst, (first - velocity).norm() / size);
+        worst = largest(worst, (second - acceleration).norm() / size);
+      };
+      for (const mechanism::LinkIndex link : configuration.links.keys()) {
+        const mechanism::Frame& frame = configuration.links[link];
+        compare(all.links[link], frame.velocity, frame.acceleration);
+      }
+      for (const mechanism::OutputIndex output : configuration.outputs.keys()) {
+        const mechanism::Point& point = configuration.outputs[output];
+        compare(all.outputs[output], point.velocity, point.acceleration);
+      }
+      for (const mechanism::SlideState& slide : configuration.slides) {
+        using One = Eigen::Matrix<double, 1, 1>;
+        compare(all.joints[slide.joint], One(slide.velocity), One(slide.acceleration));
+      }
+      ++count;
+    }
+  });
+  std::cout << count << " configurations, rates from coefficients " << worst << "\n";
+  EXPECT_GT(count, 0);
+  EXPECT_LT(worst, 1e-8);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ties, ForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),

@@ -177,6 +177,7 @@ class LinkSums {
       double deflection = coordinate(index) - number(spring.rest);
       if (joint.type == mechanism::JointType::revolute && !mechanism_.driver_of(index).exists()) {
         deflection = std::remainder(deflection, 2 * std::numbers::pi);
+        deflection += deflection < 1e-9 - std::numbers::pi ? 2 * std::numbers::pi : 0;
       }
       add_along(joint, -number(spring.stiffness) * deflection);
     }
