@@ -86,6 +86,10 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
     scene.request.want = wanted(options.wants);
     want_option = " --want " + text::joined(options.wants, ",");
   }
+  if (const assur::mechanism::Want& want = scene.request.want; want.loaded() || want.coefficients) {
+    throw InputError(file + ": want: solvers give no forces, dynamics or coefficients yet; leave " +
+                     "these out, or give --want with the results that the solver is to give");
+  }
   try {
     add_variables(options.variables, scene);
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(

@@ -69,6 +69,7 @@ House house() {
           part("solve", {"description", "models", "plan", "values"}),
           part("campaign", {"description", "plan", "values", "solve"}),
           part("follow", {"description", "models", "plan", "values", "solve"}),
+          part("forces", {"description", "plan", "values", "solve"}),
           part("report", {"description", "models", "plan", "values", "solve"},
                {"Eigen", "nlohmann"}),
           part("draw", {"description", "models", "plan", "values", "solve", "follow"},

@@ -16,6 +16,7 @@ void Mechanism::renumber_drivers(const Table<JointIndex, JointIndex>& joint_of) 
     }
   }
   drivers_ = std::move(kept);
+  renumber_loads(joint_of);
 }
 
 Mechanism Mechanism::driven_on(double by, double length) const {
@@ -101,11 +102,13 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
   part.joints_ = {};
   part.outputs_ = {};
   Table<FeatureIndex, FeatureIndex> feature_of(features_.size());
+  Table<LinkIndex, LinkIndex> link_of(links_.size());
   for (const LinkIndex link : links_.keys()) {
     if (!kept[link]) {
       continue;
     }
-    const LinkIndex own = part.links_.add({links_[link].name, {}, links_[link].is_drawn});
+    const LinkIndex own = link_of[link] =
+        part.links_.add({links_[link].name, {}, links_[link].is_drawn});
     for (const FeatureIndex index : links_[link].features) {
       Feature feature = features_[index];
       feature.link = own;
@@ -126,6 +129,7 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
     }
   }
   part.renumber_drivers(joint_of);
+  part.renumber_loading(link_of, feature_of);
   for (Output output : outputs_) {
     output.point = feature_of[output.point];
     if (output.point.exists()) {

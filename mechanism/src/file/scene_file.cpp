@@ -8,6 +8,7 @@
 #include <assur/text/utf8.hpp>
 
 #include "json_values.hpp"
+#include "read_loads.hpp"
 #include "scene_keys.hpp"
 
 namespace assur::mechanism::file {
@@ -44,6 +45,7 @@ class SceneReader {
     drawn_.place();
     read_drivers();
     read_outputs();
+    read_loads(root_, mechanism_, drawn_);
     read_want();
     read_report();
     read_reference();
@@ -326,14 +328,18 @@ class SceneReader {
       return;
     }
     if (!root_["want"].is_array()) {
-      throw MechanismError("want",
-                           "expected a list of position, velocity, acceleration, sensitivity");
+      throw MechanismError(
+          "want",
+          "expected a list of position, velocity, acceleration, sensitivity, forces, "
+          "dynamics, coefficients");
     }
     Want& want = request_.want;
     want = {false, false, false, false};
-    const std::vector<std::string> known = {"position", "velocity", "acceleration", "sensitivity"};
-    const std::array<bool*, 4> flags = {&want.position, &want.velocity, &want.acceleration,
-                                        &want.sensitivity};
+    const std::vector<std::string> known = {"position", "velocity", "acceleration", "sensitivity",
+                                            "forces",   "dynamics", "coefficients"};
+    const std::array<bool*, 7> flags = {&want.position,    &want.velocity, &want.acceleration,
+                                        &want.sensitivity, &want.forces,   &want.dynamics,
+                                        &want.coefficients};
     for (std::size_t index = 0; index < root_["want"].size(); ++index) {
       const std::string part = "want[" + std::to_string(index) + "]";
       const std::string wish = text_of(root_["want"][index], part);

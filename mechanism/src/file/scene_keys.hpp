@@ -34,10 +34,18 @@ inline constexpr std::array scene_keys = {
              "The joints whose coordinates are given."},
     SceneKey{"outputs", false, R"({"$ref": "#/$defs/outputs"})",
              "Points to report, each with a name; or a list of drawn points."},
+    SceneKey{"masses", false, R"({"$ref": "#/$defs/masses"})",
+             "Masses of links, each by the link's name."},
+    SceneKey{"gravity", false, R"({"$ref": "#/$defs/point"})",
+             "The acceleration of free fall [x, y], in the ground's frame; by default none."},
+    SceneKey{"loads", false, R"({"$ref": "#/$defs/loads"})",
+             "Forces at points and couples on links, each with a name."},
+    SceneKey{"springs", false, R"({"$ref": "#/$defs/springs"})",
+             "Springs with dampers, each with a name."},
     SceneKey{"want", false,
              R"({"type": "array", "items": {"enum": ["position", "velocity", "acceleration",
-                 "sensitivity"]}, "uniqueItems": true})",
-             "What is computed; by default all four."},
+                 "sensitivity", "forces", "dynamics", "coefficients"]}, "uniqueItems": true})",
+             "What is computed; by default the first four."},
     SceneKey{"report", false, R"({"$ref": "#/$defs/report"})",
              "Which links and slides are reported beside the outputs."},
     SceneKey{"reference", false,
@@ -129,9 +137,10 @@ inline constexpr std::array report_keys = {
     SceneKey{"links", false,
              R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
              "Names of links; by default all."},
-    SceneKey{"joints", false,
-             R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
-             "Names of prismatic and pin-in-slot joints; by default all."},
+    SceneKey{
+        "joints", false, R"({"type": "array", "items": {"type": "string"}, "uniqueItems": true})",
+        "Names of joints; by default all. Revolute ones are listed where forces or coefficients "
+        "are wanted."},
 };
 
 inline constexpr std::array sweep_keys = {

@@ -3,6 +3,7 @@
 #include <span>
 
 #include "json_values.hpp"
+#include "load_keys.hpp"
 #include "scene_keys.hpp"
 
 namespace assur::mechanism::file {
@@ -84,6 +85,14 @@ SceneJson definitions() {
           {"joints", names_of(joint)},
           {"drivers", names_of(object_of(driver_keys, "The law of the joint of this name"))},
           {"outputs", {{"anyOf", {names_of(name), listed_points}}}},
+          {"masses", names_of(object_of(mass_keys, "The mass of the link of this name"))},
+          {"pair_of_loads", two("[Fx, Fy]")},
+          {"loads", names_of({{"anyOf",
+                               {object_of(force_keys, "A force at a point"),
+                                object_of(moment_keys, "A couple on a link")}}})},
+          {"springs", names_of({{"anyOf",
+                                 {object_of(spring_keys, "Between points of two links"),
+                                  object_of(joint_spring_keys, "At a joint")}}})},
           {"report", object_of(report_keys, "Lists of names")},
           {"sweep", object_of(sweep_keys, "Equally spaced values of a parameter")},
           {"redundancy",

@@ -15,6 +15,7 @@ class PartFinder {
         structure_(structure),
         needed_(structure.linkage.links.size(), false) {
     const Reported& reported = request.reported;
+    const Want& want = request.want;
     needed_[mechanism.ground()] = true;
     for (const Output& output : mechanism.outputs()) {
       needed_[mechanism.features()[output.point].link] = true;
@@ -33,10 +34,13 @@ class PartFinder {
       }
     }
     for (const ElementaryJoint& joint : structure.linkage.joints) {
-      if (joint.prismatic && reported.has(joint.joint)) {
+      if ((joint.prismatic || want.forces || want.coefficients) && reported.has(joint.joint)) {
         needed_[joint.first] = true;
         needed_[joint.second] = true;
       }
+    }
+    if (want.loaded()) {
+      need_loaded();
     }
     for (const JointIndex pin : structure.linkage.second_pins) {
       for (const FeatureIndex feature : mechanism.joints()[pin].between) {
@@ -62,6 +66,34 @@ class PartFinder {
   }
 
  private:
+  /// Adds the links that bear masses, loads or springs, and those that the loads read.
+  void need_loaded() {
+    const auto need_joint = [this](JointIndex joint) {
+      for (const FeatureIndex feature : mechanism_.joints()[joint].between) {
+        needed_[mechanism_.features()[feature].link] = true;
+      }
+    };
+    for (const Mass& mass : mechanism_.loading().masses) {
+      needed_[mass.at.link] = true;
+    }
+    for (const Load& load : mechanism_.loading().loads) {
+      needed_[load.at.link] = true;
+      if (load.frame.exists()) {
+        needed_[load.frame] = true;
+      }
+      for (const NumberIndex number : {load.force_x, load.force_y, load.moment}) {
+        if (number.exists()) {
+          std::ranges::for_each(mechanism_.numbers()[number].formula.joints(), need_joint);
+        }
+      }
+    }
+    for (const Spring& spring : mechanism_.loading().springs) {
+      for (const FeatureIndex end : spring.between) {
+        needed_[mechanism_.features()[end].link] = true;
+      }
+    }
+  }
+
   /// Adds the links that move needed ones: those that carry them, and those that the laws of
   /// drivers read.
   void need_carriers() {

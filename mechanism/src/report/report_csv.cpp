@@ -3,7 +3,9 @@
 #include <assur/mechanism/point_values.hpp>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
+#include "force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -41,11 +43,12 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
   }
 }
 
-/// Adds the cells of a configuration, each with a comma ahead.
+/// Adds the cells of a configuration, each with a comma ahead. `forces` are the numbers of the
+/// columns of forces.
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
-               std::string& row) {
+               const std::vector<double>& forces, std::string& row) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    add_cells(plan, spread, without_unknown(plan, configuration), row);
+    add_cells(plan, spread, without_unknown(plan, configuration), forces, row);
     return;
   }
   const Want& want = plan.request().want;
@@ -81,9 +84,31 @@ void add_cells(const Plan& plan, const Spread& spread, const Configuration& conf
       }
     }
   }
+  for (const double number : forces) {
+    add_number(number, row);
+  }
   row += ',';
   row += regularity_text(configuration.regularity);
   add_number(configuration.residual, row);
+}
+
+/// The numbers of forces of a configuration; unknown rates make those unknown that inertia loads.
+std::vector<double> told_forces(const Plan& plan, const Values& values,
+                                const Configuration& configuration) {
+  return plan.request().want.forces
+             ? force_numbers(plan, values, without_unknown(plan, configuration))
+             : std::vector<double>();
+}
+
+/// The same at a row of a sweep. The forces at an event are between two steps, and not told.
+std::vector<double> told_forces(const Plan& plan, const SweepRecord& record) {
+  if (record.event.empty() && plan.request().want.forces) {
+    const Mechanism& mechanism = plan.mechanism();
+    const ParameterIndex swept = plan.request().sweep->parameter;
+    return told_forces(plan, plan.values({{mechanism.parameters()[swept].name, record.parameter}}),
+                       *record.state);
+  }
+  return std::vector<double>(force_columns(plan).size(), std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -124,6 +149,9 @@ std::string csv_header(const Plan& plan) {
     add(want.sensitivity && request.covariance, output.name,
         {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
+  for (const std::string& column : report::force_columns(plan)) {
+    cells.push_back(column);
+  }
   add(true, "solution", {"regularity", "residual"});
   if (request.sweep) {
     cells.emplace_back("event");
@@ -145,7 +173,9 @@ std::string csv_rows(const Report& report) {
       rows += is_unnumbered  ? ""
               : report.alone ? std::to_string(report.branch)
                              : std::to_string(index + 1);
-      report::add_cells(report.plan, report.values.spread(), configurations[index], rows);
+      const Configuration& configuration = configurations[index];
+      report::add_cells(report.plan, report.values.spread(), configuration,
+                        report::told_forces(report.plan, report.values, configuration), rows);
       rows += "\n";
     }
   }
@@ -157,7 +187,7 @@ void add_csv_row(const Plan& plan, const SweepRecord& record, std::string& text)
   text += std::to_string(record.step) + "," + number(record.configuration) + "," +
           number(record.branch);
   report::add_number(record.parameter, text);
-  report::add_cells(plan, *record.spread, *record.state, text);
+  report::add_cells(plan, *record.spread, *record.state, report::told_forces(plan, record), text);
   text += "," + record.event + "\n";
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "drawn_configuration.hpp"
+#include "forces_json.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -126,6 +127,7 @@ Json configuration_json(const Configuration& configuration, const Report& report
   }
   const Want& want = report.plan.request().want;
   Json entry = parts_json(configuration, report, want);
+  add_forces(report, configuration, entry);
   if (!configuration.branches.empty()) {
     entry["branches"] = Json::array();
   }

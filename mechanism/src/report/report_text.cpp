@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "drawn_configuration.hpp"
+#include "force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -199,12 +200,23 @@ std::string tables_text(const Configuration& configuration, const Report& report
   return text;
 }
 
+/// The table of wanted forces, one number a row, under the names of the columns of CSV.
+std::string forces_text(const Configuration& configuration, const Report& report) {
+  const std::vector<std::string> names = force_columns(report.plan);
+  const std::vector<double> numbers = force_numbers(report.plan, report.values, configuration);
+  std::string text = names.empty() ? "" : "  forces\n";
+  for (std::size_t row = 0; row < names.size(); ++row) {
+    text += table_row(names[row], {numbers[row]});
+  }
+  return text;
+}
+
 std::string configuration_text(const Configuration& configuration, const Report& report) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
     return configuration_text(without_unknown(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;
-  std::string text = tables_text(configuration, report, want);
+  std::string text = tables_text(configuration, report, want) + forces_text(configuration, report);
   for (std::size_t index = 0; index < configuration.branches.size(); ++index) {
     text += "  branch " + std::to_string(index + 1) + " of " +
             std::to_string(configuration.branches.size()) + " through this configuration\n" +

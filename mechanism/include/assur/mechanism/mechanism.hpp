@@ -2,20 +2,18 @@
 // mechanism.
 #pragma once
 
+#include <array>
 #include <assur/mechanism/error.hpp>
 #include <assur/mechanism/formula.hpp>
+#include <assur/mechanism/loads.hpp>
+#include <assur/mechanism/part_indices.hpp>
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 namespace assur::mechanism {
-
-using NumberIndex = Index<struct Number>;
-using FeatureIndex = Index<struct Feature>;
-using LinkIndex = Index<struct Link>;
-using DriverIndex = Index<struct Driver>;
-using OutputIndex = Index<struct Output>;
 
 /// A number of a mechanism, and the part of the mechanism that it is, for messages.
 struct Number {
@@ -154,6 +152,27 @@ class Mechanism {
                          const std::optional<Given>& acceleration = std::nullopt);
   OutputIndex add_output(const std::string& name, const std::string& point);
 
+  /// A place of a mass: a point's name without its link, coordinates, or the link's origin.
+  using GivenPlace = std::variant<std::monostate, std::string, std::array<Given, 2>>;
+  /// Gives a link a mass, and a moment of inertia about the centre of mass.
+  void add_mass(const std::string& link, const Given& mass, const GivenPlace& at = {},
+                const Given& inertia = 0);
+  /// Sets the acceleration of free fall, in the frame of the ground.
+  void set_gravity(const Given& x, const Given& y);
+  /// Adds a force at `link.point`, in the frame of a link (the ground's if the name is empty). The
+  /// force and a moment may contain `joint(K)`.
+  void add_force(const std::string& name, const std::string& at, const std::array<Given, 2>& force,
+                 const std::string& frame = "");
+  /// Adds a couple on a link.
+  void add_moment(const std::string& name, const std::string& link, const Given& moment);
+  /// Adds a spring with a damper between `link.point` and `link.point`.
+  void add_spring(const std::string& name, const std::array<std::string, 2>& between,
+                  const Given& stiffness, const Given& length, const Given& damping);
+  /// Adds a spring with a damper along the coordinate of a joint of two links.
+  void add_joint_spring(const std::string& name, const std::string& joint, const Given& stiffness,
+                        const Given& rest, const Given& damping);
+  [[nodiscard]] const Loading& loading() const { return loading_; }
+
   [[nodiscard]] const std::string& name() const { return name_; }
   void set_name(const std::string& name);
   /// The name of the unit of length; empty if it was not given.
@@ -220,6 +239,16 @@ class Mechanism {
   void expect_fitting(const Joint& joint, const std::string& part) const;
   /// Throws MechanismError for a joint whose coordinate has no sense, with the mend.
   void expect_measured(const Joint& joint, const std::string& part) const;
+  [[nodiscard]] LinkIndex link_named(const std::string& name, const std::string& part) const;
+  [[nodiscard]] FeatureIndex point_named(const std::string& name, const std::string& part) const;
+  [[nodiscard]] NumberIndex number_not_negative(const Given& given, const std::string& part);
+  void expect_new_load(const std::string& name, const std::string& part) const;
+  void expect_new_spring(const std::string& name, const std::string& part) const;
+  /// Leaves out the loads of links and features without new indices, and gives the others theirs.
+  void renumber_loading(const Table<LinkIndex, LinkIndex>& link_of,
+                        const Table<FeatureIndex, FeatureIndex>& feature_of);
+  /// Updates the formulas of loads to other indices of joints.
+  void renumber_loads(const Table<JointIndex, JointIndex>& joint_of);
 
   std::string name_;
   std::string unit_;
@@ -231,6 +260,7 @@ class Mechanism {
   Table<JointIndex, Joint> joints_;
   Table<DriverIndex, Driver> drivers_;
   Table<OutputIndex, Output> outputs_;
+  Loading loading_;
 };
 
 }  // namespace assur::mechanism

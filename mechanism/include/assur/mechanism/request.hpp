@@ -16,6 +16,12 @@ struct Want {
   bool velocity = true;
   bool acceleration = true;
   bool sensitivity = true;
+  bool forces = false;        ///< efforts of drivers, forces in joints, the ground's resultant
+  bool dynamics = false;      ///< mass matrix, bias and load of the free drivers
+  bool coefficients = false;  ///< derivatives by the coordinates of the free drivers
+
+  /// Whether anything is wanted that loads change.
+  [[nodiscard]] bool loaded() const { return forces || dynamics; }
 };
 
 /// `count` equally spaced values of one parameter, both ends among them.
@@ -36,7 +42,8 @@ struct Covariance {
 /// not contain it.
 struct Reported {
   std::optional<std::vector<LinkIndex>> links;
-  std::optional<std::vector<JointIndex>> joints;  ///< prismatic ones, and pins in slots
+  /// Prismatic ones, and pins in slots; revolute ones where forces or coefficients are wanted.
+  std::optional<std::vector<JointIndex>> joints;
 
   [[nodiscard]] bool everything() const { return !links && !joints; }
   [[nodiscard]] bool has(LinkIndex link) const { return holds(links, link); }

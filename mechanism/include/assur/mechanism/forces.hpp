@@ -1,0 +1,73 @@
+// Turns a configuration with its rates into the forces that act in it, the coefficients of the
+// equations of motion, and the kinematic coefficients.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace assur::mechanism {
+
+/// A force and a moment about a point that the context names, in the frame of the ground.
+struct Wrench {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();
+  double moment = 0;
+};
+
+/// What the bearing of a joint transmits, without the effort of a driver, a spring or a damper at
+/// the joint. NaN where the equations do not determine it.
+struct JointForce {
+  std::string joint;
+  /// The links of the joint, in the order of `between`, and the force that acts on each of them.
+  /// Their sum is zero.
+  std::vector<std::pair<LinkIndex, Eigen::Vector2d>> on;
+  bool has_moment = false;  ///< of a prismatic joint
+  /// The couple on the second link, with the force at the `through` of this link's line.
+  double moment = 0;
+
+  [[nodiscard]] bool is_determined() const;
+};
+
+struct Forces {
+  /// The torque or force of each driver, in the sense of its joint's coordinate; NaN where it is
+  /// not determined.
+  Table<DriverIndex, double> efforts;
+  std::vector<JointForce> joints;
+  /// The resultant of all that acts on the ground, about its origin.
+  Wrench ground;
+  std::string reason;  ///< why something is not determined; empty where all is
+};
+
+/// M phi'' + bias = load + effort for the coordinates phi of the free drivers: those whose laws
+/// read no joint. Entries that are not determined are NaN.
+struct Dynamics {
+  std::vector<DriverIndex> drivers;
+  Eigen::MatrixXd mass_matrix;
+  Eigen::VectorXd bias, load;
+  std::string reason;  ///< why something is not determined; empty where all is
+};
+
+/// First and second derivatives by the coordinates of the free drivers, in their order, where the
+/// laws of the other drivers follow and the parameters are held. Those that are not determined are
+/// NaN.
+struct KinematicCoefficients {
+  std::vector<DriverIndex> drivers;
+  Table<LinkIndex, Derivatives<3>> links;  ///< of x, y and theta
+  Table<OutputIndex, Derivatives<2>> outputs;
+  Table<JointIndex, Derivatives<1>> joints;  ///< of the joints of two links; empty for others
+  std::string reason;  ///< why something is not determined; empty where all is
+};
+
+/// The drivers whose laws read no joint.
+[[nodiscard]] std::vector<DriverIndex> free_drivers(const Mechanism& mechanism);
+
+/// Each of the following throws MechanismError for a load that has no value.
+[[nodiscard]] Forces forces_of(const Values& values, const Configuration& configuration);
+[[nodiscard]] Dynamics dynamics_of(const Values& values, const Configuration& configuration);
+[[nodiscard]] KinematicCoefficients coefficients_of(const Values& values,
+                                                    const Configuration& configuration);
+
+}  // namespace assur::mechanism

@@ -1,0 +1,85 @@
+// The equilibrium of all links of a mechanism, with a unit of each joint's force and of each
+// driver's effort as its columns.
+#pragma once
+
+#include <Eigen/Core>
+#include <assur/mechanism/forces.hpp>
+#include <assur/mechanism/held_pairs.hpp>
+#include <vector>
+
+#include "determined.hpp"
+#include "joint_coordinates.hpp"
+
+namespace assur::mechanism::forces {
+
+/// The moment of a force with an arm.
+[[nodiscard]] inline double moment_of(const Eigen::Vector2d& arm, const Eigen::Vector2d& force) {
+  return arm.x() * force.y() - arm.y() * force.x();
+}
+
+/// A force and a couple on a link, at a place, and the opposite ones on another link there.
+struct Reaction {
+  LinkIndex on, from;
+  Eigen::Vector2d at, force;
+  double couple;
+};
+
+/// One unknown of the equilibrium: what holds a coordinate of a pair of features.
+struct HeldCoordinate {
+  std::size_t pair;
+  int coordinate;      ///< 0 or 1: along the x- or y-axis of the first feature; 2: the angle
+  DriverIndex driver;  ///< that prescribes the coordinate; does not exist where a bearing holds it
+  Reaction unit;       ///< of the unknown one
+};
+
+/// A x + w = 0: three rows for each link that moves, the force and, divided by the size, the moment
+/// about the link's pivot; couples among the unknowns are in units of the size. A driver whose law
+/// reads joints acts at these, too, by the law's derivatives. The transposed matrix turns the rates
+/// of the links into those of the coordinates.
+class Balance {
+ public:
+  /// Both must outlive it.
+  Balance(const Values& values, const Configuration& configuration);
+
+  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return matrix_; }
+  [[nodiscard]] const std::vector<HeldPair>& pairs() const { return pairs_; }
+  /// The name of the joint to which a pair belongs.
+  [[nodiscard]] const std::string& joint_of(std::size_t pair) const { return names_[pair]; }
+  [[nodiscard]] const std::vector<HeldCoordinate>& held() const { return held_; }
+  [[nodiscard]] const JointCoordinates& coordinates() const { return coordinates_; }
+  [[nodiscard]] double size() const { return size_; }
+  /// Below which part of the largest factor a direction of A counts as null.
+  [[nodiscard]] double threshold() const;
+  /// The place in the ground's frame about which a link's moment is taken.
+  [[nodiscard]] const Table<LinkIndex, Eigen::Vector2d>& pivots() const { return pivots_; }
+  /// The first of the three rows of a link; -1 for the ground.
+  [[nodiscard]] Eigen::Index row_of(LinkIndex link) const { return row_of_[link]; }
+  /// A unit along the coordinate of a pair of features: an angle in radians, or a length.
+  [[nodiscard]] Reaction along(FeatureIndex first, FeatureIndex second, int coordinate) const;
+  /// The rows of a reaction in the equilibrium.
+  [[nodiscard]] Eigen::VectorXd rows_of(const Reaction& reaction) const;
+  /// The rows of wrenches on all links, each about the link's pivot.
+  [[nodiscard]] Eigen::VectorXd rows_of(const Table<LinkIndex, Wrench>& wrenches) const;
+  /// Why something is not determined.
+  [[nodiscard]] std::string reason() const;
+
+ private:
+  void list_pairs();
+  void find_pivots();
+  [[nodiscard]] Frame placed(FeatureIndex feature) const;
+  [[nodiscard]] double unit_of(int coordinate) const { return coordinate == 2 ? size_ : 1; }
+
+  const Values& values_;
+  const Mechanism& mechanism_;
+  const Configuration& configuration_;
+  JointCoordinates coordinates_;
+  std::vector<HeldPair> pairs_;
+  std::vector<std::string> names_;
+  std::vector<HeldCoordinate> held_;
+  Table<LinkIndex, Eigen::Vector2d> pivots_;
+  Table<LinkIndex, Eigen::Index> row_of_;
+  double size_ = 1;
+  Eigen::MatrixXd matrix_;
+};
+
+}  // namespace assur::mechanism::forces

@@ -1,0 +1,42 @@
+// The coordinates of joints in one configuration, their rates, and the laws that read them.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/values.hpp>
+#include <utility>
+#include <vector>
+
+namespace assur::mechanism::forces {
+
+/// The pair of features whose relative place has the coordinate of a joint of two links: for a pin
+/// in a slot, the line is the first.
+struct CoordinatePair {
+  FeatureIndex first, second;
+  int coordinate;  ///< 0: along the first line; 2: an angle
+};
+
+class JointCoordinates {
+ public:
+  /// Both must outlive it.
+  JointCoordinates(const Values& values, const Configuration& configuration)
+      : values_(values), configuration_(configuration) {}
+
+  [[nodiscard]] CoordinatePair pair_of(JointIndex joint) const;
+  /// The features of a joint, wherever this joint is in the mechanism.
+  [[nodiscard]] CoordinatePair pair_of(const std::array<FeatureIndex, 2>& between) const;
+  /// The second feature as the first one sees it.
+  [[nodiscard]] Frame relative(const CoordinatePair& pair) const;
+  /// The coordinate; with the whole turns that a law or a branch gives it.
+  [[nodiscard]] double value(JointIndex joint) const;
+  /// A number whose formula may read joints.
+  [[nodiscard]] double number(NumberIndex number) const;
+  /// The law of a driver, with derivatives by the coordinates that `joints_of` lists.
+  [[nodiscard]] Dual law(DriverIndex driver) const;
+  [[nodiscard]] std::vector<JointIndex> joints_of(DriverIndex driver) const;
+
+ private:
+  const Values& values_;
+  const Configuration& configuration_;
+};
+
+}  // namespace assur::mechanism::forces

@@ -1,0 +1,31 @@
+// Turns masses, gravity, loads, springs and dampers into wrenches on the links.
+#pragma once
+
+#include <assur/mechanism/forces.hpp>
+
+#include "balance.hpp"
+
+namespace assur::mechanism::forces {
+
+/// The wrenches on each link about its pivot, and on the ground about its origin.
+struct LinkLoads {
+  Table<LinkIndex, Wrench> applied;  ///< of gravity, loads, springs and dampers
+  Table<LinkIndex, Wrench> inertia;  ///< -m a and -I alpha, at the centre of mass
+};
+
+/// The centre of mass of a link, in the frame of the ground.
+struct MassCentre {
+  LinkIndex link;
+  double mass = 0, inertia = 0;
+  Eigen::Vector2d arm;           ///< from the origin of the link's frame
+  Eigen::Vector2d acceleration;  ///< with that of parameters that move it on its link
+};
+
+[[nodiscard]] std::vector<MassCentre> mass_centres(const Values& values,
+                                                   const Configuration& configuration);
+
+/// A load or spring that has no direction, or whose numbers are not known, is NaN.
+[[nodiscard]] LinkLoads link_loads(const Values& values, const Configuration& configuration,
+                                   const Balance& balance);
+
+}  // namespace assur::mechanism::forces

@@ -1,0 +1,116 @@
+#include "force_rows.hpp"
+
+#include <algorithm>
+#include <assur/mechanism/forces.hpp>
+
+namespace assur::mechanism::report {
+
+namespace {
+
+/// The reported joints, in the mechanism's order, with those that are left out as redundant after
+/// them.
+std::vector<std::string> told_joints(const Plan& plan) {
+  std::vector<std::string> names;
+  for (const JointIndex joint : plan.mechanism().joints().keys()) {
+    if (plan.request().reported.has(joint) && !plan.is_stand_in(joint)) {
+      names.push_back(plan.mechanism().joints()[joint].name);
+    }
+  }
+  for (const RedundantJoint& joint : plan.redundant()) {
+    if (std::ranges::find(names, joint.name) == names.end()) {
+      names.push_back(joint.name);
+    }
+  }
+  return names;
+}
+
+/// The links of a joint, each once, as far as the plan and its redundant joints name them.
+std::vector<LinkIndex> links_at(const Plan& plan, const std::string& name) {
+  std::vector<LinkIndex> links;
+  const auto add = [&](FeatureIndex feature) {
+    const LinkIndex link = plan.mechanism().features()[feature].link;
+    if (std::ranges::find(links, link) == links.end()) {
+      links.push_back(link);
+    }
+  };
+  if (const JointIndex joint = index_of(plan.mechanism().joints(), name); joint.exists()) {
+    std::ranges::for_each(plan.mechanism().joints()[joint].between, add);
+  }
+  for (const RedundantJoint& joint : plan.redundant()) {
+    if (joint.name == name) {
+      add(joint.one);
+      add(joint.other);
+    }
+  }
+  return links;
+}
+
+/// Whether a joint transmits a couple.
+bool has_moment(const Plan& plan, const std::string& name) {
+  const JointIndex joint = index_of(plan.mechanism().joints(), name);
+  const auto is_line = [&](FeatureIndex feature) {
+    return plan.mechanism().features()[feature].is_line;
+  };
+  return (joint.exists() && plan.mechanism().joints()[joint].type == JointType::prismatic) ||
+         std::ranges::any_of(plan.redundant(), [&](const RedundantJoint& one) {
+           return one.name == name && is_line(one.one) && is_line(one.other);
+         });
+}
+
+}  // namespace
+
+std::vector<std::string> force_columns(const Plan& plan) {
+  std::vector<std::string> columns;
+  if (!plan.request().want.forces) {
+    return columns;
+  }
+  const Mechanism& mechanism = plan.mechanism();
+  for (const Driver& driver : mechanism.drivers()) {
+    columns.push_back(mechanism.joints()[driver.joint].name + ".effort");
+  }
+  for (const std::string& joint : told_joints(plan)) {
+    const std::vector<LinkIndex> links = links_at(plan, joint);
+    for (const LinkIndex link : links) {
+      if (links.size() > 2 || link == links.back()) {
+        const std::string of =
+            joint + (links.size() > 2 ? "." + mechanism.links()[link].name : std::string());
+        columns.push_back(of + ".fx");
+        columns.push_back(of + ".fy");
+      }
+    }
+    if (has_moment(plan, joint)) {
+      columns.push_back(joint + ".moment");
+    }
+  }
+  columns.insert(columns.end(), {"ground.fx", "ground.fy", "ground.moment"});
+  return columns;
+}
+
+std::vector<double> force_numbers(const Plan& plan, const Values& values,
+                                  const Configuration& configuration) {
+  std::vector<double> numbers;
+  if (!plan.request().want.forces) {
+    return numbers;
+  }
+  const Forces forces = forces_of(values, configuration);
+  numbers.assign(forces.efforts.begin(), forces.efforts.end());
+  const auto add = [&](const Eigen::Vector2d& vector) {
+    numbers.insert(numbers.end(), {vector.x(), vector.y()});
+  };
+  for (const std::string& name : told_joints(plan)) {
+    const auto joint = std::ranges::find(forces.joints, name, &JointForce::joint);
+    for (const auto& [link, force] : joint->on) {
+      if (joint->on.size() > 2 || link == joint->on.back().first) {
+        add(force);
+      }
+    }
+    if (joint->has_moment) {
+      numbers.push_back(joint->moment);
+    }
+  }
+  add(forces.ground.force);
+  numbers.push_back(forces.ground.moment);
+  return numbers;
+}
+
+}  // namespace assur::mechanism::report

@@ -1,0 +1,162 @@
+#include "forces_json.hpp"
+
+#include <assur/mechanism/forces.hpp>
+#include <assur/mechanism/reported_parts.hpp>
+#include <cmath>
+
+namespace assur::mechanism::report {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A vector that is not known is null as a whole.
+Json vector_json(const Eigen::Vector2d& vector) {
+  return vector.allFinite() ? Json{vector.x() + 0.0, vector.y() + 0.0} : Json();
+}
+
+Json number_json(double number) { return std::isfinite(number) ? Json(number + 0.0) : Json(); }
+
+void add_joint_force(const JointForce& force, const Report& report, const std::string& reason,
+                     Json& entry) {
+  const auto& links = report.plan.mechanism().links();
+  if (force.on.size() > 2) {
+    for (const auto& [link, part] : force.on) {
+      entry["forces"][links[link].name] = vector_json(part);
+    }
+  } else {
+    entry["force"] = vector_json(force.on.back().second);
+    entry["on"] = links[force.on.back().first].name;
+  }
+  if (force.has_moment) {
+    entry["moment"] = number_json(force.moment);
+  }
+  if (!force.is_determined()) {
+    entry["reason"] = reason;
+  }
+}
+
+void add_all_forces(const Report& report, const Configuration& configuration, Json& entry) {
+  const Mechanism& mechanism = report.plan.mechanism();
+  const Forces forces = forces_of(report.values, configuration);
+  for (const JointForce& force : forces.joints) {
+    const JointIndex joint = index_of(mechanism.joints(), force.joint);
+    if (!joint.exists() || report.plan.request().reported.has(joint)) {
+      add_joint_force(force, report, forces.reason, entry["joints"][force.joint]);
+    }
+  }
+  entry["drivers"] = Json::object();
+  for (const DriverIndex driver : mechanism.drivers().keys()) {
+    Json& told = entry["drivers"][mechanism.joints()[mechanism.drivers()[driver].joint].name];
+    told["effort"] = number_json(forces.efforts[driver]);
+    if (!std::isfinite(forces.efforts[driver])) {
+      told["reason"] = forces.reason;
+    }
+  }
+  entry["ground"] = {{"force", vector_json(forces.ground.force)},
+                     {"moment", number_json(forces.ground.moment)}};
+}
+
+template <typename Numbers>
+Json list_json(const Numbers& numbers) {
+  Json list = Json::array();
+  for (Eigen::Index index = 0; index < numbers.size(); ++index) {
+    list.push_back(number_json(numbers(index)));
+  }
+  return list;
+}
+
+std::vector<std::string> names_of(const Mechanism& mechanism,
+                                  const std::vector<DriverIndex>& drivers) {
+  std::vector<std::string> names;
+  for (const DriverIndex driver : drivers) {
+    names.push_back(mechanism.joints()[mechanism.drivers()[driver].joint].name);
+  }
+  return names;
+}
+
+void add_dynamics(const Report& report, const Configuration& configuration, Json& entry) {
+  const Dynamics dynamics = dynamics_of(report.values, configuration);
+  Json& told = entry["dynamics"];
+  told["drivers"] = names_of(report.plan.mechanism(), dynamics.drivers);
+  told["mass_matrix"] = Json::array();
+  for (Eigen::Index row = 0; row < dynamics.mass_matrix.rows(); ++row) {
+    told["mass_matrix"].push_back(list_json(dynamics.mass_matrix.row(row)));
+  }
+  told["bias"] = list_json(dynamics.bias);
+  told["load"] = list_json(dynamics.load);
+  if (!dynamics.reason.empty()) {
+    told["reason"] = dynamics.reason;
+  }
+}
+
+/// First and second derivatives under the names of the drivers; a single coordinate is a number.
+template <int Coordinates>
+Json coefficients_json(const Derivatives<Coordinates>& derivatives,
+                       const std::vector<std::string>& drivers, const std::string& reason) {
+  bool is_known = true;
+  const auto told = [&](const Eigen::Matrix<double, Coordinates, 1>& numbers) {
+    is_known = is_known && numbers.allFinite();
+    if constexpr (Coordinates == 1) {
+      return number_json(numbers(0));
+    } else {
+      return numbers.allFinite() ? list_json(numbers) : Json();
+    }
+  };
+  Json entry = {{"first", Json::object()}, {"second", Json::object()}};
+  for (std::size_t i = 0; i < drivers.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    entry["first"][drivers[i]] = told(derivatives.first.col(row));
+    for (std::size_t j = 0; j < drivers.size(); ++j) {
+      Eigen::Matrix<double, Coordinates, 1> second;
+      for (std::size_t part = 0; part < Coordinates; ++part) {
+        second(static_cast<Eigen::Index>(part)) =
+            derivatives.second[part](row, static_cast<Eigen::Index>(j));
+      }
+      entry["second"][drivers[i]][drivers[j]] = told(second);
+    }
+  }
+  if (!is_known) {
+    entry["reason"] = reason;
+  }
+  return entry;
+}
+
+void add_coefficients(const Report& report, const Configuration& configuration, Json& entry) {
+  const Mechanism& mechanism = report.plan.mechanism();
+  const KinematicCoefficients all = coefficients_of(report.values, configuration);
+  const std::vector<std::string> drivers = names_of(mechanism, all.drivers);
+  for (const LinkIndex link : reported_links(report.plan, false)) {
+    entry["links"][mechanism.links()[link].name]["coefficients"] =
+        coefficients_json(all.links[link], drivers, all.reason);
+  }
+  for (const OutputIndex output : mechanism.outputs().keys()) {
+    entry["outputs"][mechanism.outputs()[output].name]["coefficients"] =
+        coefficients_json(all.outputs[output], drivers, all.reason);
+  }
+  for (const JointIndex joint : mechanism.joints().keys()) {
+    const Joint& at = mechanism.joints()[joint];
+    if (at.between.size() == 2 && report.plan.request().reported.has(joint) &&
+        !report.plan.is_stand_in(joint)) {
+      entry["joints"][at.name]["coefficients"] =
+          coefficients_json(all.joints[joint], drivers, all.reason);
+    }
+  }
+}
+
+}  // namespace
+
+void add_forces(const Report& report, const Configuration& configuration, Json& entry) {
+  const Want& want = report.plan.request().want;
+  if (want.forces) {
+    add_all_forces(report, configuration, entry);
+  }
+  if (want.dynamics) {
+    add_dynamics(report, configuration, entry);
+  }
+  if (want.coefficients) {
+    add_coefficients(report, configuration, entry);
+  }
+}
+
+}  // namespace assur::mechanism::report

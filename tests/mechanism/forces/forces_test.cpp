@@ -1,0 +1,332 @@
+// Law: the forces that are told keep every link in equilibrium, transmit nothing along slides, add
+// up to the ground's resultant, and agree with the equations of motion.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <numeric>
+#include <random>
+
+#include "largest.hpp"
+#include "mechanism/driven_scene_campaign.hpp"
+#include "mechanism/equilibrium.hpp"
+#include "mechanism/kind_scene.hpp"
+#include "mechanism/scene_solutions.hpp"
+
+namespace assur::test::forces_test {
+namespace {
+
+/// Loads everything of a scene that can be loaded, by whole numbers.
+Json loaded(const Json& bare, unsigned seed) {
+  Json scene = bare;
+  std::mt19937 engine(seed);
+  const auto number = [&](int low, int high) {
+    return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
+  };
+  scene["gravity"] = {number(-2, 2), -9.81};
+  std::string before;
+  for (const auto& [link, features] : bare["links"].items()) {
+    scene["masses"][link] = {
+        {"mass", number(0, 3)}, {"at", {number(-2, 2), number(-2, 2)}}, {"inertia", number(0, 2)}};
+    scene["loads"]["M" + link] = {{"on", link}, {"moment", number(-3, 3)}};
+    for (const auto& [name, feature] : features.items()) {
+      if (!feature.is_array()) {
+        continue;
+      }
+      const std::string point = link + "." + name;
+      scene["loads"]["F" + point] = {{"at", point}, {"force", {number(-3, 3), number(-3, 3)}}};
+      if (number(0, 1) == 1) {
+        scene["loads"]["F" + point]["frame"] = link;
+      }
+      if (!before.empty() && before.substr(0, before.find('.')) != link &&
+          before.substr(before.find('.') + 1) != name) {  // not both at one pin
+        scene["springs"]["K" + point] = {{"between", {before, point}},
+                                         {"stiffness", number(0, 3)},
+                                         {"length", number(0, 2)},
+                                         {"damping", number(0, 1)}};
+      }
+      before = point;
+    }
+  }
+  for (const auto& [joint, entry] : bare["joints"].items()) {
+    if (entry["between"].size() == 2) {
+      scene["springs"]["T" + joint] = {
+          {"joint", joint}, {"stiffness", number(0, 2)}, {"rest", number(-1, 1)}};
+    }
+  }
+  scene["want"] = {"position", "velocity", "acceleration", "forces", "dynamics", "coefficients"};
+  return scene;
+}
+
+struct Largest {
+  int configurations = 0, undetermined = 0;
+  double unbalanced = 0, along_lines = 0, ground = 0, motion = 0;
+};
+
+void check(const Solved& scene, Largest& most) {
+  const mechanism::Mechanism& mechanism = scene.plan.mechanism();
+  for (const Configuration& configuration : scene.configurations()) {
+    if (configuration.regularity != Status::ok || !configuration.rates_known) {
+      continue;
+    }
+    const mechanism::Forces forces = mechanism::forces_of(scene.values, configuration);
+    const LinkSums sums(mechanism, scene.values, configuration, forces);
+    if (!forces.reason.empty() || !std::isfinite(sums.largest())) {
+      ++most.undetermined;
+      continue;
+    }
+    ++most.configurations;
+    const double unit = std::max(1.0, sums.largest());
+    for (const mechanism::LinkIndex link : mechanism.links().keys()) {
+      Eigen::Vector3d left = sums.on(link);
+      if (link == mechanism.ground()) {
+        left.head<2>() -= forces.ground.force;
+        left(2) -= forces.ground.moment;
+        most.ground = largest(most.ground, left.norm() / unit);
+      } else {
+        most.unbalanced = largest(most.unbalanced, left.norm() / unit);
+      }
+    }
+    most.along_lines = largest(most.along_lines, sums.along_lines() / unit);
+    const mechanism::Dynamics dynamics = mechanism::dynamics_of(scene.values, configuration);
+    const auto count = std::ssize(dynamics.drivers);
+    Eigen::VectorXd accelerations(count);
+    Eigen::VectorXd efforts(count);
+    for (Eigen::Index place = 0; place < count; ++place) {
+      const auto driver = dynamics.drivers[static_cast<std::size_t>(place)];
+      accelerations(place) = scene.values.motion(driver).acceleration;
+      efforts(place) = forces.efforts[driver];
+    }
+    const Eigen::VectorXd asked =
+        dynamics.mass_matrix * accelerations + dynamics.bias - dynamics.load;
+    if (count > 0) {
+      most.motion = largest(most.motion, (asked - efforts).cwiseAbs().maxCoeff() / unit);
+    }
+  }
+}
+
+void expect_small(const Largest& most) {
+  std::cout << most.configurations << " configurations, " << most.undetermined
+            << " not determined; unbalanced " << most.unbalanced << ", along lines "
+            << most.along_lines << ", ground " << most.ground << ", equations of motion "
+            << most.motion << "\n";
+  EXPECT_GT(most.configurations, 0);
+  EXPECT_LT(most.unbalanced, 1e-10);
+  EXPECT_LT(most.along_lines, 1e-10);
+  EXPECT_LT(most.ground, 1e-10);
+  EXPECT_LT(most.motion, 1e-8);
+}
+
+class ForcesOfKinds : public testing::TestWithParam<std::size_t> {};
+
+/// Every kind of a group, held by the ground.
+TEST_P(ForcesOfKinds, KeepLinksInEquilibrium) {
+  Largest most;
+  const mechanism::GroupModels& group = mechanism::known_groups()[GetParam()];
+  const std::vector<ModelLink> links(group.structure.link_count());
+  unsigned seed = 4711;
+  int kinds = 0;
+  for (const mechanism::GroupModel& model : group.models) {
+    for (const std::string& kind : model.rigid ? model.kinds : std::vector<std::string>()) {
+      SCOPED_TRACE(kind);
+      const KindBodies bodies(group.structure.joints, links, {}, kind.c_str(), ++seed);
+      std::vector<std::size_t> link_order(links.size());
+      std::vector<std::size_t> joint_order(group.structure.joints.size());
+      std::iota(link_order.begin(), link_order.end(), 0U);
+      std::iota(joint_order.begin(), joint_order.end(), 0U);
+      check(solved(loaded(Json::parse(scene_text(bodies, link_order, joint_order)), seed)), most);
+      ++kinds;
+    }
+  }
+  std::cout << group.structure.name << ": " << kinds << " kinds, seeds from 4712: ";
+  expect_small(most);
+  EXPECT_EQ(most.undetermined, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ForcesOfKinds,
+                         testing::Range(std::size_t{0}, mechanism::known_groups().size()));
+
+class ForcesOfScenes : public DrivenScenes {};
+
+TEST_P(ForcesOfScenes, KeepLinksInEquilibrium) {
+  for (const Places places : {Places::anywhere, Places::lattice}) {
+    Largest most;
+    for_each_scene(12, 300, places, [&](const RandomDrivenScene& made, unsigned seed) {
+      check(solved(loaded(made.scene(), seed)), most);
+    });
+    expect_small(most);
+  }
+}
+
+/// The scene with parameters at rest, and with drivers that follow their laws where these read
+/// joints.
+Json at_rest(Json scene) {
+  for (auto& [name, parameter] : scene["parameters"].items()) {
+    if (parameter.is_object()) {
+      parameter.erase("velocity");
+      parameter.erase("acceleration");
+    }
+  }
+  double rate = 0.7;
+  for (auto& [name, driver] : scene["drivers"].items()) {
+    driver.erase("velocity");
+    driver.erase("acceleration");
+    if (driver["position"].dump().find("joint(") == std::string::npos) {
+      driver["velocity"] = rate = 1.3 - rate;
+      driver["acceleration"] = rate - 1;
+    }
+  }
+  scene["want"] = {"position", "velocity", "acceleration", "coefficients"};
+  return scene;
+}
+
+/// Rates by the chain rule from the coefficients and the rates of the drivers.
+template <int Coordinates>
+std::array<Eigen::Matrix<double, Coordinates, 1>, 2> rates_by_chain_rule(
+    const mechanism::Derivatives<Coordinates>& of, const Eigen::VectorXd& rate,
+    const Eigen::VectorXd& second_rate) {
+  Eigen::Matrix<double, Coordinates, 1> acceleration = of.first * second_rate;
+  for (std::size_t row = 0; row < Coordinates; ++row) {
+    acceleration(static_cast<Eigen::Index>(row)) += rate.dot(of.second[row] * rate);
+  }
+  return {of.first * rate, acceleration};
+}
+
+/// The group solver's velocities and accelerations follow from the coefficients of all bodies.
+TEST_P(ForcesOfScenes, HaveCoefficientsThatGiveTheRates) {
+  double worst = 0;
+  int count = 0;
+  for_each_scene(12, 300, Places::anywhere, [&](const RandomDrivenScene& made, unsigned) {
+    const Solved scene = solved(at_rest(made.scene()));
+    for (const Configuration& configuration : scene.configurations()) {
+      if (configuration.regularity != Status::ok || !configuration.rates_known) {
+        continue;
+      }
+      const mechanism::KinematicCoefficients all =
+          mechanism::coefficients_of(scene.values, configuration);
+      Eigen::VectorXd rate(std::ssize(all.drivers));
+      Eigen::VectorXd second_rate(std::ssize(all.drivers));
+      for (std::size_t place = 0; place < all.drivers.size(); ++place) {
+        const auto row = static_cast<Eigen::Index>(place);
+        rate(row) = scene.values.motion(all.drivers[place]).velocity;
+        second_rate(row) = scene.values.motion(all.drivers[place]).acceleration;
+      }
+      double size = 1;
+      for (const mechanism::Frame& link : configuration.links) {
+        size = std::max({size, link.velocity.norm(), link.acceleration.norm()});
+      }
+      const auto compare = [&](const auto& told, const auto& velocity, const auto& acceleration) {
+        const auto [first, second] = rates_by_chain_rule(told, rate, second_rate);
+        worst = largest(worst, (first - velocity).norm() / size);
+        worst = largest(worst, (second - acceleration).norm() / size);
+      };
+      for (const mechanism::LinkIndex link : configuration.links.keys()) {
+        const mechanism::Frame& frame = configuration.links[link];
+        compare(all.links[link], frame.velocity, frame.acceleration);
+      }
+      for (const mechanism::OutputIndex output : configuration.outputs.keys()) {
+        const mechanism::Point& point = configuration.outputs[output];
+        compare(all.outputs[output], point.velocity, point.acceleration);
+      }
+      for (const mechanism::SlideState& slide : configuration.slides) {
+        using One = Eigen::Matrix<double, 1, 1>;
+        compare(all.joints[slide.joint], One(slide.velocity), One(slide.acceleration));
+      }
+      ++count;
+    }
+  });
+  std::cout << count << " configurations, rates from coefficients " << worst << "\n";
+  EXPECT_GT(count, 0);
+  EXPECT_LT(worst, 1e-8);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ties, ForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
+                         name_of_ties);
+
+/// A crank of length a with a rod of length b that pushes a block along the x-axis, by hand: a
+/// force F against the block needs the torque F a (sin phi + a sin phi cos phi / sqrt(b^2 - a^2
+/// sin^2)).
+TEST(Forces, OfASliderCrankAreThoseOnPaper) {
+  const double a = 3;
+  const double b = 5;
+  const double phi = std::atan2(4.0, 3.0);
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "way": {"through": [0, 0], "along": [1, 0]}},
+      "crank": {"A": [0, 0], "B": [3, 0]}, "rod": {"B": [0, 0], "C": [5, 0]},
+      "block": {"C": [0, 0], "way": {"through": [0, 0], "along": [1, 0]}}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+      "C": {"type": "revolute", "between": ["rod.C", "block.C"]},
+      "S": {"type": "prismatic", "between": ["ground.way", "block.way"]}},
+    "loads": {"gas": {"at": "block.C", "force": [-10, 0]}}, "want": ["position", "forces"]})");
+  scene["drivers"]["A"] = {{"position", phi}};
+  const Solved found = solved(scene);
+  const double sine = a * std::sin(phi);
+  for (const Configuration& configuration : found.configurations()) {
+    const double sense = configuration.link("block").pose.x > 1 ? 1 : -1;
+    const double root = sense * std::sqrt(b * b - sine * sine);
+    const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+    const double torque = -10 * (sine + sine * a * std::cos(phi) / root);
+    EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], torque, 1e-12);
+    EXPECT_NEAR(forces.joints[3].on.back().second.y(), 10 * sine / root, 1e-12);
+    EXPECT_NEAR(forces.joints[3].moment, 0, 1e-12);
+    EXPECT_NEAR(forces.ground.force.x(), -10, 1e-12);
+  }
+}
+
+/// Three equal cranks carry a coupler: the third one shares a load that the equations do not
+/// divide.
+TEST(Forces, ThatRedundantJointsShareAreNotTold) {
+  const Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "B": [2, 0], "C": [4, 0]},
+      "one": {"A": [0, 0], "D": [0, 3]}, "two": {"B": [0, 0], "E": [0, 3]},
+      "three": {"C": [0, 0], "F": [0, 3]}, "beam": {"D": [0, 0], "E": [2, 0], "F": [4, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["ground.B", "two.B"]},
+      "C": {"type": "revolute", "between": ["ground.C", "three.C"]},
+      "D": {"type": "revolute", "between": ["one.D", "beam.D"]},
+      "E": {"type": "revolute", "between": ["two.E", "beam.E"]},
+      "F": {"type": "revolute", "between": ["three.F", "beam.F"]}},
+    "drivers": {"A": {"position": 0.5, "velocity": 1, "acceleration": 2}},
+    "masses": {"beam": {"mass": 2, "at": [1, 0]}}, "gravity": [0, -9.81],
+    "want": ["position", "velocity", "acceleration", "forces", "dynamics"]})");
+  const Solved found = solved(scene);
+  ASSERT_FALSE(found.configurations().empty());
+  for (const Configuration& configuration : found.configurations()) {
+    if (!configuration.rates_known || !configuration.is_consistent) {
+      continue;
+    }
+    const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+    EXPECT_FALSE(forces.reason.empty());
+    // The torque is that of a mass on a crank of length 3: m l^2 alpha + m g dy/dphi.
+    const double height = -3 * std::sin(0.5);
+    EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], 2 * 9 * 2 + 2 * 9.81 * height, 1e-11);
+    EXPECT_EQ(std::ranges::count_if(forces.joints, &mechanism::JointForce::is_determined), 0);
+  }
+}
+
+TEST(Forces, RefuseLoadsThatDoNotFit) {
+  const Json scene = example("slider_crank.json");
+  const auto message = [&](const char* key, const char* text) {
+    Json changed = scene;
+    changed[key] = Json::parse(text);
+    return message_of(changed);
+  };
+  EXPECT_NE(message("masses", R"({"crnk": {"mass": 1}})").find("masses: no link named 'crnk'"),
+            std::string::npos);
+  EXPECT_NE(message("masses", R"({"crank": {"mass": -1}})").find("masses.crank.mass"),
+            std::string::npos);
+  EXPECT_NE(message("masses", R"({"piston": {"mass": 1, "at": "axis"}})").find("is a line"),
+            std::string::npos);
+  EXPECT_NE(message("loads", R"({"F": {"at": "B", "force": [1, 0]}})").find("loads.F.at"),
+            std::string::npos);
+  EXPECT_NE(message("springs", R"({"K": {"between": ["rod.B", "rod.C"]}})")
+                .find("both ends are on the same link"),
+            std::string::npos);
+  EXPECT_NE(message("want", R"(["force"])").find("no such result 'force'"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace assur::test::forces_test
