@@ -40,8 +40,11 @@ Json loaded(const Json& bare, unsigned seed) {
       if (number(0, 1) == 1) {
         scene["loads"]["F" + point]["frame"] = link;
       }
+      const auto joint_of = [](const std::string& feature) {
+        return feature.substr(0, feature.find('_'));
+      };
       if (!before.empty() && before.substr(0, before.find('.')) != link &&
-          before.substr(before.find('.') + 1) != name) {  // not both at one pin
+          joint_of(before.substr(before.find('.') + 1)) != joint_of(name)) {  // not at one pin
         scene["springs"]["K" + point] = {{"between", {before, point}},
                                          {"stiffness", number(0, 3)},
                                          {"length", number(0, 2)},
@@ -157,6 +160,8 @@ TEST_P(ForcesOfScenes, KeepLinksInEquilibrium) {
       check(solved(loaded(made.scene(), seed)), most);
     });
     expect_small(most);
+    // On a lattice the ends of a spring may coincide, which leaves it no direction.
+    EXPECT_TRUE(places == Places::lattice || most.undetermined == 0) << most.undetermined;
   }
 }
 

@@ -92,19 +92,25 @@ class LinkSums {
   [[nodiscard]] FeatureIndex other_of(const mechanism::Joint& joint) const {
     return joint.between[mechanism_.features()[joint.between[0]].is_line ? 1 : 0];
   }
-  /// As measured, or as a law says where a driver turns the joint.
+  /// As measured, or as a law says where a driver turns the joint. Which whole turns an angle has
+  /// that laws read is a part of the configuration.
   [[nodiscard]] double coordinate(JointIndex index) const {
     const mechanism::Joint& joint = mechanism_.joints()[index];
-    if (const auto driver = mechanism_.driver_of(index); driver.exists()) {
-      return number(mechanism_.drivers()[driver].position);
-    }
     if (joint.type != mechanism::JointType::revolute) {
       return (at(other_of(joint)) - at(line_of(joint))).dot(line(line_of(joint)));
+    }
+    if (const auto driver = mechanism_.driver_of(index); driver.exists()) {
+      return number(mechanism_.drivers()[driver].position);
     }
     const auto theta = [&](std::size_t end) {
       return angle_of(configuration_.links[link_of(joint.between[end])].pose.direction);
     };
-    return std::remainder(theta(1) - theta(0), 2 * std::numbers::pi);
+    constexpr double turn = 2 * std::numbers::pi;
+    const double measured = std::remainder(theta(1) - theta(0), turn);
+    const auto& counted = configuration_.counted;
+    const auto known = std::ranges::find(counted, index, &mechanism::CountedAngle::joint);
+    return known == counted.end() ? measured
+                                  : measured + turn * std::round((known->angle - measured) / turn);
   }
 
   void add(LinkIndex link, const Vector& place, const Vector& force, double couple) {
