@@ -111,7 +111,7 @@ constexpr std::array<Fault, 105> faults = {{
     {"OutputOfLine", "/outputs/E", "\"rod.slide\"", "an output is a point"},
     {"UnknownWant", "/want", "[\"speed\"]",
      "want[0]: no such result 'speed' (choose from position, velocity, acceleration, "
-     "sensitivity)"},
+     "sensitivity, forces, dynamics, coefficients)"},
     {"SweepCount", "/sweep", "{\"parameter\": \"phi\", \"from\": 0, \"to\": 1, \"count\": 0}",
      "sweep.count: expected a whole number"},
     {"SweepParameter", "/sweep", "{\"parameter\": \"psi\", \"from\": 0, \"to\": 1, \"count\": 2}",

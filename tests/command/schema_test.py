@@ -48,6 +48,13 @@ EVERY_KEY = {
     "drivers": {"A": {"position": "phi", "velocity": 1, "acceleration": 0},
                 "O": {"position": 0.5}, "T": {}, "U": {}},
     "outputs": {"C": "rod.C"},
+    "masses": {"rod": {"mass": 2, "at": "C", "inertia": 0.1}},
+    "gravity": [0, -9.81],
+    "loads": {"push": {"at": "rod.C", "force": [1, 0], "frame": "crank"},
+              "twist": {"on": "crank", "moment": 3}},
+    "springs": {"coil": {"between": ["ground.A", "rod.C"], "stiffness": 1, "length": 2,
+                         "damping": 0.1},
+                "torsion": {"joint": "B", "stiffness": 1, "rest": 0.5, "damping": 0.1}},
     "want": ["position", "velocity", "acceleration", "sensitivity"],
     "report": {"links": ["rod"], "joints": ["slide"]},
     "reference": {"rod": "-20*deg"},
@@ -82,7 +89,7 @@ def objects_with_keys(scene):
     for part in ("report", "sweep", "covariance"):
         if part in scene:
             yield (part,)
-    for part in ("parameters", "joints", "drivers"):
+    for part in ("parameters", "joints", "drivers", "masses", "loads", "springs"):
         for name, value in scene.get(part, {}).items():
             if isinstance(value, dict):
                 yield (part, name)
