@@ -47,7 +47,7 @@ class ConstraintsInPlace {
 };
 
 /// Turns columns into others of the same span, of which those in `first` at a block are zero in
-/// every block before it. `block_of` tells the block of each row. Returns the block of each column.
+/// every block before it, and have unit length in theirs. `block_of` tells the block of each row. Returns the block of each column.
 template <typename Blocks>
 std::vector<std::size_t> bring_to_echelon_form(const std::vector<std::size_t>& block_of,
                                                const Blocks& blocks, Eigen::MatrixXd& columns) {
@@ -73,6 +73,9 @@ std::vector<std::size_t> bring_to_echelon_form(const std::vector<std::size_t>& b
     const Eigen::MatrixXd turned = columns.rightCols(left) * svd.matrixV();
     columns.rightCols(left) = turned;
     columns(rows, Eigen::seqN(done + rank, left - rank)).setZero();
+    for (Eigen::Index column = 0; column < rank; ++column) {
+      columns.col(done + column) /= svd.singularValues()(column);
+    }
     of_columns.insert(of_columns.end(), static_cast<std::size_t>(rank), block);
     done += rank;
   }
@@ -159,7 +162,7 @@ class MotionSearch {
       add_only_motion(firmness_);
     } else if (has_levels()) {
       find_tangent_cone();
-      descend(0, Eigen::VectorXd(0));
+      descend(0, Eigen::VectorXd(0), true);
     }
     return std::move(found_);
   }
@@ -298,17 +301,18 @@ class MotionSearch {
     return result;
   }
 
-  /// Solves the levels of the cone from one on, where `c` has the unknowns of those before.
-  void descend(std::size_t depth, const Eigen::VectorXd& c) {
+  /// Solves the levels of the cone from one on, where `c` has the unknowns of those before, and
+  /// tells whether all of them are simple roots.
+  void descend(std::size_t depth, const Eigen::VectorXd& c, bool is_simple) {
     if (depth == levels_.size()) {
-      add_motions(c);
+      add_motions(c, is_simple);
       return;
     }
     const Level& level = levels_[depth];
     const QuadraticEquations here = cone_.of(level.equations, c, level.unknowns);
     if (level.unknowns == 0) {
       if (here.constant.norm() <= agreement * std::max(1.0, c.squaredNorm())) {
-        descend(depth + 1, c);
+        descend(depth + 1, c, is_simple);
       }
       return;
     }
@@ -316,12 +320,15 @@ class MotionSearch {
          common_roots(here, noise_).value_or(std::vector<Eigen::VectorXd>())) {
       Eigen::VectorXd longer(c.size() + root.size());
       longer << c, root;
-      descend(depth + 1, longer);
+      const Eigen::MatrixXd slope = here.derivative(root);
+      const Eigen::VectorXd slopes = Eigen::JacobiSVD<Eigen::MatrixXd>(slope).singularValues();
+      const double size = std::max(1.0, here.linear.cwiseAbs().maxCoeff());
+      descend(depth + 1, longer, is_simple && slopes(slopes.size() - 1) > std::sqrt(noise_) * size);
     }
   }
 
   /// Adds the motions with a tangent of the cone.
-  void add_motions(const Eigen::VectorXd& c) {
+  void add_motions(const Eigen::VectorXd& c, bool is_simple) {
     Parts parts = start_;
     parts.col(1) += N_ * c;
     const Eigen::VectorXd second = shortest(F_.coefficient(2, parts));

@@ -44,7 +44,7 @@ std::vector<double> roots_of(double a, double b, double c, double noise) {
     return std::abs(b) > noise * size ? std::vector{0.0 - c / b} : std::vector<double>{};
   }
   const double discriminant = b * b - 4 * a * c;
-  if (std::abs(discriminant) <= 4 * noise * std::max(b * b + 4 * std::abs(a * c), noise * a * a)) {
+  if (std::abs(discriminant) <= noise * (2 * std::abs(b) + 4 * (std::abs(a) + std::abs(c)))) {
     return {0.0 - b / (2 * a)};
   }
   if (discriminant < 0) {
