@@ -133,20 +133,29 @@ std::optional<std::vector<Configuration>> moving_configurations(const Values& va
   return found;
 }
 
-/// Takes the derivatives with respect to a parameter from a motion along it.
+/// Takes the derivatives of what groups place with respect to a parameter from a motion along it.
 void take_derivatives(const Configuration& motion, Eigen::Index column,
                       Configuration& configuration) {
   const auto take = [column](const auto& from, auto& to) {
     to.follows.first.col(column) << from.velocity;
   };
+  const Mechanism& mechanism = configuration.plan->mechanism;
+  const Table<LinkIndex, bool> is_driven = configuration.plan->structure.placed_by_drivers();
   for (const LinkIndex link : configuration.links.keys()) {
-    take(motion.links[link], configuration.links[link]);
+    if (!is_driven[link]) {
+      take(motion.links[link], configuration.links[link]);
+    }
   }
   for (const OutputIndex output : configuration.outputs.keys()) {
-    take(motion.outputs[output], configuration.outputs[output]);
+    if (!is_driven[mechanism.features()[mechanism.outputs()[output].point].link]) {
+      take(motion.outputs[output], configuration.outputs[output]);
+    }
   }
   for (std::size_t slide = 0; slide < configuration.slides.size(); ++slide) {
-    configuration.slides[slide].follows.first(column) = motion.slides[slide].velocity;
+    SlideState& of = configuration.slides[slide];
+    if (!mechanism.driver_of(of.joint).exists()) {
+      of.follows.first(column) = motion.slides[slide].velocity;
+    }
   }
 }
 

@@ -47,7 +47,8 @@ class ConstraintsInPlace {
 };
 
 /// Turns columns into others of the same span, of which those in `first` at a block are zero in
-/// every block before it, and have unit length in theirs. `block_of` tells the block of each row. Returns the block of each column.
+/// every block before it, and have unit length in theirs. `block_of` tells the block of each row.
+/// Returns the block of each column.
 template <typename Blocks>
 std::vector<std::size_t> bring_to_echelon_form(const std::vector<std::size_t>& block_of,
                                                const Blocks& blocks, Eigen::MatrixXd& columns) {
@@ -153,7 +154,7 @@ class MotionSearch {
     }
     settle();
     const Eigen::VectorXd f = F_.coefficient(1, place_);
-    if ((W_.transpose() * f).norm() > noise_) {
+    if (!take_distance((W_.transpose() * f).norm())) {
       return {};  // a fold, or redundant constraints that contradict one another
     }
     start_ = place_;
@@ -162,9 +163,9 @@ class MotionSearch {
       add_only_motion(firmness_);
     } else if (has_levels()) {
       find_tangent_cone();
-      descend(0, Eigen::VectorXd(0), true);
+      descend(0, {});
     }
-    return std::move(found_);
+    return is_told_ ? std::move(found_) : std::vector<Motion>();
   }
 
  private:
@@ -174,37 +175,49 @@ class MotionSearch {
     Eigen::Index unknowns = 0;
   };
 
+  /// The first unknowns c of a direction of the cone.
+  struct Tangent {
+    Eigen::VectorXd c;
+    Eigen::VectorXd error;  ///< of those whose roots are simple, in parts of each
+    bool is_simple = true;  ///< whether all are
+  };
+
   /// Finds the place, the kernels, and the rounding of the coefficients that follow.
   void settle() {
-    /// How far rounding may have moved the configuration from that place.
-    constexpr double moved = 1e-3;
     const auto lost = [this](double least) {
       return std::ranges::count_if(svd_.singularValues(),
                                    [least](double value) { return value <= least; });
     };
     decompose();
     const double rounding = F_.rounding();
-    // A place that is known to r / s tells a singular value up to r / s.
-    const double hidden = std::sqrt(8 * rounding);
     Eigen::Index corank = lost(nearly_lost);
     bool is_exact = false;
     if (corank > 0) {
       const ConstraintsInPlace system(F_);
       const auto singular = local::singular_point(system, Eigen::VectorXd(place_.col(0)),
                                                   static_cast<int>(corank) - 1);
-      is_exact = singular.is_found && singular.opening <= rounding && singular.at.norm() < moved;
+      // That place is this configuration where all constraints hold half-way there, too.
+      is_exact = singular.is_found && singular.opening <= rounding &&
+                 system.misses(singular.at / 2).norm() <= rounding;
       if (is_exact) {
         place_.col(0) = singular.at;
         decompose();
       }
     }
-    corank = is_exact ? corank : lost(hidden);
+    corank = is_exact ? corank : lost(hidden());
     rank_ = F_.unknowns() - corank;
     N_ = svd_.matrixV().rightCols(corank);
     W_ = svd_.matrixU().rightCols(F_.rows() - rank_);
     firmness_ = rank_ > 0 ? svd_.singularValues()(rank_ - 1) / svd_.singularValues()(0) : 1;
-    constexpr double some = 16;
-    noise_ = some * (is_exact ? some * rounding / (firmness_ * firmness_) : hidden);
+    noise_ = some * std::max(some * rounding / (firmness_ * firmness_), is_exact ? 0 : hidden());
+  }
+  /// A place that is known to r / s tells a singular value s up to r / s.
+  [[nodiscard]] double hidden() const { return std::sqrt(8 * F_.rounding()); }
+  /// Takes what W' f_1 is for the distance in t from where it vanishes, which changes all further
+  /// coefficients by as much. False where the place is too far away.
+  [[nodiscard]] bool take_distance(double distance) {
+    noise_ = std::max(noise_, some * distance);
+    return distance <= some * hidden();
   }
   void decompose() {
     svd_.compute(F_.jacobian(place_.col(0)), Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -301,34 +314,62 @@ class MotionSearch {
     return result;
   }
 
-  /// Solves the levels of the cone from one on, where `c` has the unknowns of those before, and
-  /// tells whether all of them are simple roots.
-  void descend(std::size_t depth, const Eigen::VectorXd& c, bool is_simple) {
+  /// Solves the levels of the cone from one on, where `before` has the unknowns of those before.
+  void descend(std::size_t depth, const Tangent& before) {
     if (depth == levels_.size()) {
-      add_motions(c, is_simple);
+      add_motions(before);
       return;
     }
     const Level& level = levels_[depth];
-    const QuadraticEquations here = cone_.of(level.equations, c, level.unknowns);
+    const QuadraticEquations here = cone_.of(level.equations, before.c, level.unknowns);
     if (level.unknowns == 0) {
-      if (here.constant.norm() <= agreement * std::max(1.0, c.squaredNorm())) {
-        descend(depth + 1, c, is_simple);
+      if (here.constant.norm() <= agreement * std::max(1.0, before.c.squaredNorm())) {
+        descend(depth + 1, before);
       }
       return;
     }
-    for (const Eigen::VectorXd& root :
-         common_roots(here, noise_).value_or(std::vector<Eigen::VectorXd>())) {
-      Eigen::VectorXd longer(c.size() + root.size());
-      longer << c, root;
-      const Eigen::MatrixXd slope = here.derivative(root);
-      const Eigen::VectorXd slopes = Eigen::JacobiSVD<Eigen::MatrixXd>(slope).singularValues();
-      const double size = std::max(1.0, here.linear.cwiseAbs().maxCoeff());
-      descend(depth + 1, longer, is_simple && slopes(slopes.size() - 1) > std::sqrt(noise_) * size);
+    const auto roots = common_roots(here, noise_);
+    if (!roots) {
+      is_told_ = false;
+      return;
+    }
+    for (const Eigen::VectorXd& root : *roots) {
+      const Tangent longer = lengthened(before, level, here, root);
+      if (longer.is_simple && !(longer.error.maxCoeff() < two_digits_lost)) {
+        is_told_ = false;
+        return;
+      }
+      descend(depth + 1, longer);
     }
   }
 
+  /// A tangent with a root of a level's equations.
+  [[nodiscard]] Tangent lengthened(const Tangent& before, const Level& level,
+                                   const QuadraticEquations& here,
+                                   const Eigen::VectorXd& root) const {
+    const Eigen::Index known = before.c.size();
+    Tangent result{Eigen::VectorXd(known + root.size()), Eigen::VectorXd(known + root.size()),
+                   before.is_simple};
+    result.c << before.c, root;
+    const Eigen::VectorXd slopes =
+        Eigen::JacobiSVD<Eigen::MatrixXd>(here.derivative(root)).singularValues();
+    const double slope = slopes(slopes.size() - 1);
+    const double size = std::max(1.0, here.linear.cwiseAbs().maxCoeff());
+    result.is_simple = before.is_simple && slope > std::sqrt(noise_) * size;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(N_.cols());
+    all.head(result.c.size()) = result.c;
+    const Eigen::MatrixXd by_known = cone_.derivative(all)(level.equations, Eigen::seqN(0, known));
+    const double reach = std::max(1.0, result.c.norm());
+    const double open =
+        noise_ * reach * reach + (by_known.cwiseAbs() * before.error).norm() * reach;
+    result.error << before.error,
+        Eigen::VectorXd::Constant(root.size(), open / slope / std::max(1.0, root.norm()));
+    return result;
+  }
+
   /// Adds the motions with a tangent of the cone.
-  void add_motions(const Eigen::VectorXd& c, bool is_simple) {
+  void add_motions(const Tangent& tangent) {
+    const Eigen::VectorXd& c = tangent.c;
     Parts parts = start_;
     parts.col(1) += N_ * c;
     const Eigen::VectorXd second = shortest(F_.coefficient(2, parts));
@@ -341,8 +382,9 @@ class MotionSearch {
     const Eigen::JacobiSVD<Eigen::MatrixXd> M(cone_.derivative(c),
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
     const double least = std::sqrt(noise_) * std::max(1.0, M.singularValues()(0));
-    const auto rank =
-        std::ranges::count_if(M.singularValues(), [least](double value) { return value > least; });
+    const auto is_firm = [least](double value) { return value > least; };
+    const Eigen::Index rank =
+        tangent.is_simple ? N_.cols() : std::ranges::count_if(M.singularValues(), is_firm);
     const Eigen::VectorXd open = W_.transpose() * f;
     const Eigen::VectorXd part =
         -M.matrixV().leftCols(rank) * (M.matrixU().leftCols(rank).transpose() * open)
@@ -386,6 +428,8 @@ class MotionSearch {
     found_.push_back({std::move(parts), is_known_twice});
   }
 
+  /// What several sums and products make of a rounding.
+  static constexpr double some = 16;
   /// What redundant constraints may contradict one another by in second rates.
   static constexpr double agreement = 1e-5;
   /// The same in third rates.
@@ -402,6 +446,7 @@ class MotionSearch {
   double noise_ = 0;
   std::vector<Level> levels_;
   QuadraticEquations cone_;
+  bool is_told_ = true;  ///< whether two digits of all tangents are known
   std::vector<Motion> found_;
 };
 
