@@ -5,6 +5,7 @@
 #include <assur/text/quoted.hpp>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace assur::mechanism::foreign {
 
@@ -54,10 +55,14 @@ ForeignJointIndex ForeignMechanism::pin(ForeignLinkIndex first, ForeignLinkIndex
                                         ForeignPointIndex point) {
   for (const ForeignJointIndex joint : joints.keys()) {
     const ForeignJoint& known = joints[joint];
-    if (known.type == JointType::revolute && known.at == point && known.first == first &&
-        known.second == second) {
+    const bool joins_both = (known.first == first && known.second == second) ||
+                            (known.first == second && known.second == first);
+    if (known.type == JointType::revolute && known.at == point && joins_both) {
       return joint;
     }
+  }
+  if (second == ground_) {
+    std::swap(first, second);
   }
   return joints.add({JointType::revolute, first, second, point});
 }

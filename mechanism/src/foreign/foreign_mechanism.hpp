@@ -97,7 +97,8 @@ class ForeignMechanism {
   [[nodiscard]] std::vector<ForeignLinkIndex> pinned_at(ForeignPointIndex point) const;
   /// Whether a link other than the ground lists a point and is not left out.
   [[nodiscard]] bool is_moved(ForeignPointIndex point) const;
-  /// The revolute joint of two links at a point: the one that is there, or a new one.
+  /// The revolute joint of two links at a point: the one that is there, in either order of the
+  /// links, or a new one, in which the ground is first.
   ForeignJointIndex pin(ForeignLinkIndex first, ForeignLinkIndex second, ForeignPointIndex point);
   [[nodiscard]] const ForeignDrive* drive_of(ForeignJointIndex joint) const;
   [[nodiscard]] double distance(ForeignPointIndex one, ForeignPointIndex other) const;

@@ -214,7 +214,11 @@ class ElementReader {
 
   void read_connector(const ptree& element) {
     LinkageConnector connector;
-    connector.id = identified(element, "connector", connector_ids_);
+    connector.id = identified(element, "connector");
+    if (!connector_ids_.insert(connector.id).second) {
+      throw MechanismError("connector " + std::to_string(connector.id),
+                           "the file has two of them; save it from Linkage again");
+    }
     if (connector_ids_.size() > most_connectors) {
       throw MechanismError("", "there are more than " + std::to_string(most_connectors) +
                                    " connectors; divide the file");
@@ -263,8 +267,8 @@ class ElementReader {
 
   void read_link(const ptree& element) {
     LinkageLink link;
-    link.id = identified(element, "Link", link_ids_);
-    if (link_ids_.size() > most_links) {
+    link.id = identified(element, "Link");
+    if (++links_read_ > most_links) {
       throw MechanismError("", "there are more than " + std::to_string(most_links) +
                                    " links, the limit of scenes; divide the file");
     }
@@ -320,14 +324,10 @@ class ElementReader {
     }
   }
 
-  static int identified(const ptree& element, const std::string& kind, std::set<int>& ids) {
+  static int identified(const ptree& element, const std::string& kind) {
     const std::optional<int> id = Attributes(element, kind).identifier("id");
     if (!id) {
       throw MechanismError(kind, "an element has no 'id'; save the file from Linkage again");
-    }
-    if (!ids.insert(*id).second) {
-      throw MechanismError(kind + " " + std::to_string(*id),
-                           "the file has two of them; save it from Linkage again");
     }
     return *id;
   }
@@ -361,7 +361,8 @@ class ElementReader {
 
   ForeignMechanism& mechanism_;
   LinkageFile file_;
-  std::set<int> connector_ids_, link_ids_;
+  std::set<int> connector_ids_;
+  std::size_t links_read_ = 0;
   std::map<std::pair<std::string, std::string>, int> left_out_;  ///< by layer and kind
   std::set<std::string> unknown_attributes_, unknown_elements_;
 };

@@ -525,7 +525,9 @@ class LinkageBuilder {
   [[nodiscard]] bool is_driven(const ForeignJoint& wheel) const {
     return std::ranges::any_of(mechanism_.drives, [&](const ForeignDrive& drive) {
       const ForeignJoint& joint = mechanism_.joints[drive.joint];
-      return joint.first == wheel.first && joint.second == wheel.second && joint.at == wheel.at;
+      return joint.at == wheel.at &&
+             ((joint.first == wheel.first && joint.second == wheel.second) ||
+              (joint.first == wheel.second && joint.second == wheel.first));
     });
   }
   [[nodiscard]] bool has_driven_wheel(const LinkageRatio& ratio) const {
@@ -551,15 +553,19 @@ class LinkageBuilder {
       mechanism_.miss(what + ": both are driven already");
       return;
     }
+    // A joint that is there already may count from the wheel to what carries it.
+    bool is_opposite = !ratio.is_chain;
     const auto pin = [&](std::size_t wheel) {
       const ForeignJoint& joint = (*joints)[wheel];
-      return mechanism_.pin(joint.first, joint.second, joint.at);
+      const ForeignJointIndex found = mechanism_.pin(joint.first, joint.second, joint.at);
+      is_opposite = is_opposite != (mechanism_.joints[found].first != joint.first);
+      return found;
     };
-    const std::string sign = ratio.is_chain ? " + " : " - ";
-    const ForeignJointIndex led = pin(follower);
-    mechanism_.drives.push_back(
-        {led, "", pin(leader),
-         sign + number_text(ratio.sizes[leader]) + "/" + number_text(ratio.sizes[follower])});
+    ForeignDrive drive{pin(follower)};
+    drive.leader = pin(leader);
+    drive.ratio = (is_opposite ? " - " : " + ") + number_text(ratio.sizes[leader]) + "/" +
+                  number_text(ratio.sizes[follower]);
+    mechanism_.drives.push_back(drive);
   }
 
   ForeignMechanism mechanism_;

@@ -269,7 +269,7 @@ class PyslvsBuilder {
     for (const auto& [link, at] : added_points_) {
       mechanism_.list(link,
                       mechanism_.points.add({mechanism_.links[link].id + "_slot", "", at.x, at.y}));
-      written_.push_back({"P"});
+      written_.push_back({"P", 0, at.x, at.y, {}});
     }
   }
 

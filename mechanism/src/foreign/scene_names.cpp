@@ -42,7 +42,7 @@ Table<Key, std::string> names_of_parts(const Table<Key, Part>& parts, const std:
     if (!names[key].empty()) {
       continue;
     }
-    if (part.name.empty() || part.name == part.id) {
+    if (part.name.find_first_not_of(' ') == std::string::npos || part.name == part.id) {
       names[key] = new_name(part.id, taken);
     } else if (is_usable(part.name)) {
       names[key] = new_name(part.name + "_" + part.id, taken);
