@@ -14,6 +14,8 @@ class DrivePeriod {
  public:
   /// A drive that comes back so often in a minute.
   void add(double cycles_per_minute) { cycles_.push_back(cycles_per_minute); }
+  /// Half the time that the sweep takes, in seconds; 0 without a drive that moves in time.
+  [[nodiscard]] double half() const;
   /// A drive that nothing but a parameter moves, between two values.
   void add_hand(const std::string& parameter, double from, double to);
   /// One period around the drawing, after which all drives are back: after the slowest's, where

@@ -22,14 +22,19 @@ double to_and_fro(double way, double limit) {
   return rest > limit ? 2 * limit - rest : rest;
 }
 
-/// The same as a formula, less its value at the start: `way` is up to 2*limit in either direction.
-std::string to_and_fro_text(const std::string& way, double limit, double start) {
-  const std::string end = number_text(limit);
-  std::string formula = end + " - abs(" + end + " - abs(" + way;
-  if (start != 0) {
-    formula += term_text(start);
+/// The same as a formula, less its value at the start, for ways of up to `farthest` in either
+/// direction: `way` is folded at twice, four times the limit and so on, and at last at the limit.
+std::string to_and_fro_text(const std::string& way, double limit, double start, double farthest) {
+  double fold = limit;
+  while (2 * fold < farthest + start) {
+    fold *= 2;
   }
-  formula += "))";
+  std::string formula = "abs(" + way + (start == 0 ? "" : term_text(start)) + ")";
+  for (bool is_inner = true; fold >= limit; fold /= 2) {
+    const std::string end = number_text(fold);
+    formula = end + " - abs(" + end + " - " + (is_inner ? formula : "(" + formula + ")") + ")";
+    is_inner = false;
+  }
   const double first = to_and_fro(start, limit);
   return first == 0 ? formula : formula + term_text(-first);
 }
@@ -58,6 +63,7 @@ class LinkageBuilder {
     add_links();
     list_fastened_connectors();
     add_slides();
+    collect_speeds();
     add_inputs();
     add_actuators();
     add_ratios();
@@ -377,6 +383,23 @@ class LinkageBuilder {
                       "_arm stands; the ends of the slot are left out");
   }
 
+  /// How often the drives that move in time come back in a minute.
+  void collect_speeds() {
+    for (const LinkageConnector& input : file_.connectors) {
+      const double turns = std::abs(input.turns_per_minute);
+      if (input.is_input && input.moves && !input.is_moved_by_hand && turns > 0) {
+        period_.add(input.limit_angle > 0 ? turns * degrees_per_turn / (2 * input.limit_angle)
+                                          : turns);
+      }
+    }
+    for (const LinkageLink& link : file_.links) {
+      if (link.is_actuator && !link.is_moved_by_hand && link.cycles_per_minute != 0 &&
+          link.stroke > 0) {
+        period_.add(std::abs(link.cycles_per_minute));
+      }
+    }
+  }
+
   void add_inputs() {
     for (const LinkageConnector& input : file_.connectors) {
       if (!input.is_input || !input.moves) {
@@ -411,12 +434,11 @@ class LinkageBuilder {
     }
     if (input.limit_angle > 0) {
       const double rate = std::abs(speed) * degrees_per_turn / seconds_per_minute;
-      period_.add(rate / (2 * input.limit_angle) * seconds_per_minute);
       return std::string(speed > 0 ? " - (" : " + (") +
-             to_and_fro_text(number_text(rate) + "*t", input.limit_angle, input.start_offset) +
+             to_and_fro_text(number_text(rate) + "*t", input.limit_angle, input.start_offset,
+                             rate * period_.half()) +
              ")*deg";
     }
-    period_.add(std::abs(speed));
     return term_text(-speed) + "*2*pi/60*t";
   }
 
@@ -465,10 +487,12 @@ class LinkageBuilder {
       mechanism_.remark(what + ": the actuator stands still, since its speed or stroke is 0");
       return "";
     }
-    period_.add(std::abs(cycles));
     const std::string way =
         number_text(link.stroke) + "*" + number_text(std::abs(cycles)) + "/30*t";
-    return sign + "(" + to_and_fro_text(way, link.stroke, link.start_offset) + ")";
+    return sign + "(" +
+           to_and_fro_text(way, link.stroke, link.start_offset,
+                           link.stroke * std::abs(cycles) / 30 * period_.half()) +
+           ")";
   }
 
   /// Gears turn against one another, wheels with a chain the same way, both relative to what

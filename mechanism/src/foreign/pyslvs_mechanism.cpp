@@ -308,12 +308,16 @@ class PyslvsBuilder {
         return;
       }
     }
-    const std::vector<ForeignLinkIndex> pinned = mechanism_.pinned_at(point);
+    std::vector<ForeignLinkIndex> pinned = mechanism_.pinned_at(point);
     if (pinned.size() < 2) {
       throw MechanismError("--driver", "the point " + text::in_quotes(name) +
                                            " is no joint of two links; name another one");
     }
-    mechanism_.drives.push_back({mechanism_.pin(pinned[0], pinned[1], point), " + 1*t"});
+    // All links that the ground holds there are driven; of others, the second against the first.
+    pinned.resize(pinned.front() == mechanism_.ground() ? pinned.size() : 2);
+    for (auto link = pinned.begin() + 1; link != pinned.end(); ++link) {
+      mechanism_.drives.push_back({mechanism_.pin(pinned.front(), *link, point), " + 1*t"});
+    }
   }
 
   ForeignMechanism mechanism_;
