@@ -306,14 +306,12 @@ PmksPayload read_pmks(const std::string& text, ForeignMechanism& mechanism) {
   if (!payload.links.empty()) {
     mechanism.forget_look("colours");
   }
-  // What is selected comes next, and then the tail.
-  if (at + 1 < sections.size()) {
-    read_tail(sections[at + 1], payload, mechanism);
+  // What is selected comes next, and then the tail, in which exact numbers have points.
+  std::string tail;
+  while (++at < sections.size()) {
+    tail += (tail.empty() ? "" : ".") + sections[at];
   }
-  for (++at; ++at < sections.size();) {
-    mechanism.miss("the section " + text::in_quotes(sections[at]) +
-                   " is not known here, and left out");
-  }
+  read_tail(tail, payload, mechanism);
   return payload;
 }
 

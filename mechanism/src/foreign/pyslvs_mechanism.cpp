@@ -186,7 +186,8 @@ class PyslvsBuilder {
   }
 
   ForeignMechanism build(const std::string& driver) {
-    for (std::size_t place = 0; place < written_.size(); ++place) {
+    const std::size_t joints = written_.size();
+    for (std::size_t place = 0; place < joints; ++place) {
       const std::string id = "P" + std::to_string(place);
       mechanism_.points.add({id, id, written_[place].x, written_[place].y});
       for (const std::string& name : written_[place].links) {
@@ -200,11 +201,10 @@ class PyslvsBuilder {
     }
     give_points_to_guides();
     choose_driver(driver);
-    for (const ForeignPointIndex point : mechanism_.points.keys()) {
-      const std::vector<ForeignLinkIndex> pinned = mechanism_.pinned_at(point);
-      if (pinned.size() == 1 && pinned.front() != mechanism_.ground() &&
-          written_[point.place()].type == "R") {
-        mechanism_.outputs.push_back(point);
+    for (std::size_t place = 0; place < joints; ++place) {
+      const std::vector<ForeignLinkIndex> pinned = mechanism_.pinned_at(ForeignPointIndex(place));
+      if (pinned.size() == 1 && pinned.front() != mechanism_.ground()) {
+        mechanism_.outputs.emplace_back(place);
       }
     }
     mechanism_.finish();
