@@ -9,7 +9,7 @@
 #include "foreign/pyslvs_mechanism.hpp"
 #include "foreign/scene_writer.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::foreign {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::size_t first_word(const std::string& text) {
 
 bool is_pyslvs(const std::string& text) { return text.compare(first_word(text), 2, "M[") == 0; }
 
-foreign::ForeignMechanism mechanism_of(const std::string& text, const std::string& driver) {
+ForeignMechanism mechanism_of(const std::string& text, const std::string& driver) {
   const std::size_t begin = first_word(text);
   const bool is_linkage = begin < text.size() && text[begin] == '<' &&
                           text.find("<linkage2", begin) != std::string::npos;
@@ -38,13 +38,13 @@ foreign::ForeignMechanism mechanism_of(const std::string& text, const std::strin
     throw MechanismError("--driver", "only expressions of Pyslvs name no input; leave it out");
   }
   if (is_linkage) {
-    return foreign::linkage_mechanism(text.substr(begin));
+    return linkage_mechanism(text.substr(begin));
   }
   if (is_pyslvs(text)) {
-    return foreign::pyslvs_mechanism(text, driver);
+    return pyslvs_mechanism(text, driver);
   }
-  if (const std::string payload = foreign::pmks_payload_of(text); !payload.empty()) {
-    return foreign::pmks_mechanism(payload);
+  if (const std::string payload = pmks_payload_of(text); !payload.empty()) {
+    return pmks_mechanism(payload);
   }
   throw MechanismError(
       "",
@@ -55,11 +55,15 @@ foreign::ForeignMechanism mechanism_of(const std::string& text, const std::strin
 
 }  // namespace
 
+}  // namespace assur::mechanism::foreign
+
+namespace assur::mechanism {
+
 ImportedScene import_scene(const std::string& text, const std::string& file,
                            const std::string& driver) {
   text::expect_no_nul(text, file);
   try {
-    foreign::ForeignMechanism mechanism = mechanism_of(text, driver);
+    foreign::ForeignMechanism mechanism = foreign::mechanism_of(text, driver);
     ImportedScene scene;
     scene.text = foreign::scene_text(mechanism);
     scene.remarks = mechanism.remarks();
@@ -71,7 +75,7 @@ ImportedScene import_scene(const std::string& text, const std::string& file,
 }
 
 bool is_shared_mechanism(const std::string& text) {
-  return is_pyslvs(text) || !foreign::pmks_payload_of(text).empty();
+  return foreign::is_pyslvs(text) || !foreign::pmks_payload_of(text).empty();
 }
 
 }  // namespace assur::mechanism
