@@ -44,7 +44,7 @@ std::optional<ForeignSweep> DrivePeriod::sweep(const ForeignMechanism& mechanism
   if (mechanism.drives.empty()) {
     return std::nullopt;
   }
-  if (cycles_.empty()) {
+  if (cycles_.empty() || !mechanism.moves_in_time()) {
     return hand_;
   }
   const double turns = std::ranges::max(cycles_) / common_cycles(cycles_);

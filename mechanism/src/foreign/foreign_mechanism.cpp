@@ -72,6 +72,12 @@ const ForeignDrive* ForeignMechanism::drive_of(ForeignJointIndex joint) const {
   return found == drives.end() ? nullptr : &*found;
 }
 
+bool ForeignMechanism::moves_in_time() const {
+  return std::ranges::any_of(drives, [](const ForeignDrive& drive) {
+    return drive.motion.find("*t") != std::string::npos;
+  });
+}
+
 double ForeignMechanism::distance(ForeignPointIndex one, ForeignPointIndex other) const {
   return std::hypot(points[other].x - points[one].x, points[other].y - points[one].y);
 }

@@ -101,6 +101,8 @@ class ForeignMechanism {
   /// links, or a new one, in which the ground is first.
   ForeignJointIndex pin(ForeignLinkIndex first, ForeignLinkIndex second, ForeignPointIndex point);
   [[nodiscard]] const ForeignDrive* drive_of(ForeignJointIndex joint) const;
+  /// Whether a drive reads the time.
+  [[nodiscard]] bool moves_in_time() const;
   [[nodiscard]] double distance(ForeignPointIndex one, ForeignPointIndex other) const;
 
   /// Something that the scene does not say, but that neither holds nor drives the mechanism.

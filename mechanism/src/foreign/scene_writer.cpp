@@ -101,10 +101,7 @@ class SceneWriter {
 
   Section parameters() {
     Section section{"parameters"};
-    const bool has_time = std::ranges::any_of(mechanism_.drives, [](const ForeignDrive& drive) {
-      return drive.motion.find("*t") != std::string::npos;
-    });
-    if (has_time) {
+    if (mechanism_.moves_in_time()) {
       section.add("t", Json({{"value", 0}, {"velocity", 1}}));
     }
     for (const std::string& name : mechanism_.hand_parameters) {
