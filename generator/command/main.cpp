@@ -20,6 +20,7 @@
 #include "command/derive.hpp"
 #include "command/draw.hpp"
 #include "command/emit.hpp"
+#include "command/import.hpp"
 #include "command/output.hpp"
 #include "command/ranks.hpp"
 #include "command/remarks.hpp"
@@ -230,6 +231,25 @@ int run(int argc, char** argv) {
       return exit_ok;
     };
   });
+
+  ImportOptions import_options;
+  command = app.add_subcommand("import", "make a scene of a file of Linkage, PMKS+ or Pyslvs");
+  command
+      ->add_option("FILE_OR_LINK", import_options.source,
+                   "a .linkage2 file, a file with a link of PMKS+\nor an expression of Pyslvs, or "
+                   "one of these two\nitself, in quotes")
+      ->required()
+      ->check(not_empty);
+  command->add_option("--output", import_options.output, "scene file to write (JSON)")
+      ->required()
+      ->check(not_empty);
+  command
+      ->add_option("--driver", import_options.driver,
+                   "of an expression of Pyslvs: the point, as P0, of\nthe driven joint")
+      ->check(not_empty);
+  command->add_flag("--force", import_options.replace, "replace a file that exists");
+  command->callback(
+      [&] { chosen = [&] { return import_file(import_options) ? exit_ok : exit_negative; }; });
 
   SampleOptions sample;
   command = app.add_subcommand("sample", "sample parameters within the tolerances of a scene");

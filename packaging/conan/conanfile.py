@@ -48,6 +48,7 @@ class Assur(ConanFile):
         self.requires("eigen/[>=3.4 <4]", transitive_headers=True)
         if self.options.mechanism:
             self.requires("nlohmann_json/[>=3.11 <4]")
+            self.requires("boost/[>=1.74 <2]", options={"header_only": True})
 
     def package_id(self):
         if not self.info.options.mechanism:

@@ -33,9 +33,10 @@ TEST_P(Corpus, IsAnsweredOrRefusedInOneLine) {
 }
 
 constexpr std::array parsers = {
-    Parser{"scene", fuzz::read_scene_text},       Parser{"expression", fuzz::read_expression_text},
-    Parser{"closures", fuzz::read_closures_text}, Parser{"audit", fuzz::read_audit_text},
-    Parser{"code", fuzz::read_code_text},         Parser{"paper", fuzz::read_paper_text},
+    Parser{"scene", fuzz::read_scene_text},           Parser{"import", fuzz::read_import_text},
+    Parser{"expression", fuzz::read_expression_text}, Parser{"closures", fuzz::read_closures_text},
+    Parser{"audit", fuzz::read_audit_text},           Parser{"code", fuzz::read_code_text},
+    Parser{"paper", fuzz::read_paper_text},
 };
 
 INSTANTIATE_TEST_SUITE_P(Parsers, Corpus, testing::ValuesIn(parsers),

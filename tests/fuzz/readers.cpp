@@ -1,5 +1,6 @@
 #include "readers.hpp"
 
+#include <assur/mechanism/imported_scene.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
@@ -54,6 +55,13 @@ closures::ClosureReader closures_of(const std::string& text) {
 void read_scene_text(const std::string& text) {
   expect_answer_or_line<text::InputError>(
       [&] { (void)mechanism::parse_scene(text, "fuzz.json", {}); });
+}
+
+void read_import_text(const std::string& text) {
+  // What is written can be read: it is a scene, or refused as one that cannot be built.
+  expect_answer_or_line<text::InputError>([&] {
+    (void)mechanism::parse_scene(mechanism::import_scene(text, "fuzz").text, "fuzz.json", {});
+  });
 }
 
 void read_expression_text(const std::string& text) {

@@ -9,6 +9,8 @@ namespace assur::test::fuzz {
 /// not empty; everything else, an exception of another type among it, is a fault. Throws
 /// std::logic_error for a refusal that is not such a line.
 void read_scene_text(const std::string& text);
+/// A file of another program, and the scene that is made of it.
+void read_import_text(const std::string& text);
 void read_expression_text(const std::string& text);
 void read_closures_text(const std::string& text);
 void read_audit_text(const std::string& text);

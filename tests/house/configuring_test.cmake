@@ -11,10 +11,10 @@ set(programs bash dpkg clang octave node pdflatex gnuplot valgrind Doxygen arm_c
   wasm_linker xz PHCpack)
 set(files bash dpkg-deb clang++ octave-cli node pdflatex gnuplot valgrind doxygen arm-none-eabi-g++
   arm-none-eabi-nm clang++-22 wasm-ld-22 xz phc)
-# The bench asks for these where Boost and Google Benchmark work.
+# The bench asks for these where Google Benchmark works.
 set(peers Ceres ADOLC SUNDIALS GSL cminpack slvs)
 set(headers ceres/jet.h adolc/adtl.h kinsol/kinsol.h gsl/gsl_multiroots.h cminpack.h slvs.h)
-set(packages MPI HDF5 Boost benchmark pybind11)
+set(packages MPI HDF5 benchmark pybind11)
 set(begin_benchmark "Google Benchmark")
 set(begin_Ceres "Ceres Solver")
 set(begin_ADOLC "ADOL-C")
@@ -121,7 +121,7 @@ if(STATE STREQUAL "absent")
   configure(SWITCHED ${others} Python3)
 elseif(STATE STREQUAL "broken")
   configure(BROKEN ${others})
-  list(REMOVE_ITEM others Boost benchmark)
+  list(REMOVE_ITEM others benchmark)
   configure(BROKEN ${of_bench} SWITCHED ${others})
 else()
   configure()

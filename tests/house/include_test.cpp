@@ -63,6 +63,7 @@ House house() {
           part("description", {}, {}),
           part("drawn", {"description"}, {}),
           part("file", {"description", "drawn"}, {"nlohmann"}),
+          part("foreign", {"description"}, {"boost", "nlohmann"}),
           part("models", {}),
           part("plan", {"description", "models"}, {}),
           part("values", {"description", "models", "plan"}),
