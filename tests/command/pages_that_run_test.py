@@ -1,6 +1,6 @@
 # Runs the console blocks of pages and compares what is printed with what the pages say; a line
-# `...` stands for any lines. Whole scenes in JSON, and the C++ of the four-bar, are lines of the
-# tutorial's files.
+# `...` stands for any lines. Whole scenes in JSON, and the C++ of the four-bar, are lines of files
+# in docs.
 import pathlib
 import re
 import subprocess
@@ -62,9 +62,9 @@ def main(command, root, *pages):
                 if language == "console":
                     commands += run(block, directory)
                 elif language == "json" and block.startswith("{") and '"links"' in block:
-                    scenes = (root / "docs/tutorial").glob("*.json")
+                    scenes = (root / "docs").rglob("*.json")
                     expect(any(stands_in(block, file) for file in scenes),
-                           f"{page}: no file of docs/tutorial has the scene\n{block}")
+                           f"{page}: no file of docs has the scene\n{block}")
                 elif language == "cpp" and "FourBar" in block:
                     file = root / "docs/tutorial/follow.cpp"
                     expect(stands_in(block, file), f"{page}: a program is not {file}")
