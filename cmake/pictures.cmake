@@ -8,7 +8,7 @@ function(draw scene file)
 endfunction()
 
 draw(quintero_2011_rrp_rrr ${OUTPUT}/drawing_all.svg)
-draw(excavator_arm ${OUTPUT}/drawing_one.svg --configuration 1)
+draw(excavator_arm ${OUTPUT}/drawing_one.svg --nearest)
 draw(jansen_leg ${OUTPUT}/drawing_moving.svg --moving --configuration 2)
 
 # Nine scenes, each in one configuration, three in a row: pictures inside a picture, at their size.
@@ -18,7 +18,7 @@ set(title_height 26)
 set(scenes
   four_bar_coupler_curve:1 slider_crank:1 shaper_quick_return:1
   watt_six_bar:1 stephenson_triad:1 jansen_leg:3
-  excavator_arm:1 gripper:8 scissor_lift:8)
+  excavator_arm:10 gripper:8 scissor_lift:8)
 set(titles
   "Four-bar with a coupler curve" "Slider-crank" "Shaper"
   "Watt's six-bar" "Stephenson's six-bar, a triad" "Jansen's leg"

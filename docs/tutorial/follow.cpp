@@ -1,20 +1,21 @@
-// Follows one branch of the four-bar through a turn of its crank, and prints where P is.
+// Follows the drawn branch of the four-bar as its crank turns, and prints where P is.
 #include <array>
 #include <assur/scenes/four_bar.hpp>
 #include <cstdio>
 
 int main() {
   using FourBar = assur::scenes::FourBar;
-  FourBar::Drivers<double> drivers;  // the crank at 60 degrees, as in the scene
+  FourBar::Drivers<double> drivers;  // the crank as drawn, at 90 degrees
   std::array<FourBar::State<double>, FourBar::max_configurations> states;
   const FourBar::Solution solution = FourBar::solve(drivers, states);
-  if (solution.status != assur::AssemblyStatus::ok || solution.count < 2) {
+  if (solution.status != assur::AssemblyStatus::ok || solution.count == 0) {
     return 1;
   }
-  FourBar::Branch branch = FourBar::branch(drivers, 1);  // configuration 2 of `assur solve`
-  FourBar::State<double>& state = states[1];
+  const int drawn = FourBar::nearest(solution, states).configuration;
+  FourBar::Branch branch = FourBar::branch(drivers, drawn);
+  FourBar::State<double>& state = states[static_cast<std::size_t>(drawn)];
   for (int step = 0; step < 4; ++step) {
-    drivers.A.position += 1.5707963267948966;
+    drivers.A.position += 1.2566370614359172;
     if (FourBar::track(drivers, branch, state).status != assur::Status::ok) {
       return 1;
     }

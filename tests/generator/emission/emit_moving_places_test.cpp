@@ -46,8 +46,8 @@ TEST(EmitMovingPlaces, AgreesWithSolveWhereAllParametersMove) {
 /// A length whose value is a formula in another moving length, but whose rate is its own.
 Json formula_with_its_own_rate() {
   Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "slider_crank.json");
-  scene["parameters"]["crank"] = {{"value", "0.3*rod + 2*swell"}, {"velocity", 3}};
-  scene["parameters"]["rod"] = {{"value", 160}, {"velocity", "swell"}, {"acceleration", -2}};
+  scene["parameters"]["crank"].update({{"value", "0.3*rod + 2*swell"}, {"velocity", 3}});
+  scene["parameters"]["rod"].update({{"value", 160}, {"velocity", "swell"}, {"acceleration", -2}});
   scene["parameters"]["swell"] = {{"value", 1.5}, {"velocity", 0.5}, {"acceleration", 0.25}};
   return scene;
 }

@@ -41,8 +41,15 @@ List chosen(const List& list, std::size_t bits) {
 /// The scene with every subset of its outputs: without outputs it reports links and slides, with
 /// some it reports nothing else.
 std::vector<Json> with_subsets_of_outputs(const Json& scene) {
+  Json outputs = scene["outputs"];
+  if (outputs.is_array()) {  // of a drawing: each point under its own name
+    outputs = Json::object();
+    for (const std::string point : scene["outputs"]) {
+      outputs[point] = point;
+    }
+  }
   std::vector<std::string> names;
-  for (const auto& [name, feature] : scene["outputs"].items()) {
+  for (const auto& [name, feature] : outputs.items()) {
     names.push_back(name);
   }
   std::vector<Json> scenes;
@@ -50,7 +57,7 @@ std::vector<Json> with_subsets_of_outputs(const Json& scene) {
     Json& part = scenes.emplace_back(scene);
     part["outputs"] = Json::object();
     for (const std::string& name : chosen(names, bits)) {
-      part["outputs"][name] = scene["outputs"][name];
+      part["outputs"][name] = outputs[name];
     }
     if (bits != 0) {
       part["report"] = {{"links", Json::array()}, {"joints", Json::array()}};

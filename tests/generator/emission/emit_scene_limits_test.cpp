@@ -19,10 +19,15 @@ constexpr double pi = std::numbers::pi;
 struct LimitedExample {
   std::string stem, solver;
   std::map<std::string, std::array<double, 2>> limits;
+  /// The two links, in their order, of pins that a drawing does not name as joints.
+  std::map<std::string, std::array<std::string, 2>> pins = {};
 };
 
 Json limited_scene(const LimitedExample& example) {
   Json scene = scene_json(std::filesystem::path(ASSUR_EXAMPLES) / (example.stem + ".json"));
+  for (const auto& [joint, links] : example.pins) {
+    scene["joints"][joint] = {{"type", "revolute"}, {"links", links}};
+  }
   for (const auto& [joint, limits] : example.limits) {
     scene["joints"][joint]["limits"] = limits;
   }
@@ -36,7 +41,10 @@ const std::vector<LimitedExample> examples = {
     {"gripper", "Gripper", {{"E", {-pi, -1.2}}, {"D", {4 * pi, 1 + 4 * pi}}}},
     {"slider_crank", "SliderCrank", {{"S", {0, 1000}}}},
     {"shaper_quick_return", "ShaperQuickReturn", {{"B", {0, 1000}}, {"C", {0, pi}}}},
-    {"excavator_arm", "ExcavatorArm", {{"boom_cylinder", {2.4, 2.8}}, {"B", {0, 1.8}}}},
+    {"excavator_arm",
+     "ExcavatorArm",
+     {{"boom_cylinder", {2.4, 2.8}}, {"B", {0, 1.8}}},
+     {{"B", {"stick", "bucket"}}}},
     {"geared_five_bar", "GearedFiveBar", {{"C", {0, pi}}}},
 };
 

@@ -202,7 +202,8 @@ TEST(Branches, ThatAreIndependentComeSmallerFirst) {
   for (const auto& [name, value] : four_bar["parameters"].items()) {
     scene["parameters"][name] = value;
   }
-  scene["links"]["ground"]["D2"] = {"ground", 0};
+  scene["points"]["D2"] = {"ground", 0};
+  scene["links"]["ground"].push_back("D2");
   scene["joints"]["B2"] = {{"type", "revolute"}, {"between", {"crank.B", "second_coupler.B"}}};
   scene["joints"]["C2"] = {{"type", "revolute"},
                            {"between", {"second_coupler.C", "second_rocker.C"}}};
