@@ -7,6 +7,8 @@ function madeWith() {
     branch.points = placed(numbersOf(branch.points), 2, data.origin);
     branch.outputs = placed(numbersOf(branch.outputs), 6, data.origin);
     branch.spreads = numbersOf(branch.spreads);
+    branch.angles = numbersOf(branch.angles);
+    branch.transmissions = numbersOf(branch.transmissions);
   }
   return data;
 }
@@ -40,6 +42,32 @@ function roundBelow(most) {
   return [5, 2, 1, 0.5].map((factor) => factor * power).find((one) => one <= most);
 }
 
+/** Rows theta, omega, alpha of each link, with theta continued by whole turns from step to step. */
+function unwrapped(numbers, count) {
+  const there = Float64Array.from(numbers);
+  const width = there.length / count;
+  for (let at = width; at < there.length; ++at) {
+    const change = there[at] - there[at - width];
+    if (at % width % 3 === 0 && Number.isFinite(change)) {
+      there[at] -= 2 * Math.PI * Math.round(change / (2 * Math.PI));
+    }
+  }
+  return there;
+}
+
+/** The stretches of steps at which a branch exists, as [first, last]. */
+function stretchesOf(rows) {
+  const stretches = [];
+  for (let step = 0; step < rows.count; ++step) {
+    if (Number.isNaN(rows.value(step, 0))) {
+      continue;
+    }
+    const last = stretches.at(-1);
+    last?.[1] === step - 1 ? last[1] = step : stretches.push([step, step]);
+  }
+  return stretches;
+}
+
 /** Rows of numbers, one for each step. */
 class Rows {
   constructor(numbers, count) {
@@ -67,14 +95,18 @@ class Rows {
   }
 }
 
-/** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; and, if outputs vary,
- * the variance of x, the covariance and the variance of y of each output. */
+/** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; if outputs vary, the
+ * variance of x, the covariance and the variance of y of each output; and, if they are known, the
+ * angle, its rate and the rate of that of each link, and the transmission angles. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
     this.points = new Rows(data.points, film.count);
     this.outputs = new Rows(data.outputs, film.count);
     this.spreads = new Rows(data.spreads, film.count);
+    this.angles = new Rows(unwrapped(data.angles, film.count), film.count);
+    this.transmissions = new Rows(data.transmissions, film.count);
+    this.stretches = stretchesOf(this.points);
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
@@ -151,12 +183,16 @@ class Branch {
     return box;
   }
 
-  /** Whether the last step is at the place of the first, so that the branch can go round. */
-  isClosed(size) {
-    const first = this.points.at(0);
-    const last = this.points.at(this.points.count - 1);
-    return first !== null && last !== null &&
-      first.every((number, place) => Math.abs(number - last[place]) < 1e-4 * size);
+  /** The stretch of steps at or nearest to a place. */
+  stretchAt(place) {
+    const distance = ([first, last]) => Math.max(first - place, place - last, 0);
+    return this.stretches.reduce((best, one) => (distance(one) < distance(best) ? one : best));
+  }
+
+  /** A place, or the one nearest to it at which the branch exists. */
+  placeNear(place) {
+    const [first, last] = this.stretchAt(place);
+    return Math.min(Math.max(place, first), last);
   }
 }
 
@@ -180,8 +216,23 @@ class Film {
     for (const branch of this.branches) {
       branch.magnification = magnification(branch.widest, this.size);
     }
+    this.own = data.parameters.find(({ name }) => name === data.parameter)?.value ?? null;
     this.hasSpreads = this.branches.some((branch) => branch.magnification > 0);
     this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
+    this.hasAngles = this.branches.some((branch) => branch.angles.width > 0);
+    this.quantities = quantitiesOf(this);
+  }
+
+  /** Whether the first step of a branch is where the last one of another, or the same, is. */
+  joins(last, first) {
+    const there = first.points.at(0);
+    const here = last.points.at(this.count - 1);
+    return here !== null && there !== null &&
+      here.every((number, place) => Math.abs(number - there[place]) < 1e-4 * this.size);
+  }
+
+  isClosed(branch) {
+    return this.joins(branch, branch);
   }
 
   branch(number) {
