@@ -91,7 +91,7 @@ class Editing {
     this.ask(isComplete);
   }
 
-  /** Moves the selected point by steps right and up. */
+  /** Moves the selected point by numbers of grains, right and up. */
   nudge(right, up, grain) {
     if (this.selected === null || !this.canMove(this.selected)) {
       return;

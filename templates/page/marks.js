@@ -56,8 +56,12 @@ class Marks {
     const [u, v] = this.stage.at(x, y);
     const gap = 16 * unit;
     const room = [canvas.clientWidth - width - 2, canvas.clientHeight - height - 2];
-    const left = Math.max(2, Math.min(u - width - gap > 2 ? u - width - gap : u + gap, room[0]));
-    const top = Math.max(2, Math.min(v - height - gap > 2 ? v - height - gap : v + gap, room[1]));
+    // On a narrow stage the label would hide the drawing, and stands in a corner.
+    const isNarrow = canvas.clientWidth < 480;
+    const beside = [u - width - gap > 2 ? u - width - gap : u + gap,
+      v - height - gap > 2 ? v - height - gap : v + gap];
+    const [left, top] = isNarrow ? [2, 2]
+      : beside.map((one, axis) => Math.max(2, Math.min(one, room[axis])));
     context.fillStyle = colour("paper");
     context.strokeStyle = colour("c1");
     context.lineWidth = 1.2;

@@ -9,6 +9,7 @@ class Page {
     this.forwards = true;
     this.last = null;
     this.scene = null;
+    this.isSweepDue = false;  // while a drawing is edited, it is asked for less often than the pose
     this.offered = null;  // a scene that was dropped, until it is solved
     this.editing = new Editing((isComplete) => this.solve(isComplete));
     this.isPlaying = !matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -127,7 +128,7 @@ class Page {
 
   /** Asks for the scene as it stands; during a drag, for the drawn pose alone. */
   solve(isComplete = true) {
-    this.wantsSweep = isComplete;
+    this.isSweepDue ||= isComplete;
     this.asker.ask();
     this.show();
   }
@@ -141,7 +142,8 @@ class Page {
 
   question() {
     const scene = this.offered ?? this.scene;
-    const isDraft = this.editing.isOn && !this.wantsSweep;
+    const isDraft = this.editing.isOn && scene === this.scene && !this.isSweepDue;
+    this.isSweepDue = false;
     const asked = scene.question(!isDraft);
     const follows = scene === this.scene && !this.editing.isOn && this.isChecked("follow");
     if (follows) {
@@ -154,6 +156,7 @@ class Page {
     if (scene !== (this.offered ?? this.scene)) {
       return;
     }
+    scene.isSolved = true;
     if (isDraft) {
       this.editing.draft = film;
       if (this.stage.view.own === null) {
@@ -168,8 +171,7 @@ class Page {
       this.ended = follows && !film.followed;
       this.use(film, film.followed && follows || this.editing.isOn ? film.chosen : this.chosen);
       if (this.editing.isOn) {
-        this.wantsSweep = false;  // the drawn pose follows
-        this.asker.ask();
+        this.asker.ask();  // the drawn pose follows
       }
     }
     if (!this.isDragging) {
@@ -200,8 +202,9 @@ class Page {
   }
 
   tell(obstacle, { scene }, works) {
-    if (obstacle && scene === this.scene && scene.turns && !scene.json?.sweep && !works) {
-      scene.turns = false;  // its first driver cannot turn: the scene stands still
+    if (obstacle && scene.helpers && !scene.isSolved) {
+      scene.turns = false;  // its first driver cannot be turned: the scene stands still
+      scene.helpers = null;
       this.solve();
       return;
     }
@@ -268,7 +271,7 @@ class Page {
     const step = Math.round(this.place);
     const digit = Number(event.key);
     const nudge = (right, up) =>
-      this.editing.nudge(right, up, far * grainAt(this.stage.view.now.zoom));
+      this.editing.nudge(far * right, far * up, grainAt(this.stage.view.now.zoom));
     const actions = isUndo ? { z: () => this.editing.undo() } : {
       " ": () => this.play(!this.isPlaying),
       ArrowLeft: () => this.seek(step - far),
@@ -345,6 +348,7 @@ class Page {
     this.isPlaying = false;
     this.editing.isOn = true;
     this.keptView = this.stage.view.own;
+    this.standAsDrawn();
     this.solve(false);
   }
 
@@ -355,9 +359,14 @@ class Page {
     this.editing.isOn = false;
     this.editing.draft = null;
     this.stage.view.own = this.keptView;
+    this.standAsDrawn();
+    this.show();
+  }
+
+  /** Goes to the swept parameter's own value. */
+  standAsDrawn() {
     const own = this.film.own === null ? this.place : this.film.placeOf(this.film.own);
     this.place = this.branch.placeNear(own);
-    this.show();
   }
 
   reset() {

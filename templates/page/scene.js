@@ -39,7 +39,9 @@ class Scene {
     [this.text, this.settings] = [text, settings];
     this.changed = new Map();  // the values that the reader has set, by the names of parameters
     this.isEdited = false;
-    this.turns = true;
+    this.isSolved = false;
+    this.turns = true;     // whether a scene without a sweep may get one
+    this.helpers = null;   // the parameters that it gets with it
     try {
       this.json = JSON.parse(text);
       if (settings.length > 0) {

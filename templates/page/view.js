@@ -5,6 +5,7 @@ class View {
   constructor() {
     this.own = null;  // {zoom, left, top} once the reader has chosen a part
     this.fitted = { zoom: 1, left: 0, top: 0 };
+    this.size = null;  // of the stage
   }
 
   get now() {
@@ -13,6 +14,7 @@ class View {
 
   /** Lets a box fill the stage, with a margin, as long as the reader has chosen nothing else. */
   fit(box, width, height, margin) {
+    this.keepMiddle(width, height);
     // A window that is being opened or changed may have no room between the margins for a moment.
     const room = [width, height].map((side) => Math.max(side - 2 * margin, 1));
     const most = Math.min(room[0] / (box[2] - box[0]), room[1] / (box[3] - box[1]));
@@ -21,6 +23,22 @@ class View {
       zoom,
       left: width / 2 - zoom * (box[0] + box[2]) / 2,
       top: height / 2 + zoom * (box[1] + box[3]) / 2,
+    };
+  }
+
+  /** Keeps what is in the middle of the stage there when the stage gets another size. */
+  keepMiddle(width, height) {
+    const [oldWidth, oldHeight] = this.size ?? [width, height];
+    this.size = [width, height];
+    if (this.own === null || (width === oldWidth && height === oldHeight) || !(width * height > 0)) {
+      return;
+    }
+    const scale = Math.min(width / oldWidth, height / oldHeight);
+    const { zoom, left, top } = this.own;
+    this.own = {
+      zoom: scale * zoom,
+      left: width / 2 + scale * (left - oldWidth / 2),
+      top: height / 2 + scale * (top - oldHeight / 2),
     };
   }
 

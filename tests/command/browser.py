@@ -79,11 +79,14 @@ class Browser:
                     raise RuntimeError(f"{what}: {answer['error']['message']}")
                 return answer["result"]
 
-    def open(self, address, width=1280, height=800, dark=False):
+    def window(self, width=1280, height=800, dark=False):
         self._ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=False)
         self._ask("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+
+    def open(self, address, **window):
+        self.window(**window)
         self._ask("Page.navigate", url=address)
         while self._note(self._read()) != "Page.loadEventFired":
             pass
