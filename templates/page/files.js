@@ -11,6 +11,11 @@ function csvOfBranch(film, branch) {
     film.links.forEach((name, link) => add(name, ["theta", "omega", "alpha"], "angles", 3 * link));
     film.transmissions.forEach((name, dyad) => add(name, ["transmission"], "transmissions", dyad));
   }
+  film.efforts.forEach((name, driver) => add(name, ["effort"], "forces", driver));
+  film.forces.forEach(({ joint, link }, one) => {
+    const isAlone = film.forces.filter((other) => other.joint === joint).length === 1;
+    add(isAlone ? joint : `${joint}.${link}`, ["fx", "fy"], "forces", film.efforts.length + 2 * one);
+  });
   film.outputs.forEach((name, output) =>
     add(name, ["x", "y", "vx", "vy", "ax", "ay"], "outputs", 6 * output));
   const head = ["step", "branch", ...(film.count > 1 ? [quoted(film.parameter)] : [])];

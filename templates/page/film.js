@@ -9,6 +9,7 @@ function madeWith() {
     branch.spreads = numbersOf(branch.spreads);
     branch.angles = numbersOf(branch.angles);
     branch.transmissions = numbersOf(branch.transmissions);
+    branch.forces = numbersOf(branch.forces);
   }
   return data;
 }
@@ -76,7 +77,8 @@ class Rows {
     this.count = count;
   }
 
-  /** The row at a place between two steps, linear between them; null where there is no branch. */
+  /** The row at a place between two steps, linear between them; null where its first number is not
+   * known: where there is no branch. */
   at(place) {
     const step = Math.min(Math.floor(place), this.count - 1);
     const part = place - step;
@@ -95,9 +97,25 @@ class Rows {
   }
 }
 
+/** The largest length of vectors that stand in rows from a column on, one every few columns. Near dead
+ * centres lengths have no bound, so the longest tenth is left out. */
+function longestOf(rows, first, step) {
+  const lengths = [];
+  for (let row = 0; row < rows.numbers.length; row += rows.width) {
+    for (let column = first; column + 1 < rows.width; column += step) {
+      const length = Math.hypot(rows.numbers[row + column], rows.numbers[row + column + 1]);
+      if (Number.isFinite(length)) {
+        lengths.push(length);
+      }
+    }
+  }
+  return nearlyLargest(lengths);
+}
+
 /** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; if outputs vary, the
  * variance of x, the covariance and the variance of y of each output; and, if they are known, the
- * angle, its rate and the rate of that of each link, and the transmission angles. */
+ * angle, its rate and the rate of that of each link, the transmission angles, and the efforts of the
+ * drivers with x and y of each force in a joint. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
@@ -106,13 +124,18 @@ class Branch {
     this.spreads = new Rows(data.spreads, film.count);
     this.angles = new Rows(unwrapped(data.angles, film.count), film.count);
     this.transmissions = new Rows(data.transmissions, film.count);
+    this.forces = new Rows(data.forces, film.count);
     this.stretches = stretchesOf(this.points);
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
     this.size = Math.max(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
     this.way = this.wayOfOutputs();
-    this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
+    this.longest = {
+      velocity: longestOf(this.outputs, 2, 6),
+      acceleration: longestOf(this.outputs, 4, 6),
+      force: longestOf(this.forces, film.efforts.length, 2),
+    };
     this.widest = this.widestSpread();
   }
 
@@ -134,20 +157,6 @@ class Branch {
       }
     }
     return way;
-  }
-
-  /** The largest length of a vector of the outputs. Near dead centres lengths have no bound, so the
-   * longest tenth is left out. */
-  longestOf(offset) {
-    const lengths = [];
-    const { numbers } = this.outputs;
-    for (let place = offset; place < numbers.length; place += 6) {
-      const length = Math.hypot(numbers[place], numbers[place + 1]);
-      if (Number.isFinite(length)) {
-        lengths.push(length);
-      }
-    }
-    return nearlyLargest(lengths);
   }
 
   /** The largest deviation of the outputs, also without the largest tenth. */
@@ -219,6 +228,7 @@ class Film {
     this.own = data.parameters.find(({ name }) => name === data.parameter)?.value ?? null;
     this.hasSpreads = this.branches.some((branch) => branch.magnification > 0);
     this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
+    this.hasForces = this.branches.some((branch) => branch.forces.width > 0);
     this.hasAngles = this.branches.some((branch) => branch.angles.width > 0);
     this.quantities = quantitiesOf(this);
   }

@@ -14,7 +14,7 @@ class Page {
     this.editing = new Editing((isComplete) => this.solve(isComplete));
     this.isPlaying = !matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.use(film);
-    this.listen();
+    listenFor(this);
     this.hide("#parameters, .solved", !data.scene);
     if (data.scene) {
       this.module = data.scene.module;
@@ -42,7 +42,7 @@ class Page {
 
   get options() {
     return { chosen: this.chosen, ...Object.fromEntries(
-      ["all", "ways", "names", "velocity", "acceleration", "spread", "drawn"].map((name) =>
+      ["all", "ways", "names", "velocity", "acceleration", "force", "spread", "drawn"].map((name) =>
         [name, this.isChecked(name)])) };
   }
 
@@ -81,49 +81,8 @@ class Page {
       this.chosen = followed;
       this.place *= (film.count - 1) / (before.count - 1);
     }
-    this.addControls();
-    this.addQuantities();
-  }
-
-  addControls() {
-    const { film } = this;
-    this.element("branches").replaceChildren(...film.branches.map((branch) => {
-      const button = document.createElement("button");
-      button.type = "button";
-      button.textContent = branch.number;
-      button.style.borderBottomColor = `var(--c${branch.colour})`;
-      button.addEventListener("click", () => this.choose(branch.number));
-      return button;
-    }));
-    if (film.left_out > 0) {
-      this.element("branches").append(`and ${film.left_out} more`);
-    }
-    this.element("drawn_one").textContent = film.nearest && this.scene?.isDrawn
-      ? `${film.nearest} is the drawn one` : "";
-    const along = (place) => `${100 * place / (film.count - 1)}%`;
-    this.element("marks").replaceChildren(...film.events.map((event) => {
-      const mark = document.createElement("span");
-      mark.className = event.event;
-      mark.style.left = along(film.placeOf(event.parameter));
-      mark.title = `${event.event} ${event.branches.join(" ")} at ${film.parameter} = ` +
-        shortNumber(event.parameter);
-      return mark;
-    }));
-    this.element("place").max = film.count - 1;
-    this.hide(".spreads", !film.hasSpreads);
-    this.hide(".rates", !film.hasRates);
-    this.hide(".moving, #time", film.count === 1);
-    this.hide("#plots", film.count === 1 || film.quantities.length === 0);
-  }
-
-  addQuantities() {
-    const select = this.element("quantity");
-    const before = select.value;
-    const labels = this.film.quantities.map(({ label }) => label);
-    if (labels.join() !== [...select.options].map(({ value }) => value).join()) {
-      select.replaceChildren(...labels.map((label) => new Option(label, label)));
-      select.value = labels.includes(before) ? before : labels[0];
-    }
+    showFilm(this);
+    showQuantities(this);
   }
 
   /** Asks for the scene as it stands; during a drag, for the drawn pose alone. */
@@ -221,82 +180,6 @@ class Page {
     this.sliders.setDisabled(!works);
   }
 
-  listen() {
-    const on = (name, event, act) => this.element(name).addEventListener(event, act);
-    on("play", "click", () => this.play(!this.isPlaying));
-    on("place", "input", (event) => this.seek(Number(event.target.value)));
-    on("plot", "pointerdown", (event) => this.seek(this.plot.placeAt(event.offsetX)));
-    for (const name of ["all", "ways", "names", "velocity", "acceleration", "spread", "drawn",
-      "quantity", "end"]) {
-      on(name, "change", () => this.show());
-    }
-    on("reset", "click", () => this.reset());
-    on("larger", "click", () => this.enlarge(1.25));
-    on("smaller", "click", () => this.enlarge(0.8));
-    on("fit", "click", () => this.fit());
-    on("edit", "click", () => (this.editing.isOn ? this.leave() : this.edit()));
-    on("undo", "click", () => this.editing.undo());
-    on("point", "change", (event) => {
-      this.editing.selected = event.target.value;
-      this.show();
-    });
-    ["point_x", "point_y"].forEach((name, axis) =>
-      on(name, "change", (event) => this.editing.set(axis, event.target.valueAsNumber)));
-    on("copy_scene", "click", () => this.copy());
-    on("save_scene", "click", () =>
-      saveFile(fileName(this.film.title, "json"), this.scene.written(), "application/json"));
-    on("save_csv", "click", () =>
-      saveFile(fileName(`${this.film.title} branch ${this.chosen}`, "csv"),
-        csvOfBranch(this.film, this.branch), "text/csv"));
-    listenToDrops((text) => this.offer(text));
-    new Hand(this.element("stage"), this.stage.view, {
-      grip: (place, reach, isHovering) => this.grip(place, reach, isHovering),
-      changed: () => this.show(),
-    });
-    new ResizeObserver(() => this.show()).observe(document.querySelector("main"));
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-      knownColours.clear();
-      this.show();
-    });
-    document.addEventListener("keydown", (event) => this.key(event));
-  }
-
-  key(event) {
-    const isUndo = event.key === "z" && (event.ctrlKey || event.metaKey);
-    if (event.target.closest?.("select, input:not([type=checkbox]):not(#place), textarea") ||
-        (!isUndo && (event.ctrlKey || event.altKey || event.metaKey))) {
-      return;
-    }
-    const far = event.shiftKey ? 10 : 1;
-    const step = Math.round(this.place);
-    const digit = Number(event.key);
-    const nudge = (right, up) =>
-      this.editing.nudge(far * right, far * up, grainAt(this.stage.view.now.zoom));
-    const actions = isUndo ? { z: () => this.editing.undo() } : {
-      " ": () => this.play(!this.isPlaying),
-      ArrowLeft: () => this.seek(step - far),
-      ArrowRight: () => this.seek(step + far),
-      Home: () => this.seek(0),
-      End: () => this.seek(this.film.count - 1),
-      a: () => this.element("all").click(),
-      c: () => this.copy(),
-      e: () => this.edit(),
-      ...(this.editing.isOn ? {
-        ArrowLeft: () => nudge(-1, 0),
-        ArrowRight: () => nudge(1, 0),
-        ArrowUp: () => nudge(0, 1),
-        ArrowDown: () => nudge(0, -1),
-        Escape: () => this.leave(),
-      } : {}),
-    };
-    const action = actions[event.key] ||
-      (this.film.branch(digit) ? () => this.choose(digit) : null);
-    if (action) {
-      event.preventDefault();
-      action();
-    }
-  }
-
   choose(number) {
     this.chosen = number;
     this.ended = false;
@@ -377,6 +260,9 @@ class Page {
 
   /** Offers a scene file to the page: it is shown if it can be solved. */
   offer(text) {
+    if (!this.asker) {
+      return;
+    }
     this.offered = new Scene({ text, settings: [] });
     this.solve();
   }
@@ -455,8 +341,8 @@ class Page {
     });
     this.element("magnified").textContent =
       `${film.spread}, × ${shortNumber(this.branch.magnification)}`;
-    this.showStretches();
-    this.showEditing();
+    showStretches(this);
+    showEditing(this);
     const shown = isDrafted ? editing.draft : film;
     fillTable(this.element("readout"), shown, shown.branch(isDrafted ? shown.chosen : this.chosen),
       isDrafted ? 0 : this.place);
@@ -471,47 +357,6 @@ class Page {
     this.stage.ways(this.branch, options);
     this.marks.pose(this.scene, places);
     this.marks.squares(this.editing);
-  }
-
-  /** Where the chosen branch exists, on the time line. */
-  showStretches() {
-    const { film, branch } = this;
-    const line = this.element("stretches");
-    const known = `${branch.number} ${branch.stretches}`;
-    if (film.count === 1 || line.dataset.known === known) {
-      return;
-    }
-    line.dataset.known = known;
-    line.replaceChildren(...branch.stretches.map(([first, last]) => {
-      const part = document.createElement("span");
-      part.style.left = `${100 * first / (film.count - 1)}%`;
-      part.style.width = `${100 * (last - first) / (film.count - 1)}%`;
-      part.style.background = `var(--c${branch.colour})`;
-      return part;
-    }));
-  }
-
-  showEditing() {
-    const { editing } = this;
-    this.element("edit").setAttribute("aria-pressed", editing.isOn);
-    this.element("undo").disabled = editing.undone.length === 0;
-    this.hide("#chosen_point", !editing.isOn || editing.selected === null);
-    if (!editing.isOn || editing.selected === null) {
-      return;
-    }
-    const select = this.element("point");
-    const names = [...editing.places.keys()];
-    if (names.join() !== [...select.options].map(({ value }) => value).join()) {
-      select.replaceChildren(...names.map((name) => new Option(name, name)));
-    }
-    select.value = editing.selected;
-    ["point_x", "point_y"].forEach((name, axis) => {
-      const field = this.element(name);
-      field.disabled = this.scene.handle(editing.selected, axis).kind === "formula";
-      if (document.activeElement !== field) {
-        field.value = Number(editing.places.get(editing.selected)[axis].toPrecision(12));
-      }
-    });
   }
 }
 

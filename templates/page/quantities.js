@@ -17,6 +17,12 @@ const quantitiesOfOutputs = [
 /** What a row theta, omega, alpha of a link holds. */
 const quantitiesOfLinks = ["angle [deg]", "turning [deg/s]", "turning, its rate [deg/s²]"];
 
+/** The joint of a force, with the link on which it acts where the joint has several of them. */
+function nameOfForce(film, { joint, link }) {
+  const isAlone = film.forces.filter((one) => one.joint === joint).length === 1;
+  return isAlone ? joint : `${joint} on ${link}`;
+}
+
 /** The quantities of a film, each with its label, its value on a branch at a step, and whether it
  * is a rate, which has no bound near dead centres. */
 function quantitiesOf(film) {
@@ -32,6 +38,15 @@ function quantitiesOf(film) {
       });
     });
   });
+  film.efforts.forEach((name, driver) => quantities.push({
+    label: `${name}: effort`, isRate: true,
+    value: (branch, step) => branch.forces.value(step, driver),
+  }));
+  film.forces.forEach((force, place) => quantities.push({
+    label: `${nameOfForce(film, force)}: force`, isRate: true,
+    value: (branch, step) => Math.hypot(...[0, 1].map((axis) =>
+      branch.forces.value(step, film.efforts.length + 2 * place + axis))),
+  }));
   if (!film.hasAngles) {
     return quantities;
   }

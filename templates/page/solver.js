@@ -26,7 +26,8 @@ function solverThread() {
     }
     const film = JSON.parse(text);
     for (const branch of film.branches) {
-      for (const rows of ["points", "outputs", "spreads", "angles", "transmissions"]) {
+      for (const rows of ["points", "outputs", "spreads", "angles", "transmissions",
+        "forces"]) {
         branch[rows] = new Float64Array(memory.buffer, ...branch[rows]).slice();
       }
     }

@@ -34,10 +34,11 @@ class Stage {
   constructor(canvas) {
     this.canvas = canvas;
     this.view = new View();
+    this.arrows = new Arrows(this);
     this.cornersOfNames = new Map();
   }
 
-  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration, spread. */
+  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration, force, spread. */
   draw(place, options) {
     const context = cleared(this.canvas);
     this.context = context;
@@ -64,7 +65,8 @@ class Stage {
     if (isThere) {
       this.links(points, chosen);
       this.spreads(chosen, place, options);
-      this.vectors(chosen, chosen.outputs.at(place), options);
+      this.arrows.vectors(chosen, chosen.outputs.at(place), options);
+      this.arrows.forces(chosen, points, place, options);
       if (options.names) {
         this.names(points);
       }
@@ -269,35 +271,6 @@ class Stage {
       this.context.lineWidth = 1.4 * this.unit;
       this.context.stroke();
     }
-  }
-
-  vectors(branch, outputs, options) {
-    const kinds = [["velocity", 2, "c1"], ["acceleration", 4, "c2"]];
-    for (const [kind, offset, name] of kinds.filter(([kind]) => options[kind])) {
-      const scale = 0.2 * this.film.size / (branch.longest[kind] || 1);
-      for (let column = 0; outputs !== null && column < outputs.length; column += 6) {
-        const vector = [scale * outputs[column + offset], scale * outputs[column + offset + 1]];
-        if (vector.every(Number.isFinite)) {
-          const foot = [outputs[column], outputs[column + 1]];
-          this.arrow(this.at(...foot), this.at(foot[0] + vector[0], foot[1] + vector[1]), colour(name));
-        }
-      }
-    }
-  }
-
-  arrow(from, to, own) {
-    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-    if (length < 2) {
-      return;
-    }
-    const head = Math.min(8 * this.unit, 0.6 * length);
-    const [x, y] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-    this.context.strokeStyle = own;
-    this.context.fillStyle = own;
-    this.line([from, [to[0] - 0.8 * head * x, to[1] - 0.8 * head * y]], 1.8);
-    this.path([to, [to[0] - head * (x - 0.4 * y), to[1] - head * (y + 0.4 * x)],
-      [to[0] - head * (x + 0.4 * y), to[1] - head * (y - 0.4 * x)]], true);
-    this.context.fill();
   }
 
   /** Writes each name once per point, in a corner of the point that is free of other names: that of

@@ -1,5 +1,19 @@
 // Turns a place on a branch into a table of its outputs, links and transmission angles.
 
+/** Efforts of drivers, and forces in joints on the links that are named. */
+function addForces(film, branch, place, add, number) {
+  if (!film.hasForces) {
+    return;
+  }
+  const step = Math.round(place);
+  const of = (column) => number(branch.forces.value(step, column));
+  add(["driver", "effort"], "th");
+  film.efforts.forEach((name, driver) => add([name, of(driver)], "td"));
+  add(["force at", "x", "y"], "th");
+  film.forces.forEach((force, one) => add([`${force.joint} on ${force.link}`,
+    of(film.efforts.length + 2 * one), of(film.efforts.length + 2 * one + 1)], "td"));
+}
+
 function fillTable(table, film, branch, place) {
   table.replaceChildren();
   const number = (value) => (Number.isFinite(value) ? value.toPrecision(6) : "–");
@@ -25,6 +39,7 @@ function fillTable(table, film, branch, place) {
     add([name, number(of(0)), number(of(1)),
       ...(hasRates ? [number(Math.hypot(of(2), of(3)))] : [])], "td");
   });
+  addForces(film, branch, place, add, number);
   if (!film.hasAngles) {
     return;
   }

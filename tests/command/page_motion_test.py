@@ -226,6 +226,87 @@ def check_opening(chromium, assur, scene, folder):
                 "the branch nearest to the reference is shown")
 
 
+def star(legs):
+    """A crank that many dyads hold: 2^legs configurations."""
+    turns = [math.tau * leg / legs for leg in range(legs)]
+    points = {"O": [0, 0]}
+    links = {"ground": ["O"], "crank": ["O"]}
+    for leg, turn in enumerate(turns):
+        c, s = math.cos(turn), math.sin(turn)
+        points[f"P{leg}"], points[f"G{leg}"] = [c, s], [5 * c, 5 * s]
+        points[f"Q{leg}"] = [3 * c - (2 + leg / 10) * s, 3 * s + (2 + leg / 10) * c]
+        links["crank"].append(f"P{leg}")
+        links["ground"].append(f"G{leg}")
+        links[f"inner{leg}"] = [f"P{leg}", f"Q{leg}"]
+        links[f"outer{leg}"] = [f"G{leg}", f"Q{leg}"]
+    return {"points": points, "links": links, "parameters": {"phi": {"drawn": "O"}, "first":
+            {"drawn": ["P0", "Q0"]}}, "drivers": {"O": {"position": "phi"}},
+            "outputs": [f"Q{leg}" for leg in range(legs)],
+            "sweep": {"parameter": "phi", "from": "phi - 0.1", "to": "phi + 0.1", "count": 5}}
+
+
+def check_many_branches(chromium, assur, folder):
+    """Of 32 branches a page has 24, and always the one that it follows."""
+    scene = folder / "star.json"
+    scene.write_text(json.dumps(star(5)))
+    for number in (2, 17, 31):
+        opened(chromium, assur, scene, folder, "--configuration", str(number))
+        expect(chromium.value("[page.chosen, page.film.branches.length]") == [number, 24],
+               f"branch {number} of 32 is shown first")
+        places = "[...page.branch.outputs.at(page.place)].filter((_, place) => place % 6 < 2)"
+        before = chromium.value(places)
+        for first in (2.85, 2.8, 2.75):
+            set_parameter(chromium, "first", first)
+        away = max(abs(one - other) for one, other in zip(chromium.value(places), before))
+        expect(0 < away < 0.3, f"branch {number} is followed: its outputs move by {away}")
+
+
+def check_forces(chromium, assur, folder):
+    """Efforts and forces along the branch, beside the numbers of `assur solve`."""
+    scene = folder / "forces.json"
+    scene.write_text(json.dumps({
+        "points": {"A": [0, 0], "B": [0.1, 0.2], "C": [0.5, 0.45], "D": [0.6, 0]},
+        "links": {"ground": ["A", "D"], "crank": ["A", "B"], "coupler": ["B", "C"],
+                  "rocker": ["D", "C"]},
+        "parameters": {"phi": {"drawn": "A"}},
+        "drivers": {"A": {"position": "phi", "velocity": 10}}, "outputs": ["C"],
+        "masses": {"coupler": {"mass": 2.5, "at": [0.2, 0], "inertia": 0.01}},
+        "gravity": [0, -9.81], "want": ["position", "velocity", "acceleration", "forces"],
+        "sweep": {"parameter": "phi", "from": 0, "to": "2*pi", "count": 181}}))
+    opened(chromium, assur, scene, folder)
+    own = list(csv.DictReader(io.StringIO(chromium.value("csvOfBranch(page.film, page.branch)"))))
+    table, _ = run(assur, "solve", str(scene), "--format", "csv", "--nearest")
+    solved = {row["step"]: row for row in csv.DictReader(io.StringIO(table)) if not row["event"]}
+    columns = ["A.effort", *(f"{pin}.{axis}" for pin in "ABCD" for axis in ("fx", "fy"))]
+    largest = max(abs(float(row[column])) for row in solved.values() for column in columns)
+    away = max(abs(float(row[column]) - float(solved[row["step"]][column]))
+               for row in own for column in columns)
+    expect(len(own) == 181 and away < 1e-9 * largest, f"forces are those of solve to {away}")
+    labels = chromium.value("page.film.quantities.map(({label}) => label)")
+    expect({"A: effort", "C: force"} <= set(labels), f"efforts and forces can be plotted: {labels}")
+    chromium.value("page.seek(40)")
+    rows = chromium.value("""[...document.querySelectorAll("#readout tr")].map((row) =>
+        [...row.cells].map((cell) => cell.textContent))""")
+    told = {row[0]: row[1:] for row in rows}
+    expect_near([float(one) for one in told["A"] + told["C on rocker"]],
+                [float(solved["40"][name]) for name in ("A.effort", "C.fx", "C.fy")],
+                1e-5 * largest, "the table")
+    arrows = chromium.value("""(() => {
+      const arrows = [];
+      const own = page.stage.arrows.arrow;
+      page.stage.arrows.arrow = (from, to) => arrows.push([to[0] - from[0], from[1] - to[1]]);
+      page.show();
+      page.stage.arrows.arrow = own;
+      return arrows;
+    })()""")
+    expect(len(arrows) == 4, f"there are {len(arrows)} arrows")
+    for pin, arrow in zip("ABCD", arrows):
+        force = [float(solved["40"][f"{pin}.{axis}"]) for axis in ("fx", "fy")]
+        cosine = (arrow[0] * force[0] + arrow[1] * force[1]) / math.hypot(*arrow) / math.hypot(*force)
+        expect(cosine > 1 - 1e-9, f"the arrow at {pin} points along its force")
+    keep_picture(chromium, "forces")
+
+
 def checks(chromium, assur, examples, folder):
     jansen = examples / "jansen_leg.json"
     check_following(chromium, assur, jansen, folder)
@@ -234,6 +315,8 @@ def checks(chromium, assur, examples, folder):
     check_dragged_output(chromium, assur, jansen, folder)
     check_view(chromium, assur, jansen, folder)
     check_angles(chromium, assur, examples / "watt_six_bar.json", folder)
+    check_many_branches(chromium, assur, folder)
+    check_forces(chromium, assur, folder)
     check_opening(chromium, assur, examples / "watt_six_bar.json", folder)
 
 

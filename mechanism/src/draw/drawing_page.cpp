@@ -95,8 +95,8 @@ std::string file_of_page(std::string_view name) {
 std::string script_of_page() {
   std::string script;
   for (const char* name :
-       {"lzma", "solver", "quantities", "film", "view", "stage", "plot", "table", "scene",
-        "sliders", "motion", "hand", "editing", "marks", "files", "page"}) {
+       {"lzma", "solver", "quantities", "film", "view", "stage", "arrows", "plot", "table", "scene",
+        "sliders", "motion", "hand", "editing", "marks", "files", "panels", "controls", "page"}) {
     script += file_of_page(name + std::string(".js"));
   }
   return script;
@@ -131,7 +131,8 @@ Json solved_anew(const SceneText& scene) {
           {"module", file_of_page("mechanism.wasm.lzma.base64")}};
 }
 
-/// Angles are left to the module where there is one, since they need as much room as all else.
+/// Angles and forces are left to the module where there is one, since they need as much room as all
+/// else.
 std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene,
                     int chosen) {
   const std::size_t taken = bytes_beside_numbers + inside_html(scene).size();

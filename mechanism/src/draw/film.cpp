@@ -8,8 +8,8 @@
 #include <map>
 #include <optional>
 
+#include "draw/film_details.hpp"
 #include "draw/symbols.hpp"
-#include "draw/transmission_angles.hpp"
 #include "draw/ways.hpp"
 
 namespace assur::mechanism::draw {
@@ -19,9 +19,6 @@ namespace {
 /// An animation of fewer steps is not smooth; more steps make no visible difference.
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
-constexpr int output_numbers = 6;
-constexpr int spread_numbers = 3;
-constexpr int angle_numbers = 3;
 /// With more parameters no derivatives are taken, since a picture would take too long.
 constexpr std::size_t most_derived = 200;
 
@@ -29,19 +26,23 @@ constexpr std::size_t most_derived = 200;
 struct Row {
   int step;
   LinkPoses poses;
-  std::vector<double> outputs, spreads, angles, transmissions;
+  std::vector<double> outputs, spreads;
+  DetailRow details;
 };
 
 /// The numbers of one kind at all steps, from those of the steps at which the branch exists.
-std::vector<double> at_all_steps(const std::vector<Row>& rows, std::vector<double> Row::*kind,
-                                 std::size_t width, std::size_t steps) {
-  std::vector<double> numbers(steps * width, std::numeric_limits<double>::quiet_NaN());
+template <typename Numbers>
+std::vector<double> at_all_steps(const std::vector<Row>& rows, const Numbers& numbers_of,
+                                 std::size_t steps) {
+  const std::size_t width = numbers_of(rows.front()).size();
+  std::vector<double> all(steps * width, std::numeric_limits<double>::quiet_NaN());
   for (const Row& row : rows) {
+    const std::vector<double>& numbers = numbers_of(row);
     std::copy(
-        (row.*kind).begin(), (row.*kind).end(),
-        numbers.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row.step) * width));
+        numbers.begin(), numbers.end(),
+        all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row.step) * width));
   }
-  return numbers;
+  return all;
 }
 
 bool varies(const Mechanism& mechanism, const Request& request) {
@@ -78,17 +79,8 @@ class FilmMaker {
     for (const ParameterIndex parameter : mechanism.parameters().keys()) {
       film_.parameters.push_back(values_.parameter(parameter));
     }
-    if (filming.angles) {
-      for (const LinkIndex link : plan_.mechanism().links().keys()) {
-        if (link != plan_.mechanism().ground() && plan_.request().reported.has(link)) {
-          links_.push_back(link);
-          film_.links.push_back(plan_.mechanism().links()[link].name);
-        }
-      }
-      dyads_ = dyads_of_pins(plan_.structure());
-      for (const PinnedDyad& dyad : dyads_) {
-        film_.transmissions.push_back(dyad.inner.name);
-      }
+    if (filming.details) {
+      details_.emplace(plan_);
     }
   }
 
@@ -120,7 +112,7 @@ class FilmMaker {
     std::size_t numbers = 0;
     for (const FilmedBranch& branch : film.branches) {
       numbers += branch.points.size() + branch.outputs.size() + branch.spreads.size() +
-                 branch.angles.size() + branch.transmissions.size();
+                 branch.angles.size() + branch.transmissions.size() + branch.forces.size();
     }
     return numbers;
   }
@@ -164,7 +156,7 @@ class FilmMaker {
       return;
     }
     stands_at_ = parameter;
-    if (!dyads_.empty()) {
+    if (details_) {
       values_.set(request_.sweep->parameter, parameter);
     }
     if (request_.want.sensitivity) {
@@ -173,7 +165,7 @@ class FilmMaker {
   }
 
   void record(int branch, int step, const Configuration& configuration) {
-    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}, {}, {}};
+    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     const double rates = configuration.rates_known ? 1 : unknown;
     for (const Point& point : configuration.outputs) {
@@ -193,17 +185,8 @@ class FilmMaker {
         }
       }
     }
-    for (const LinkIndex link : links_) {
-      const Frame& frame = configuration.links[link];
-      const bool moves = request_.want.velocity;
-      row.angles.insert(
-          row.angles.end(),
-          {std::atan2(frame.pose.direction.sin, frame.pose.direction.cos),
-           moves ? rates * frame.velocity[2] : unknown,
-           moves && request_.want.acceleration ? rates * frame.acceleration[2] : unknown});
-    }
-    for (const PinnedDyad& dyad : dyads_) {
-      row.transmissions.push_back(transmission_angle(dyad, values_, configuration));
+    if (details_) {
+      row.details = details_->row_of(values_, configuration);
     }
     auto [reaches, is_new] = reaches_.try_emplace(branch, mechanism_.joints().size());
     include_displacements(mechanism_, plan_.mechanism(), configuration, reaches->second);
@@ -220,6 +203,9 @@ class FilmMaker {
     }
     if (filming_.chosen == 0) {
       film_.chosen = film_.nearest.value_or(1);
+    }
+    if (details_) {
+      details_->name(film_);
     }
     Film film = film_;
     Values values = plan_.values();
@@ -317,15 +303,15 @@ class FilmMaker {
                                        const std::vector<FeatureFrames>& frames,
                                        double size) const {
     const auto steps = static_cast<std::size_t>(film_.count);
-    const std::size_t outputs = plan_.mechanism().outputs().size();
-    const std::size_t spreads = request_.want.sensitivity ? spread_numbers * outputs : 0;
-    const double absent = std::numeric_limits<double>::quiet_NaN();
-    FilmedBranch branch{number,
-                        std::vector<double>(2 * steps * points.size(), absent),
-                        at_all_steps(rows, &Row::outputs, output_numbers * outputs, steps),
-                        at_all_steps(rows, &Row::spreads, spreads, steps),
-                        at_all_steps(rows, &Row::angles, angle_numbers * links_.size(), steps),
-                        at_all_steps(rows, &Row::transmissions, dyads_.size(), steps)};
+    const auto all = [&](const auto& numbers_of) { return at_all_steps(rows, numbers_of, steps); };
+    FilmedBranch branch{
+        number,
+        std::vector<double>(2 * steps * points.size(), std::numeric_limits<double>::quiet_NaN()),
+        all([](const Row& row) -> auto& { return row.outputs; }),
+        all([](const Row& row) -> auto& { return row.spreads; }),
+        all([](const Row& row) -> auto& { return row.details.angles; }),
+        all([](const Row& row) -> auto& { return row.details.transmissions; }),
+        all([](const Row& row) -> auto& { return row.details.forces; })};
     for (const Row& row : rows) {
       const std::vector<double> places = places_at(number, row, points, frames, size);
       std::copy(places.begin(), places.end(),
@@ -342,8 +328,7 @@ class FilmMaker {
   Values varied_;
   std::optional<double> stands_at_;  ///< the value of the swept parameter in both
   const Filming& filming_;
-  std::vector<LinkIndex> links_;  ///< of the plan's mechanism, whose angles are filmed
-  std::vector<PinnedDyad> dyads_;
+  std::optional<FilmDetails> details_;
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;

@@ -16,10 +16,18 @@ struct FilmedBranch {
   /// empty where nothing varies.
   std::vector<double> spreads;
   /// For each step the angle of each filmed link, its rate and the rate of that, in radians; empty
-  /// where angles are not filmed.
+  /// where no details are filmed.
   std::vector<double> angles;
   /// For each step the transmission angle of each filmed dyad, in radians.
   std::vector<double> transmissions;
+  /// For each step the efforts of the drivers, then x and y of each filmed force in a joint; NaN
+  /// where they are not determined, and empty where no forces are wanted.
+  std::vector<double> forces;
+};
+
+/// A force in a joint, on one of its links.
+struct FilmedForce {
+  std::string joint, link;
 };
 
 /// An event of the sweep: its kind, the numbers of its branches, and the value of the swept
@@ -40,6 +48,8 @@ struct Film {
   std::vector<FilmedEvent> events;
   std::vector<std::string> links;          ///< whose angles are filmed
   std::vector<std::string> transmissions;  ///< the inner pins of the filmed dyads
+  std::vector<std::string> efforts;        ///< the joints of the drivers, where forces are wanted
+  std::vector<FilmedForce> forces;         ///< of the reported joints
   std::vector<double> parameters;          ///< the values of the mechanism's parameters
   int chosen = 1;                          ///< the branch that is looked at first
   std::optional<int> nearest;              ///< the branch nearest to the reference, if there is one
@@ -56,8 +66,8 @@ struct SeenPose {
 /// How a film is made.
 struct Filming {
   std::size_t most_numbers;
-  int chosen = 0;  ///< the branch to look at, by its number; 0 where none is named
-  bool angles = true;
+  int chosen = 0;                ///< the branch to look at, by its number; 0 where none is named
+  bool details = true;           ///< angles and forces, too
   std::optional<SeenPose> seen;  ///< chooses the branch that is nearest to it
 };
 
@@ -67,7 +77,8 @@ struct Filming {
 /// with the given number, or the one nearest to the reference, or else the first. Spreads follow
 /// from the request's covariance or, without one, from the tolerances, each taken as the standard
 /// deviation of its parameter, so that the roots of the variances are the `rss`; they exist where
-/// sensitivities are wanted. Angles are those of the reported links but the ground. The
+/// sensitivities are wanted. Angles are those of the reported links but the ground; a force in a
+/// joint is told on the last of its links, in one of several links on each. The
 /// transmission angle of a dyad with three pins is the angle at its inner pin between the lines to
 /// the outer ones, from 0 to pi. Throws MechanismError as `sweep` does, where there is no
 /// configuration at any step, and NoSuchConfiguration where no branch has the given number.

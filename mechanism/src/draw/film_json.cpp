@@ -28,7 +28,8 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
                         {"outputs", told(branch.outputs)},
                         {"spreads", told(branch.spreads)},
                         {"angles", told(branch.angles)},
-                        {"transmissions", told(branch.transmissions)}});
+                        {"transmissions", told(branch.transmissions)},
+                        {"forces", told(branch.forces)}});
   }
   Json events = Json::array();
   for (const FilmedEvent& event : film.events) {
@@ -38,6 +39,10 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
   Json outputs = Json::array();
   for (const Output& output : mechanism.outputs()) {
     outputs.push_back(output.name);
+  }
+  Json forces = Json::array();
+  for (const FilmedForce& force : film.forces) {
+    forces.push_back({{"joint", force.joint}, {"link", force.link}});
   }
   Json parameters = Json::array();
   for (const ParameterIndex index : mechanism.parameters().keys()) {
@@ -62,6 +67,8 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
           {"outputs", std::move(outputs)},
           {"links", film.links},
           {"transmissions", film.transmissions},
+          {"efforts", film.efforts},
+          {"forces", std::move(forces)},
           {"parameters", std::move(parameters)},
           {"branches", std::move(branches)},
           {"events", std::move(events)},
