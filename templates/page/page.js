@@ -72,14 +72,11 @@ class Page {
     this.film = film;
     this.stage.film = film;
     this.plot = new Plot(this.element("plot"), film);
-    if (!isSameSweep || !film.branch(followed)) {
-      this.chosen = film.branch(followed) ? followed : film.chosen;
-      const own = film.own === null ? 0 : film.placeOf(film.own);
-      const isWithin = own >= 0 && own <= film.count - 1;
-      this.place = this.branch.placeNear(isWithin ? own : 0);
-    } else {
-      this.chosen = followed;
+    this.chosen = film.branch(followed) ? followed : film.chosen;
+    if (isSameSweep && !this.editing.isOn) {
       this.place *= (film.count - 1) / (before.count - 1);
+    } else {
+      this.standAsDrawn();
     }
     showFilm(this);
     showQuantities(this);
@@ -116,6 +113,9 @@ class Page {
       return;
     }
     scene.isSolved = true;
+    if (isDraft && !this.editing.isOn) {
+      return;
+    }
     if (isDraft) {
       this.editing.draft = film;
       if (this.stage.view.own === null) {
@@ -246,10 +246,11 @@ class Page {
     this.show();
   }
 
-  /** Goes to the swept parameter's own value. */
+  /** Goes to the swept parameter's own value, or to the beginning if that is not in the sweep. */
   standAsDrawn() {
-    const own = this.film.own === null ? this.place : this.film.placeOf(this.film.own);
-    this.place = this.branch.placeNear(own);
+    const { film } = this;
+    const own = film.own === null ? 0 : film.placeOf(film.own);
+    this.place = this.branch.placeNear(own >= 0 && own <= film.count - 1 ? own : 0);
   }
 
   reset() {
@@ -305,7 +306,8 @@ class Page {
     if (this.isPlaying && this.last !== null && this.film.count > 1) {
       const seconds = Math.min((now - this.last) / 1000, 0.1);
       const steps = seconds * Number(this.element("speed").value) * (this.film.count - 1) / sweepSeconds;
-      const next = advanced(this.film, { ...this, number: this.chosen }, steps,
+      const { chosen, place, forwards } = this;
+      const next = advanced(this.film, { number: chosen, place, forwards }, steps,
         this.element("end").value === "go on");
       [this.chosen, this.place, this.forwards] = [next.number, next.place, next.forwards];
       this.show();
