@@ -7,7 +7,7 @@ import io
 import json
 import math
 
-from opened_page import (SOLVED, expect, expect_near, keep_picture, main, obstacle, opened, run,
+from opened_page import (expect, expect_near, keep_picture, main, obstacle, opened, run,
                          set_parameter)
 
 FOOT = "[...page.branch.outputs.at(page.place) ?? []].slice(0, 2)"
@@ -297,6 +297,7 @@ def check_forces(chromium, assur, folder):
       page.stage.arrows.arrow = (from, to) => arrows.push([to[0] - from[0], from[1] - to[1]]);
       page.show();
       page.stage.arrows.arrow = own;
+      page.show();
       return arrows;
     })()""")
     expect(len(arrows) == 4, f"there are {len(arrows)} arrows")
