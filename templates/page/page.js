@@ -89,11 +89,15 @@ class Page {
     this.show();
   }
 
-  /** The pose whose branch is to be followed. */
+  /** The pose whose branch is to be followed; null where nothing is to be. */
   seen() {
+    if (this.editing.isOn || !this.isChecked("follow")) {
+      return null;
+    }
     const place = this.branch.placeNear(this.place);
-    return { part: this.film.count > 1 ? place / (this.film.count - 1) : 0,
-      points: [...this.branch.points.at(place)] };
+    const points = [...this.branch.points.at(place)];
+    const part = this.film.count > 1 ? place / (this.film.count - 1) : 0;
+    return points.every(Number.isFinite) ? { part, points } : null;
   }
 
   question() {
@@ -101,11 +105,11 @@ class Page {
     const isDraft = this.editing.isOn && scene === this.scene && !this.isSweepDue;
     this.isSweepDue = false;
     const asked = scene.question(!isDraft);
-    const follows = scene === this.scene && !this.editing.isOn && this.isChecked("follow");
-    if (follows) {
-      asked.seen = this.seen();
+    const seen = scene === this.scene ? this.seen() : null;
+    if (seen) {
+      asked.seen = seen;
     }
-    return { scene, isDraft, asked, follows, chosen: this.chosen };
+    return { scene, isDraft, asked, follows: seen !== null, chosen: this.chosen };
   }
 
   take(film, { scene, isDraft, follows, chosen }) {
@@ -334,8 +338,7 @@ class Page {
     }
     this.element("play").textContent = this.isPlaying ? "Pause" : "Play";
     this.element("place").value = this.place;
-    this.element("parameter").textContent =
-      film.count > 1 ? `${film.parameter} = ${film.parameterAt(this.place).toFixed(4)}` : "";
+    this.element("parameter").textContent = film.count > 1 ? this.toldParameter() : "";
     [...this.element("branches").querySelectorAll("button")].forEach((button, place) => {
       const branch = film.branches[place];
       button.setAttribute("aria-pressed", branch.number === this.chosen);
@@ -348,6 +351,14 @@ class Page {
     const shown = isDrafted ? editing.draft : film;
     fillTable(this.element("readout"), shown, shown.branch(isDrafted ? shown.chosen : this.chosen),
       isDrafted ? 0 : this.place);
+  }
+
+  /** The swept parameter in numbers, an angle in degrees, too. */
+  toldParameter() {
+    const { parameter } = this.film;
+    const value = this.film.parameterAt(this.place);
+    const degrees = this.scene?.isAngle(parameter) ? ` (${(inDegrees * value).toFixed(1)}°)` : "";
+    return `${parameter} = ${value.toFixed(4)}${degrees}`;
   }
 
   /** The drawn pose, with the paths of the branch on which it lies. */

@@ -60,6 +60,13 @@ class Scene {
     return Object.values(this.json?.links ?? {}).some(Array.isArray);
   }
 
+  /** Whether a parameter is the angle of a driver. */
+  isAngle(name) {
+    const isTurned = ([joint, { position }]) => position === name &&
+      (this.json.joints?.[joint]?.type ?? "revolute") === "revolute";
+    return this.helpers?.[0] === name || Object.entries(this.json?.drivers ?? {}).some(isTurned);
+  }
+
   /** A copy of the scene with values in place of those of parameters. */
   withValues(values) {
     const json = structuredClone(this.json);

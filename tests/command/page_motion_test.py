@@ -195,6 +195,8 @@ def check_angles(chromium, assur, scene, folder):
     chromium.value("page.seek(100)")
     rows = chromium.value("""[...document.querySelectorAll("#readout tr")].map((row) =>
         [...row.cells].map((cell) => cell.textContent))""")
+    expect(chromium.value("document.getElementById('parameter').textContent") ==
+           "phi = 1.7453 (100.0°)", "the swept angle is told in degrees, too")
     crank = next(row for row in rows if row[0] == "crank")
     expect_near([float(one) for one in crank[1:]], [100, 5 * 180 / math.pi, 0], 6e-3, "the crank in °")
     labels = chromium.value("page.film.quantities.map(({label}) => label)")
