@@ -51,12 +51,12 @@ std::string dxf(const Source& source, const DrawOptions& options) {
 
 std::string page(const Source& source, const DrawOptions& options) {
   expect_standing(options);
-  if (options.configuration > 0 || options.nearest) {
+  if (options.nearest) {
     throw text::InputError(
-        "--configuration, --nearest: a page has all branches; leave these options out");
+        "--nearest: a page opens on the branch nearest to the reference without it; leave it out");
   }
   return drawing_page(source.scene.mechanism, source.scene.request,
-                      mechanism::SceneText{source.text, options.settings});
+                      mechanism::SceneText{source.text, options.settings}, options.configuration);
 }
 
 /// A form of drawings, by the extension of its files.

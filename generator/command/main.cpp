@@ -215,7 +215,9 @@ int run(int argc, char** argv) {
       ->required()
       ->check(not_empty);
   command->add_option("--set", draw.settings, set_help)->expected(1)->take_all();
-  command->add_option("--configuration", draw.configuration, "draw configuration N only")
+  command
+      ->add_option("--configuration", draw.configuration,
+                   "draw configuration N only; of a page, the\nbranch that is shown first")
       ->type_name("N")
       ->check(any_whole_number);
   command

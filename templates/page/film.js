@@ -7,6 +7,9 @@ function madeWith() {
     branch.points = placed(numbersOf(branch.points), 2, data.origin);
     branch.outputs = placed(numbersOf(branch.outputs), 6, data.origin);
     branch.spreads = numbersOf(branch.spreads);
+    branch.angles = numbersOf(branch.angles);
+    branch.transmissions = numbersOf(branch.transmissions);
+    branch.forces = numbersOf(branch.forces);
   }
   return data;
 }
@@ -40,6 +43,32 @@ function roundBelow(most) {
   return [5, 2, 1, 0.5].map((factor) => factor * power).find((one) => one <= most);
 }
 
+/** Rows theta, omega, alpha of each link, with theta continued by whole turns from step to step. */
+function unwrapped(numbers, count) {
+  const there = Float64Array.from(numbers);
+  const width = there.length / count;
+  for (let at = width; at < there.length; ++at) {
+    const change = there[at] - there[at - width];
+    if (at % width % 3 === 0 && Number.isFinite(change)) {
+      there[at] -= 2 * Math.PI * Math.round(change / (2 * Math.PI));
+    }
+  }
+  return there;
+}
+
+/** The stretches of steps at which a branch exists, as [first, last]. */
+function stretchesOf(rows) {
+  const stretches = [];
+  for (let step = 0; step < rows.count; ++step) {
+    if (Number.isNaN(rows.value(step, 0))) {
+      continue;
+    }
+    const last = stretches.at(-1);
+    last?.[1] === step - 1 ? last[1] = step : stretches.push([step, step]);
+  }
+  return stretches;
+}
+
 /** Rows of numbers, one for each step. */
 class Rows {
   constructor(numbers, count) {
@@ -48,7 +77,8 @@ class Rows {
     this.count = count;
   }
 
-  /** The row at a place between two steps, linear between them; null where there is no branch. */
+  /** The row at a place between two steps, linear between them; null where its first number is not
+   * known: where there is no branch. */
   at(place) {
     const step = Math.min(Math.floor(place), this.count - 1);
     const part = place - step;
@@ -67,20 +97,45 @@ class Rows {
   }
 }
 
-/** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; and, if outputs vary,
- * the variance of x, the covariance and the variance of y of each output. */
+/** The largest length of vectors that stand in rows from a column on, one every few columns. Near dead
+ * centres lengths have no bound, so the longest tenth is left out. */
+function longestOf(rows, first, step) {
+  const lengths = [];
+  for (let row = 0; row < rows.numbers.length; row += rows.width) {
+    for (let column = first; column + 1 < rows.width; column += step) {
+      const length = Math.hypot(rows.numbers[row + column], rows.numbers[row + column + 1]);
+      if (Number.isFinite(length)) {
+        lengths.push(length);
+      }
+    }
+  }
+  return nearlyLargest(lengths);
+}
+
+/** A branch: the places of its points; x, y, vx, vy, ax, ay of each output; if outputs vary, the
+ * variance of x, the covariance and the variance of y of each output; and, if they are known, the
+ * angle, its rate and the rate of that of each link, the transmission angles, and the efforts of the
+ * drivers with x and y of each force in a joint. */
 class Branch {
   constructor(data, film) {
     this.number = data.number;
     this.points = new Rows(data.points, film.count);
     this.outputs = new Rows(data.outputs, film.count);
     this.spreads = new Rows(data.spreads, film.count);
+    this.angles = new Rows(unwrapped(data.angles, film.count), film.count);
+    this.transmissions = new Rows(data.transmissions, film.count);
+    this.forces = new Rows(data.forces, film.count);
+    this.stretches = stretchesOf(this.points);
     this.colour = (data.number - 1) % 6;
     this.dash = [[], [8, 5], [2, 4], [10, 4, 2, 4]][Math.floor((data.number - 1) / 6) % 4];
     this.box = this.extent();
     this.size = Math.max(this.box[2] - this.box[0], this.box[3] - this.box[1]) || 1;
     this.way = this.wayOfOutputs();
-    this.longest = { velocity: this.longestOf(2), acceleration: this.longestOf(4) };
+    this.longest = {
+      velocity: longestOf(this.outputs, 2, 6),
+      acceleration: longestOf(this.outputs, 4, 6),
+      force: longestOf(this.forces, film.efforts.length, 2),
+    };
     this.widest = this.widestSpread();
   }
 
@@ -102,20 +157,6 @@ class Branch {
       }
     }
     return way;
-  }
-
-  /** The largest length of a vector of the outputs. Near dead centres lengths have no bound, so the
-   * longest tenth is left out. */
-  longestOf(offset) {
-    const lengths = [];
-    const { numbers } = this.outputs;
-    for (let place = offset; place < numbers.length; place += 6) {
-      const length = Math.hypot(numbers[place], numbers[place + 1]);
-      if (Number.isFinite(length)) {
-        lengths.push(length);
-      }
-    }
-    return nearlyLargest(lengths);
   }
 
   /** The largest deviation of the outputs, also without the largest tenth. */
@@ -151,12 +192,16 @@ class Branch {
     return box;
   }
 
-  /** Whether the last step is at the place of the first, so that the branch can go round. */
-  isClosed(size) {
-    const first = this.points.at(0);
-    const last = this.points.at(this.points.count - 1);
-    return first !== null && last !== null &&
-      first.every((number, place) => Math.abs(number - last[place]) < 1e-4 * size);
+  /** The stretch of steps at or nearest to a place. */
+  stretchAt(place) {
+    const distance = ([first, last]) => Math.max(first - place, place - last, 0);
+    return this.stretches.reduce((best, one) => (distance(one) < distance(best) ? one : best));
+  }
+
+  /** A place, or the one nearest to it at which the branch exists. */
+  placeNear(place) {
+    const [first, last] = this.stretchAt(place);
+    return Math.min(Math.max(place, first), last);
   }
 }
 
@@ -180,8 +225,24 @@ class Film {
     for (const branch of this.branches) {
       branch.magnification = magnification(branch.widest, this.size);
     }
+    this.own = data.parameters.find(({ name }) => name === data.parameter)?.value ?? null;
     this.hasSpreads = this.branches.some((branch) => branch.magnification > 0);
     this.hasRates = this.branches.some((branch) => branch.longest.velocity > 0);
+    this.hasForces = this.branches.some((branch) => branch.forces.width > 0);
+    this.hasAngles = this.branches.some((branch) => branch.angles.width > 0);
+    this.quantities = quantitiesOf(this);
+  }
+
+  /** Whether the first step of a branch is where the last one of another, or the same, is. */
+  joins(last, first) {
+    const there = first.points.at(0);
+    const here = last.points.at(this.count - 1);
+    return here !== null && there !== null &&
+      here.every((number, place) => Math.abs(number - there[place]) < 1e-4 * this.size);
+  }
+
+  isClosed(branch) {
+    return this.joins(branch, branch);
   }
 
   branch(number) {

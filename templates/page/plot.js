@@ -1,16 +1,4 @@
-// Turns a quantity of an output into its curve along the sweep.
-
-/** The quantities that can be plotted, computed from a row x, y, vx, vy, ax, ay. */
-const quantities = [
-  ["x", (row) => row[0]],
-  ["y", (row) => row[1]],
-  ["speed", (row) => Math.hypot(row[2], row[3])],
-  ["v x", (row) => row[2]],
-  ["v y", (row) => row[3]],
-  ["acceleration", (row) => Math.hypot(row[4], row[5])],
-  ["a x", (row) => row[4]],
-  ["a y", (row) => row[5]],
-];
+// Turns a quantity of an output or a link into its curve along the sweep.
 
 function shortNumber(value) {
   return String(Number(value.toPrecision(4)));
@@ -24,17 +12,14 @@ class Plot {
   }
 
   /** The values of a quantity at all steps, by the numbers of the branches. */
-  curves(output, quantity) {
-    const key = `${output} ${quantity}`;
-    if (!this.known.has(key)) {
-      const value = quantities.find(([name]) => name === quantity)[1];
-      this.known.set(key, new Map(this.film.branches.map((branch) => [
+  curves(quantity) {
+    if (!this.known.has(quantity.label)) {
+      this.known.set(quantity.label, new Map(this.film.branches.map((branch) => [
         branch.number,
-        Array.from({ length: this.film.count }, (_, step) => value(Array.from({ length: 6 },
-          (_, column) => branch.outputs.value(step, 6 * output + column)))),
+        Array.from({ length: this.film.count }, (_, step) => quantity.value(branch, step)),
       ])));
     }
-    return this.known.get(key);
+    return this.known.get(quantity.label);
   }
 
   /** The place of the film under a place of the canvas. */
@@ -43,17 +28,17 @@ class Plot {
     return Math.min(1, Math.max(0, part)) * (this.film.count - 1);
   }
 
-  draw(place, options, output, quantity) {
+  draw(place, options, quantity) {
     const context = cleared(this.canvas);
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
-    const known = this.curves(output, quantity);
+    const known = this.curves(quantity);
     const shown = this.film.branches.filter((one) => options.all || one.number === options.chosen);
     const curves = shown.map((branch) => [branch, known.get(branch.number)]);
     const own = curves.find(([branch]) => branch.number === options.chosen)[1].filter(Number.isFinite);
     const all = curves.flatMap(([, values]) => values).filter(Number.isFinite);
     // Near dead centres rates have no bound, so the scale is that of the chosen branch.
-    const bounded = quantity === "x" || quantity === "y" || own.length === 0 ? all : own;
+    const bounded = quantity.isRate && own.length > 0 ? own : all;
     let low = Math.min(...bounded);
     let high = Math.max(...bounded);
     // Values that differ by rounding alone count as constant.

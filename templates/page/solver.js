@@ -26,7 +26,8 @@ function solverThread() {
     }
     const film = JSON.parse(text);
     for (const branch of film.branches) {
-      for (const rows of ["points", "outputs", "spreads"]) {
+      for (const rows of ["points", "outputs", "spreads", "angles", "transmissions",
+        "forces"]) {
         branch[rows] = new Float64Array(memory.buffer, ...branch[rows]).slice();
       }
     }
@@ -51,24 +52,60 @@ function solverThread() {
   };
 }
 
-/** Solves a scene of the page. The caller must wait for each answer before it asks again. */
+/** Solves scenes. The caller must wait for each answer before it asks again. */
 class Solver {
-  constructor(scene) {
-    this.scene = scene;
+  constructor(module) {
     const code = new Blob([`${unpacked}\n(${solverThread})();`], { type: "text/javascript" });
     this.thread = new Worker(URL.createObjectURL(code));
-    this.thread.postMessage({ module: scene.module });
+    this.thread.postMessage({ module });
   }
 
-  /** The data of the page at values of parameters; rejects with an error if there is none. */
-  solve(values) {
-    const settings = Object.entries(values).map(([name, value]) => `${name}=${value}`);
+  /** The data of a film, for a question as `question` in module.cpp takes it; rejects with an error
+   * if there is none. */
+  solve(question) {
     return new Promise((resolve, reject) => {
       this.thread.onmessage = ({ data }) =>
         (data.film ? resolve(data.film) : reject(new Error(data.obstacle)));
       this.thread.onerror = (event) => reject(new Error(event.message));
-      const { text } = this.scene;
-      this.thread.postMessage({ text, settings: [...this.scene.settings, ...settings] });
+      this.thread.postMessage(question);
     });
+  }
+}
+
+/** Asks the solver as often as the scene changes. What changes while the solver is busy is asked
+ * once, when it is free. */
+class Asker {
+  /** `question` makes the present question; `take` gets an answer and its question; `tell` gets the
+   * reason why there is no answer, or an empty text, the question, and whether any question was
+   * answered so far: if not, the browser cannot solve at all. */
+  constructor(module, question, take, tell) {
+    Object.assign(this, { module, question, take, tell });
+    [this.busy, this.waiting, this.works] = [false, false, false];
+  }
+
+  async ask() {
+    this.waiting = this.busy;
+    if (this.busy) {
+      return;
+    }
+    this.busy = true;
+    const question = this.question();
+    let film = null;
+    let obstacle = "";
+    try {
+      this.solver ??= new Solver(this.module);
+      film = new Film(await this.solver.solve(question.asked));
+      this.works = true;
+    } catch (error) {
+      obstacle = error.message;
+    }
+    this.busy = false;
+    if (film !== null) {
+      this.take(film, question);
+    }
+    this.tell(obstacle, question, this.works);
+    if (this.waiting) {
+      this.ask();
+    }
   }
 }

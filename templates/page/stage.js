@@ -33,16 +33,19 @@ class Stage {
   /** `film` must be set before `draw` is called, and may be set again. */
   constructor(canvas) {
     this.canvas = canvas;
+    this.view = new View();
+    this.arrows = new Arrows(this);
     this.cornersOfNames = new Map();
   }
 
-  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration, spread. */
+  /** `options`: chosen (a branch's number), all, ways, names, velocity, acceleration, force, spread. */
   draw(place, options) {
     const context = cleared(this.canvas);
     this.context = context;
     this.unit = Math.min(1.6, Math.max(1.05, this.canvas.clientWidth / 400));
     const chosen = this.film.branch(options.chosen);
-    this.fit(options.all ? this.film.box : chosen.box);
+    this.view.fit(options.all ? this.film.box : chosen.box, this.canvas.clientWidth,
+      this.canvas.clientHeight, 30 * this.unit);
     if (options.all) {
       for (const branch of this.film.branches.filter((one) => one !== chosen)) {
         context.globalAlpha = 0.45;
@@ -54,7 +57,7 @@ class Stage {
       }
       context.globalAlpha = 1;
     }
-    const points = chosen.points.at(place) || chosen.points.at(this.nearest(chosen, place));
+    const points = chosen.points.at(place) || chosen.points.at(chosen.placeNear(place));
     const isThere = chosen.points.at(place) !== null;
     this.ground(points);
     this.begin(chosen, 1.2);
@@ -62,7 +65,8 @@ class Stage {
     if (isThere) {
       this.links(points, chosen);
       this.spreads(chosen, place, options);
-      this.vectors(chosen, chosen.outputs.at(place), options);
+      this.arrows.vectors(chosen, chosen.outputs.at(place), options);
+      this.arrows.forces(chosen, points, place, options);
       if (options.names) {
         this.names(points);
       }
@@ -70,34 +74,8 @@ class Stage {
     this.scale();
   }
 
-  /** The step of a branch that is nearest to a place where the branch does not exist. */
-  nearest(branch, place) {
-    let best = 0;
-    let least = Infinity;
-    for (let step = 0; step < this.film.count; ++step) {
-      const distance = Math.abs(step - place);
-      if (distance < least && !Number.isNaN(branch.points.value(step, 0))) {
-        least = distance;
-        best = step;
-      }
-    }
-    return best;
-  }
-
-  fit(box) {
-    const margin = 30 * this.unit;
-    const width = this.canvas.clientWidth;
-    const height = this.canvas.clientHeight;
-    // A window that is being opened or changed may have no room between the margins for a moment.
-    const room = [width, height].map((side) => Math.max(side - 2 * margin, 1));
-    const zoom = Math.min(room[0] / (box[2] - box[0]), room[1] / (box[3] - box[1]));
-    this.zoom = Number.isFinite(zoom) ? zoom : 1;
-    this.left = width / 2 - this.zoom * (box[0] + box[2]) / 2;
-    this.top = height / 2 + this.zoom * (box[1] + box[3]) / 2;
-  }
-
   at(x, y) {
-    return [this.left + this.zoom * x, this.top - this.zoom * y];
+    return this.view.at(x, y);
   }
 
   point(points, place) {
@@ -146,7 +124,7 @@ class Stage {
       return;
     }
     const { context } = this;
-    const zoom = this.zoom * branch.size;
+    const zoom = this.view.now.zoom * branch.size;
     context.save();
     context.transform(zoom, 0, 0, -zoom, ...this.at(branch.box[0], branch.box[1]));
     context.lineWidth /= zoom;
@@ -295,35 +273,6 @@ class Stage {
     }
   }
 
-  vectors(branch, outputs, options) {
-    const kinds = [["velocity", 2, "c1"], ["acceleration", 4, "c2"]];
-    for (const [kind, offset, name] of kinds.filter(([kind]) => options[kind])) {
-      const scale = 0.2 * this.film.size / (branch.longest[kind] || 1);
-      for (let column = 0; outputs !== null && column < outputs.length; column += 6) {
-        const vector = [scale * outputs[column + offset], scale * outputs[column + offset + 1]];
-        if (vector.every(Number.isFinite)) {
-          const foot = [outputs[column], outputs[column + 1]];
-          this.arrow(this.at(...foot), this.at(foot[0] + vector[0], foot[1] + vector[1]), colour(name));
-        }
-      }
-    }
-  }
-
-  arrow(from, to, own) {
-    const length = Math.hypot(to[0] - from[0], to[1] - from[1]);
-    if (length < 2) {
-      return;
-    }
-    const head = Math.min(8 * this.unit, 0.6 * length);
-    const [x, y] = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
-    this.context.strokeStyle = own;
-    this.context.fillStyle = own;
-    this.line([from, [to[0] - 0.8 * head * x, to[1] - 0.8 * head * y]], 1.8);
-    this.path([to, [to[0] - head * (x - 0.4 * y), to[1] - head * (y + 0.4 * x)],
-      [to[0] - head * (x + 0.4 * y), to[1] - head * (y - 0.4 * x)]], true);
-    this.context.fill();
-  }
-
   /** Writes each name once per point, in a corner of the point that is free of other names: that of
    * the previous picture, if it is free, so that names do not jump. */
   names(points) {
@@ -360,9 +309,9 @@ class Stage {
   }
 
   scale() {
-    const length = roundBelow(90 * this.unit / this.zoom);
+    const length = roundBelow(90 * this.unit / this.view.now.zoom);
     const [x, y] = [12, this.canvas.clientHeight - 14];
-    const end = x + length * this.zoom;
+    const end = x + length * this.view.now.zoom;
     this.context.strokeStyle = colour("ink");
     this.context.fillStyle = colour("ink");
     this.line([[x, y], [end, y]], 1.1);

@@ -79,11 +79,14 @@ class Browser:
                     raise RuntimeError(f"{what}: {answer['error']['message']}")
                 return answer["result"]
 
-    def open(self, address, width=1280, height=800, dark=False):
+    def window(self, width=1280, height=800, dark=False):
         self._ask("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=False)
         self._ask("Emulation.setEmulatedMedia", features=[
             {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}])
+
+    def open(self, address, **window):
+        self.window(**window)
         self._ask("Page.navigate", url=address)
         while self._note(self._read()) != "Page.loadEventFired":
             pass
@@ -95,6 +98,29 @@ class Browser:
         if "exceptionDetails" in told:
             raise RuntimeError(told["exceptionDetails"]["exception"].get("description"))
         return told["result"].get("value")
+
+    def mouse(self, *places, shift=False):
+        """Presses the mouse at the first place of the window, moves it over the others and lets go."""
+        told = {"button": "left", "buttons": 1, "clickCount": 1, "modifiers": 8 if shift else 0}
+        for what, place in [("mousePressed", places[0]), *(("mouseMoved", one) for one in places[1:]),
+                            ("mouseReleased", places[-1])]:
+            self._ask("Input.dispatchMouseEvent", type=what, x=place[0], y=place[1], **told)
+
+    def wheel(self, place, down):
+        self._ask("Input.dispatchMouseEvent", type="mouseWheel", x=place[0], y=place[1], deltaX=0,
+                  deltaY=down)
+
+    def touch(self, *moments):
+        """Puts fingers at the places of the first moment, moves them to those of the others and lifts
+        them."""
+        for what, places in [("touchStart", moments[0]), *(("touchMove", one) for one in moments[1:]),
+                             ("touchEnd", [])]:
+            self._ask("Input.dispatchTouchEvent", type=what,
+                      touchPoints=[{"x": x, "y": y, "id": place} for place, (x, y) in enumerate(places)])
+
+    def key(self, name, **told):
+        self.value(f"document.dispatchEvent(new KeyboardEvent('keydown', "
+                   f"{json.dumps({'key': name, **told})}))")
 
     def picture(self):
         """A picture of the whole page, as PNG in base 64."""

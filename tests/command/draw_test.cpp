@@ -89,7 +89,9 @@ TEST(Draw, RefusesOptionsOfOtherForms) {
                  "--moving: only an .svg can be drawn in motion");
   expect_refusal(four_bar + " --moving", "picture.html",
                  "--moving: only an .svg can be drawn in motion");
-  expect_refusal(four_bar + " --configuration 1", "picture.html", "a page has all branches");
+  expect_refusal(four_bar + " --nearest", "picture.html", "a page opens on the branch nearest");
+  expect_refusal(four_bar + " --configuration 5", "picture.html",
+                 "--configuration: there is no branch 5");
   expect_refusal(four_bar + " --moving --configuration 5", "picture.svg",
                  "--configuration: there is no branch 5");
 }

@@ -19,9 +19,8 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-constexpr std::size_t most_page_bytes = 999'999;
 /// The bytes of the page itself, its scripts and its shapes.
-constexpr std::size_t bytes_beside_numbers = 120'000;
+constexpr std::size_t bytes_beside_numbers = 160'000;
 /// The most bytes of numbers; more do not make a page better.
 constexpr std::size_t most_number_bytes = 750'000;
 /// The bytes of one number in base 64.
@@ -92,6 +91,17 @@ std::string file_of_page(std::string_view name) {
   return "";
 }
 
+/// The page's scripts: each one uses those before it, and those after it once the page runs.
+std::string script_of_page() {
+  std::string script;
+  for (const char* name :
+       {"lzma", "solver", "quantities", "film", "view", "stage", "arrows", "plot", "table", "scene",
+        "sliders", "motion", "hand", "editing", "marks", "files", "panels", "controls", "page"}) {
+    script += file_of_page(name + std::string(".js"));
+  }
+  return script;
+}
+
 /// The colours of branches and of all else as variables of the style.
 std::string colours_of_page(const char* Colour::*shade) {
   std::string text = ":root{--ink:" + std::string(ink.*shade) + ";--muted:" + muted.*shade +
@@ -114,34 +124,22 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   return result + page.substr(done);
 }
 
-/// The scene that the page solves for other values, and the parameters with values of their own;
-/// null if there is no such parameter but the swept one.
-Json solved_anew(const Mechanism& mechanism, const Request& request, const SceneText& scene) {
-  const Values values = Plan(mechanism, request).values();
-  Json parameters = Json::array();
-  for (std::size_t place = 0; place < mechanism.parameters().size(); ++place) {
-    const ParameterIndex index(place);
-    const Parameter& parameter = mechanism.parameters()[index];
-    const bool is_swept = request.sweep && request.sweep->parameter == index;
-    if (!is_swept && mechanism.numbers()[parameter.value].formula.parameters().empty()) {
-      parameters.push_back({{"name", parameter.name}, {"value", values.value_of(parameter.value)}});
-    }
-  }
-  if (parameters.empty()) {
-    return nullptr;
-  }
+/// The scene that the page solves for other values, and the module that does so.
+Json solved_anew(const SceneText& scene) {
   return {{"text", scene.text},
           {"settings", scene.settings},
-          {"parameters", std::move(parameters)},
           {"module", file_of_page("mechanism.wasm.lzma.base64")}};
 }
 
-std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene) {
+/// Angles and forces are left to the module where there is one, since they need as much room as all
+/// else.
+std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene,
+                    int chosen) {
   const std::size_t taken = bytes_beside_numbers + inside_html(scene).size();
   const std::size_t left = taken < most_page_bytes ? most_page_bytes - taken : 0;
   const auto most_numbers = static_cast<std::size_t>(
       static_cast<double>(std::min(left, most_number_bytes)) / bytes_of_number);
-  Film film = film_of(mechanism, request, most_numbers);
+  Film film = film_of(mechanism, request, {most_numbers, chosen, scene.is_null(), std::nullopt});
   if (film.shapes.empty()) {
     throw MechanismError("",
                          "there is nothing to draw: the mechanism has no joints and no outputs");
@@ -156,9 +154,7 @@ std::string page_of(const Mechanism& mechanism, const Request& request, const Js
         text::escaped_for_xml(mechanism.name().empty() ? "A mechanism" : mechanism.name())},
        {"style", colours_of_page(&Colour::light) + "\n@media (prefers-color-scheme:dark){" +
                      colours_of_page(&Colour::dark) + "}\n" + file_of_page("page.css")},
-       {"script", file_of_page("lzma.js") + file_of_page("solver.js") + file_of_page("film.js") +
-                      file_of_page("stage.js") + file_of_page("plot.js") +
-                      file_of_page("sliders.js") + file_of_page("page.js")},
+       {"script", script_of_page()},
        {"film", inside_html(data)}});
 }
 
@@ -169,15 +165,15 @@ std::string page_of(const Mechanism& mechanism, const Request& request, const Js
 namespace assur::mechanism {
 
 std::string drawing_page(const Mechanism& mechanism, const Request& request,
-                         const std::optional<SceneText>& scene) {
+                         const std::optional<SceneText>& scene, int chosen) {
   using namespace draw;
   if (scene) {
-    std::string page = page_of(mechanism, request, solved_anew(mechanism, request, *scene));
+    std::string page = page_of(mechanism, request, solved_anew(*scene), chosen);
     if (page.size() <= most_page_bytes) {
       return page;
     }
   }
-  return page_of(mechanism, request, nullptr);
+  return page_of(mechanism, request, nullptr, chosen);
 }
 
 }  // namespace assur::mechanism

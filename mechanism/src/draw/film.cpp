@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "draw/film_details.hpp"
 #include "draw/symbols.hpp"
 #include "draw/ways.hpp"
 
@@ -18,8 +19,6 @@ namespace {
 /// An animation of fewer steps is not smooth; more steps make no visible difference.
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
-constexpr int output_numbers = 6;
-constexpr int spread_numbers = 3;
 /// With more parameters no derivatives are taken, since a picture would take too long.
 constexpr std::size_t most_derived = 200;
 
@@ -28,7 +27,23 @@ struct Row {
   int step;
   LinkPoses poses;
   std::vector<double> outputs, spreads;
+  DetailRow details;
 };
+
+/// The numbers of one kind at all steps, from those of the steps at which the branch exists.
+template <typename Numbers>
+std::vector<double> at_all_steps(const std::vector<Row>& rows, const Numbers& numbers_of,
+                                 std::size_t steps) {
+  const std::size_t width = numbers_of(rows.front()).size();
+  std::vector<double> all(steps * width, std::numeric_limits<double>::quiet_NaN());
+  for (const Row& row : rows) {
+    const std::vector<double>& numbers = numbers_of(row);
+    std::copy(
+        numbers.begin(), numbers.end(),
+        all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row.step) * width));
+  }
+  return all;
+}
 
 bool varies(const Mechanism& mechanism, const Request& request) {
   const auto& parameters = mechanism.parameters();
@@ -52,21 +67,29 @@ class FilmMaker {
  public:
   /// `varied` is the request with its covariance, which takes no part in solving: an ellipse needs
   /// no second derivatives.
-  FilmMaker(const Mechanism& mechanism, const Request& request, const Request& varied, int chosen)
+  FilmMaker(const Mechanism& mechanism, const Request& request, const Request& varied,
+            const Filming& filming)
       : mechanism_(mechanism),
         request_(request),
         plan_(mechanism, request),
+        values_(plan_.values()),
         varied_(Plan(mechanism, varied).values()),
-        asked_for_(chosen) {
-    film_.chosen = std::max(chosen, 1);
+        filming_(filming) {
+    film_.chosen = filming.chosen;
+    for (const ParameterIndex parameter : mechanism.parameters().keys()) {
+      film_.parameters.push_back(values_.parameter(parameter));
+    }
+    if (filming.details) {
+      details_.emplace(plan_);
+    }
   }
 
-  Film made(std::size_t most_numbers) {
+  Film made() {
     if (!request_.sweep) {
       record_configurations();
       return finished();
     }
-    const Values values = plan_.values();
+    const Values& values = values_;
     film_.from = values.value_of(request_.sweep->from);
     film_.to = values.value_of(request_.sweep->to);
     const int own = request_.sweep->count - 1;
@@ -76,10 +99,10 @@ class FilmMaker {
       record_sweep();
       Film film = finished();
       const std::size_t numbers = numbers_of(film);
-      if (numbers <= most_numbers || film_.count <= 2) {
+      if (numbers <= filming_.most_numbers || film_.count <= 2) {
         return film;
       }
-      const double part = static_cast<double>(most_numbers) / static_cast<double>(numbers);
+      const double part = static_cast<double>(filming_.most_numbers) / static_cast<double>(numbers);
       film_.count = std::max(static_cast<int>(part * (film_.count - 1)), 1) + 1;
     }
   }
@@ -88,7 +111,8 @@ class FilmMaker {
   static std::size_t numbers_of(const Film& film) {
     std::size_t numbers = 0;
     for (const FilmedBranch& branch : film.branches) {
-      numbers += branch.points.size() + branch.outputs.size() + branch.spreads.size();
+      numbers += branch.points.size() + branch.outputs.size() + branch.spreads.size() +
+                 branch.angles.size() + branch.transmissions.size() + branch.forces.size();
     }
     return numbers;
   }
@@ -99,8 +123,8 @@ class FilmMaker {
     for (const Configuration& configuration : solution.configurations) {
       record(++number, 0, configuration);
     }
-    if (asked_for_ == 0 && !plan_.request().reference.empty() && number > 0) {
-      film_.chosen = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
+    if (!plan_.request().reference.empty() && number > 0) {
+      film_.nearest = static_cast<int>(plan_.nearest(plan_.values(), solution)->configuration) + 1;
     }
   }
 
@@ -111,12 +135,12 @@ class FilmMaker {
     Request request = request_;
     request.sweep->count = film_.count;
     const Plan plan(mechanism_, request);
-    if (asked_for_ == 0 && !request_.reference.empty()) {
-      film_.chosen = nearest_branch(mechanism_, request).value_or(1);
+    if (!request_.reference.empty()) {
+      film_.nearest = nearest_branch(mechanism_, request);
     }
     (void)sweep(plan, {[&](const SweepRecord& row) {
                          if (row.event.empty()) {
-                           vary_at(row.parameter);
+                           stand_at(row.parameter);
                            record(row.branch, row.step, *row.state);
                          } else {
                            const auto [kind, branches] = parts_of_event(row.event);
@@ -126,15 +150,22 @@ class FilmMaker {
                        nullptr, nullptr});
   }
 
-  void vary_at(double parameter) {
-    if (request_.want.sensitivity && varied_at_ != parameter) {
+  /// Gives the swept parameter a value, where numbers of a step depend on it.
+  void stand_at(double parameter) {
+    if (stands_at_ == parameter) {
+      return;
+    }
+    stands_at_ = parameter;
+    if (details_) {
+      values_.set(request_.sweep->parameter, parameter);
+    }
+    if (request_.want.sensitivity) {
       varied_.set(request_.sweep->parameter, parameter);
-      varied_at_ = parameter;
     }
   }
 
   void record(int branch, int step, const Configuration& configuration) {
-    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}};
+    Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
     const double rates = configuration.rates_known ? 1 : unknown;
     for (const Point& point : configuration.outputs) {
@@ -154,6 +185,9 @@ class FilmMaker {
         }
       }
     }
+    if (details_) {
+      row.details = details_->row_of(values_, configuration);
+    }
     auto [reaches, is_new] = reaches_.try_emplace(branch, mechanism_.joints().size());
     include_displacements(mechanism_, plan_.mechanism(), configuration, reaches->second);
     rows_[branch].push_back(std::move(row));
@@ -167,6 +201,12 @@ class FilmMaker {
                                    std::string(request_.sweep ? " at any step of the sweep" : "") +
                                    ": " + plan_.obstacle(values));
     }
+    if (filming_.chosen == 0) {
+      film_.chosen = film_.nearest.value_or(1);
+    }
+    if (details_) {
+      details_->name(film_);
+    }
     Film film = film_;
     Values values = plan_.values();
     std::vector<FeatureFrames> frames;
@@ -178,6 +218,10 @@ class FilmMaker {
       frames.push_back(feature_frames(mechanism_, values));
     }
     if (!rows_.contains(film.chosen)) {
+      if (filming_.chosen != 0) {
+        throw NoSuchConfiguration(static_cast<std::size_t>(filming_.chosen), rows_.size(),
+                                  request_.sweep ? "branch" : "configuration");
+      }
       film.chosen = rows_.begin()->first;
     }
     const Row& first = rows_[film.chosen].front();
@@ -187,6 +231,11 @@ class FilmMaker {
         symbols_of({mechanism_, first_frames, first.poses, reaches_.at(film.chosen), size});
     film.shapes = std::move(symbols.shapes);
     film.points = symbols.points.size();
+    if (filming_.seen) {
+      const std::optional<int> nearest = nearest_to_seen(symbols.points, frames, size);
+      film.is_followed = nearest.has_value();
+      film.chosen = nearest.value_or(film.chosen);
+    }
     for (const auto& [number, rows] : rows_) {
       const std::size_t kept_free = number < film.chosen ? 1 : 0;
       if (number == film.chosen || film.branches.size() + kept_free < most_drawn) {
@@ -197,30 +246,77 @@ class FilmMaker {
     return film;
   }
 
+  /// The places of points at a recorded step, x and y of each.
+  [[nodiscard]] std::vector<double> places_at(int number, const Row& row,
+                                              const std::vector<Anchor>& points,
+                                              const std::vector<FeatureFrames>& frames,
+                                              double size) const {
+    std::vector<double> places;
+    places.reserve(2 * points.size());
+    for (const Anchor& point : points) {
+      const Eigen::Vector2d at =
+          position(point, mechanism_, frames[static_cast<std::size_t>(row.step)], row.poses,
+                   reaches_.at(number), size);
+      places.insert(places.end(), {at.x(), at.y()});
+    }
+    return places;
+  }
+
+  /// The branch whose points, between the two steps beside the pose that was seen, are nearest to
+  /// it, by the sum of the squares of their distances; nothing if no branch exists there, or if the
+  /// pose is one of other shapes.
+  [[nodiscard]] std::optional<int> nearest_to_seen(const std::vector<Anchor>& points,
+                                                   const std::vector<FeatureFrames>& frames,
+                                                   double size) const {
+    const SeenPose& seen = *filming_.seen;
+    if (seen.points.size() != 2 * points.size()) {
+      return std::nullopt;
+    }
+    const double place = std::clamp(seen.part, 0.0, 1.0) * (film_.count - 1);
+    const int below = static_cast<int>(std::floor(place));
+    const double part = place - below;
+    double least = std::numeric_limits<double>::infinity();
+    std::optional<int> nearest;
+    for (const auto& [number, rows] : rows_) {
+      const auto at = std::ranges::find(rows, below, &Row::step);
+      const auto next = std::ranges::find(rows, below + (part > 0 ? 1 : 0), &Row::step);
+      if (at == rows.end() || next == rows.end()) {
+        continue;
+      }
+      const std::vector<double> here = places_at(number, *at, points, frames, size);
+      const std::vector<double> there = places_at(number, *next, points, frames, size);
+      double square = 0;
+      for (std::size_t column = 0; column < here.size(); ++column) {
+        const double shown = here[column] + part * (there[column] - here[column]);
+        square += std::pow(shown - seen.points[column], 2);
+      }
+      if (square < least) {
+        least = square;
+        nearest = number;
+      }
+    }
+    return nearest;
+  }
+
   [[nodiscard]] FilmedBranch branch_of(int number, const std::vector<Row>& rows,
                                        const std::vector<Anchor>& points,
                                        const std::vector<FeatureFrames>& frames,
                                        double size) const {
     const auto steps = static_cast<std::size_t>(film_.count);
-    const std::size_t outputs = output_numbers * plan_.mechanism().outputs().size();
-    const std::size_t spreads =
-        request_.want.sensitivity ? spread_numbers * plan_.mechanism().outputs().size() : 0;
-    const double absent = std::numeric_limits<double>::quiet_NaN();
-    FilmedBranch branch{number, std::vector<double>(2 * steps * points.size(), absent),
-                        std::vector<double>(steps * outputs, absent),
-                        std::vector<double>(steps * spreads, absent)};
+    const auto all = [&](const auto& numbers_of) { return at_all_steps(rows, numbers_of, steps); };
+    FilmedBranch branch{
+        number,
+        std::vector<double>(2 * steps * points.size(), std::numeric_limits<double>::quiet_NaN()),
+        all([](const Row& row) -> auto& { return row.outputs; }),
+        all([](const Row& row) -> auto& { return row.spreads; }),
+        all([](const Row& row) -> auto& { return row.details.angles; }),
+        all([](const Row& row) -> auto& { return row.details.transmissions; }),
+        all([](const Row& row) -> auto& { return row.details.forces; })};
     for (const Row& row : rows) {
-      const auto step = static_cast<std::size_t>(row.step);
-      for (std::size_t point = 0; point < points.size(); ++point) {
-        const Eigen::Vector2d at =
-            position(points[point], mechanism_, frames[step], row.poses, reaches_.at(number), size);
-        branch.points[2 * (step * points.size() + point)] = at.x();
-        branch.points[2 * (step * points.size() + point) + 1] = at.y();
-      }
-      std::copy(row.outputs.begin(), row.outputs.end(),
-                branch.outputs.begin() + static_cast<std::ptrdiff_t>(step * outputs));
-      std::copy(row.spreads.begin(), row.spreads.end(),
-                branch.spreads.begin() + static_cast<std::ptrdiff_t>(step * spreads));
+      const std::vector<double> places = places_at(number, row, points, frames, size);
+      std::copy(places.begin(), places.end(),
+                branch.points.begin() + static_cast<std::ptrdiff_t>(
+                                            static_cast<std::size_t>(row.step) * places.size()));
     }
     return branch;
   }
@@ -228,9 +324,11 @@ class FilmMaker {
   const Mechanism& mechanism_;
   const Request& request_;
   Plan plan_;
+  Values values_;
   Values varied_;
-  std::optional<double> varied_at_;  ///< the value of the swept parameter there
-  int asked_for_;                    ///< the branch that is to be looked at; 0 where none is named
+  std::optional<double> stands_at_;  ///< the value of the swept parameter in both
+  const Filming& filming_;
+  std::optional<FilmDetails> details_;
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;
@@ -238,13 +336,11 @@ class FilmMaker {
 
 }  // namespace
 
-Film film_of(const Mechanism& mechanism, const Request& request, std::size_t most_numbers,
-             int chosen) {
+Film film_of(const Mechanism& mechanism, const Request& request, const Filming& filming) {
   Request shown = request;
   shown.want.sensitivity = varies(mechanism, request);
   shown.covariance.reset();
-  return FilmMaker(mechanism, shown, shown.want.sensitivity ? request : shown, chosen)
-      .made(most_numbers);
+  return FilmMaker(mechanism, shown, shown.want.sensitivity ? request : shown, filming).made();
 }
 
 }  // namespace assur::mechanism::draw

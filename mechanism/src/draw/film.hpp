@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>
+#include <optional>
 
 namespace assur::mechanism::draw {
 
@@ -14,6 +15,19 @@ struct FilmedBranch {
   /// For each step the variances of x and y of each output and, between them, their covariance;
   /// empty where nothing varies.
   std::vector<double> spreads;
+  /// For each step the angle of each filmed link, its rate and the rate of that, in radians; empty
+  /// where no details are filmed.
+  std::vector<double> angles;
+  /// For each step the transmission angle of each filmed dyad, in radians.
+  std::vector<double> transmissions;
+  /// For each step the efforts of the drivers, then x and y of each filmed force in a joint; NaN
+  /// where they are not determined, and empty where no forces are wanted.
+  std::vector<double> forces;
+};
+
+/// A force in a joint, on one of its links.
+struct FilmedForce {
+  std::string joint, link;
 };
 
 /// An event of the sweep: its kind, the numbers of its branches, and the value of the swept
@@ -32,18 +46,43 @@ struct Film {
   std::size_t points = 0;  ///< in each step
   std::vector<FilmedBranch> branches;
   std::vector<FilmedEvent> events;
-  int chosen = 1;            ///< the branch that is looked at first
-  std::size_t left_out = 0;  ///< branches that are not in the film
+  std::vector<std::string> links;          ///< whose angles are filmed
+  std::vector<std::string> transmissions;  ///< the inner pins of the filmed dyads
+  std::vector<std::string> efforts;        ///< the joints of the drivers, where forces are wanted
+  std::vector<FilmedForce> forces;         ///< of the reported joints
+  std::vector<double> parameters;          ///< the values of the mechanism's parameters
+  int chosen = 1;                          ///< the branch that is looked at first
+  std::optional<int> nearest;              ///< the branch nearest to the reference, if there is one
+  bool is_followed = true;                 ///< whether a pose that was seen is on the chosen branch
+  std::size_t left_out = 0;                ///< branches that are not in the film
+};
+
+/// A pose of an earlier film, whose branch is to be followed.
+struct SeenPose {
+  double part = 0;             ///< of the sweep that was gone through, from 0 to 1
+  std::vector<double> points;  ///< x and y of each point of the shapes
+};
+
+/// How a film is made.
+struct Filming {
+  std::size_t most_numbers;
+  int chosen = 0;                ///< the branch to look at, by its number; 0 where none is named
+  bool details = true;           ///< angles and forces, too
+  std::optional<SeenPose> seen;  ///< chooses the branch that is nearest to it
 };
 
 /// The branches of the sweep, at steps that include those of the scene, unless that takes more than
 /// `most_numbers`; without a sweep, the configurations. There are `most_drawn` of them at most, and
-/// always the chosen one: by its number, or for 0 the one nearest to the reference, or else the
-/// first. Spreads follow from the request's covariance or, without one, from the tolerances, each
-/// taken as the standard deviation of its parameter, so that the roots of the variances are the
-/// `rss`; they exist where sensitivities are wanted. Throws MechanismError as `sweep` does, and
-/// where there is no configuration at any step.
+/// always the chosen one: the one whose points are nearest to the pose that was seen, or the one
+/// with the given number, or the one nearest to the reference, or else the first. Spreads follow
+/// from the request's covariance or, without one, from the tolerances, each taken as the standard
+/// deviation of its parameter, so that the roots of the variances are the `rss`; they exist where
+/// sensitivities are wanted. Angles are those of the reported links but the ground; a force in a
+/// joint is told on the last of its links, in one of several links on each. The
+/// transmission angle of a dyad with three pins is the angle at its inner pin between the lines to
+/// the outer ones, from 0 to pi. Throws MechanismError as `sweep` does, where there is no
+/// configuration at any step, and NoSuchConfiguration where no branch has the given number.
 [[nodiscard]] Film film_of(const Mechanism& mechanism, const Request& request,
-                           std::size_t most_numbers, int chosen = 0);
+                           const Filming& filming);
 
 }  // namespace assur::mechanism::draw

@@ -26,7 +26,10 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
     branches.push_back({{"number", branch.number},
                         {"points", told(branch.points)},
                         {"outputs", told(branch.outputs)},
-                        {"spreads", told(branch.spreads)}});
+                        {"spreads", told(branch.spreads)},
+                        {"angles", told(branch.angles)},
+                        {"transmissions", told(branch.transmissions)},
+                        {"forces", told(branch.forces)}});
   }
   Json events = Json::array();
   for (const FilmedEvent& event : film.events) {
@@ -37,6 +40,17 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
   for (const Output& output : mechanism.outputs()) {
     outputs.push_back(output.name);
   }
+  Json forces = Json::array();
+  for (const FilmedForce& force : film.forces) {
+    forces.push_back({{"joint", force.joint}, {"link", force.link}});
+  }
+  Json parameters = Json::array();
+  for (const ParameterIndex index : mechanism.parameters().keys()) {
+    const Parameter& parameter = mechanism.parameters()[index];
+    const bool is_own = mechanism.numbers()[parameter.value].formula.parameters().empty();
+    parameters.push_back(
+        {{"name", parameter.name}, {"value", film.parameters[index.place()]}, {"own", is_own}});
+  }
   return {{"title", mechanism.name()},
           {"unit", mechanism.unit()},
           {"parameter",
@@ -46,9 +60,16 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
           {"count", film.count},
           {"chosen", film.chosen},
           {"left_out", film.left_out},
+          {"nearest", film.nearest ? Json(*film.nearest) : Json(nullptr)},
+          {"followed", film.is_followed},
           {"points", film.points},
           {"shapes", std::move(shapes)},
           {"outputs", std::move(outputs)},
+          {"links", film.links},
+          {"transmissions", film.transmissions},
+          {"efforts", film.efforts},
+          {"forces", std::move(forces)},
+          {"parameters", std::move(parameters)},
           {"branches", std::move(branches)},
           {"events", std::move(events)},
           {"spread", request.covariance ? "one deviation" : "tolerances (rss)"}};

@@ -10,7 +10,8 @@ namespace assur::mechanism::draw {
 
 using Json = nlohmann::ordered_json;
 
-/// Title, unit, sweep, shapes, outputs, events and branches; `told` turns the numbers of a branch
+/// Title, unit, sweep, shapes, outputs, events, branches, and the values of the parameters with
+/// whether each is its own, not a formula of others; `told` turns the numbers of a branch
 /// into JSON: the numbers themselves, or where they are.
 [[nodiscard]] Json film_json(const Mechanism& mechanism, const Request& request, const Film& film,
                              const std::function<Json(const std::vector<double>&)>& told);

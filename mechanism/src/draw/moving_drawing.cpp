@@ -57,7 +57,7 @@ Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, in
   }
   Request still = request;  // a moving picture does not show spreads
   still.want.sensitivity = false;
-  Film film = film_of(mechanism, still, most_numbers, branch);
+  Film film = film_of(mechanism, still, {most_numbers, branch, false, std::nullopt});
   const FilmedBranch& filmed = branch_of(film, branch > 0 ? branch : film.chosen);
   Drawing drawing;
   drawing.title = mechanism.name();

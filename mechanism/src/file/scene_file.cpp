@@ -25,7 +25,8 @@ class SceneReader {
         settings_name_(settings_name),
         mechanism_(scene.mechanism),
         drawn_(scene.mechanism),
-        request_(scene.request) {}
+        request_(scene.request),
+        points_(scene.points) {}
 
   void read() {
     expect_object(root_, "");
@@ -42,6 +43,7 @@ class SceneReader {
     read_links();
     read_lengths();
     read_joints();
+    points_ = drawn_.points();
     drawn_.place();
     read_drivers();
     read_outputs();
@@ -498,6 +500,7 @@ class SceneReader {
   Mechanism& mechanism_;
   DrawnMechanism drawn_;
   Request& request_;
+  Table<DrawnPointIndex, DrawnPoint>& points_;
 };
 
 }  // namespace

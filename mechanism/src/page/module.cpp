@@ -21,10 +21,28 @@ draw::Json in_memory(const std::vector<double>& numbers) {
   return {reinterpret_cast<std::uintptr_t>(numbers.data()), numbers.size()};
 }
 
+/// Where the points of the scene's drawing are, at the film's values of the parameters.
+draw::Json drawn_places(const Scene& scene) {
+  const auto value_of = [](ParameterIndex parameter) { return film.parameters[parameter.place()]; };
+  draw::Json places = draw::Json::array();
+  for (const DrawnPoint& point : scene.points) {
+    places.push_back({{"name", point.name},
+                      {"x", point.x.evaluate<double>(value_of)},
+                      {"y", point.y.evaluate<double>(value_of)}});
+  }
+  return places;
+}
+
 draw::Json solved(const draw::Json& asked) {
   const Scene scene = parse_scene(asked.at("text"), "scene", asked.at("settings"));
-  film = draw::film_of(scene.mechanism, scene.request, most_numbers);
-  return draw::film_json(scene.mechanism, scene.request, film, in_memory);
+  draw::Filming filming{most_numbers, 0, true, std::nullopt};
+  if (asked.contains("seen")) {
+    filming.seen = draw::SeenPose{asked["seen"].at("part"), asked["seen"].at("points")};
+  }
+  film = draw::film_of(scene.mechanism, scene.request, filming);
+  draw::Json told = draw::film_json(scene.mechanism, scene.request, film, in_memory);
+  told["drawing"] = drawn_places(scene);
+  return told;
 }
 
 }  // namespace
@@ -32,7 +50,8 @@ draw::Json solved(const draw::Json& asked) {
 extern "C" {
 
 /// Makes room for a question of `bytes` bytes: JSON in UTF-8 with the `text` of a scene file and
-/// `settings` as `parse_scene` takes them.
+/// `settings` as `parse_scene` takes them, and with the pose that was `seen` last, if its branch is
+/// to be followed.
 [[clang::export_name("question")]] char* question_of(std::size_t bytes) {
   question.resize(bytes);
   return question.data();

@@ -196,33 +196,59 @@ TEST(PageOfASceneText, HasSlidersForWhatHasAValueOfItsOwn) {
   const mechanism::SceneText source = {crank, {"length=3"}};
   const Scene scene = mechanism::parse_scene(source.text, "crank", source.settings);
   const std::string page = drawing_page(scene.mechanism, scene.request, source);
-  EXPECT_LT(page.size(), 1'000'000U);
-  const Json solved = data_of(page)["scene"];
-  EXPECT_EQ(solved["parameters"], Json::parse(R"([{"name": "length", "value": 3.0}])"));
+  EXPECT_LE(page.size(), mechanism::most_page_bytes);
+  const Json data = data_of(page);
+  EXPECT_EQ(data["parameters"], Json::parse(R"([{"name": "length", "value": 3.0, "own": true},
+    {"name": "twice", "value": 6.0, "own": false}, {"name": "phi", "value": 0.0, "own": true}])"));
+  const Json& solved = data["scene"];
   EXPECT_EQ(solved["text"], crank);
   EXPECT_EQ(solved["settings"], Json::parse(R"(["length=3"])"));
   EXPECT_GT(solved["module"].get<std::string>().size(), 100'000U);
   EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request))["scene"].is_null());
 }
 
-TEST(PageOfASceneText, HasNoSlidersWhereItWouldBeLargerThanAMegabyte) {
-  const mechanism::SceneText source = {crank + std::string(400'000, ' '), {}};
+TEST(PageOfASceneText, HasNoModuleWhereItWouldBeLargerThanTheBound) {
+  const mechanism::SceneText source = {crank + std::string(700'000, ' '), {}};
   const Scene scene = mechanism::parse_scene(source.text, "crank");
   const std::string page = drawing_page(scene.mechanism, scene.request, source);
-  EXPECT_LT(page.size(), 1'000'000U);
+  EXPECT_LE(page.size(), mechanism::most_page_bytes);
   const Json data = data_of(page);
   EXPECT_TRUE(data["scene"].is_null());
   EXPECT_EQ(data["count"], 181);
 }
 
-TEST(PageOfASceneText, HasNoSlidersWhereNothingButTheSweptAngleHasAValue) {
+TEST(PageOfASceneText, HasTheModuleWhereNothingButTheSweptAngleHasAValue) {
   const std::string own = R"("length": "1+1", "twice": "2*length", )";
   std::string text = crank;
   text.erase(text.find(own), own.size());
   text.replace(text.find(R"("twice")"), 7, "4");
   const Scene scene = mechanism::parse_scene(text, "crank");
   const mechanism::SceneText source = {text, {}};
-  EXPECT_TRUE(data_of(drawing_page(scene.mechanism, scene.request, source))["scene"].is_null());
+  EXPECT_EQ(data_of(drawing_page(scene.mechanism, scene.request, source))["scene"]["text"], text);
+}
+
+TEST(PageOfAProgram, HasTheAnglesOfLinksAndTheirRates) {
+  std::string text = crank;
+  const std::string driver = R"({"position": "phi"})";
+  text.replace(text.find(driver), driver.size(), R"({"position": "phi", "velocity": 3})");
+  const Scene scene = mechanism::parse_scene(text, "crank");
+  const Json data = data_of(drawing_page(scene.mechanism, scene.request));
+  EXPECT_EQ(data["links"], Json::parse(R"(["crank"])"));
+  const std::vector<float> angles = numbers_of(data["branches"][0]["angles"]);
+  const auto count = data["count"].get<std::size_t>();
+  ASSERT_EQ(angles.size(), 3 * count);
+  for (std::size_t step = 0; step < count; ++step) {
+    EXPECT_NEAR(angles[3 * step], static_cast<double>(step) / static_cast<double>(count - 1), 1e-6);
+    EXPECT_NEAR(angles[3 * step + 1], 3, 1e-6);
+    EXPECT_NEAR(angles[3 * step + 2], 0, 1e-6);
+  }
+}
+
+TEST(PageOfASweep, OpensOnTheBranchThatIsAskedFor) {
+  const Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_coupler_curve.json");
+  EXPECT_EQ(data_of(drawing_page(scene.mechanism, scene.request, std::nullopt, 2))["chosen"], 2);
+  EXPECT_THROW((void)drawing_page(scene.mechanism, scene.request, std::nullopt, 3),
+               mechanism::NoSuchConfiguration);
 }
 
 /// B = 2 length (cos phi, sin phi).

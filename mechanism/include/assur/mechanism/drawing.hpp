@@ -107,12 +107,18 @@ struct SceneText {
   std::vector<std::string> settings;  ///< of parameters, as `parse_scene` takes them
 };
 
-/// One HTML page below a megabyte that needs no other file and no network: it animates all branches
-/// of the request's sweep, or shows all configurations where it has none. With the text of the
-/// scene that the mechanism and the request were read from, it has sliders that solve the scene for
-/// other values of its parameters, unless that would make it larger than a megabyte. Throws
-/// MechanismError as `drawing_of` does, and where no step of the sweep has a configuration.
+/// The most bytes of a page: what a reader can send by mail, and a browser opens at once.
+inline constexpr std::size_t most_page_bytes = 1'500'000;
+
+/// One HTML page of `most_page_bytes` at most that needs no other file and no network: it animates
+/// all branches of the request's sweep, or shows all configurations where it has none. It opens on
+/// the branch with the number `chosen`, or for 0 on the one nearest to the reference, or else on
+/// the first. With the text of the scene that the mechanism and the request were read from, the
+/// page can solve that scene for other values of its parameters and another drawing, unless that
+/// would make it too large. Throws MechanismError as `drawing_of` does, where no step of the sweep
+/// has a configuration, and NoSuchConfiguration where no branch has the number.
 [[nodiscard]] std::string drawing_page(const Mechanism& mechanism, const Request& request,
-                                       const std::optional<SceneText>& scene = std::nullopt);
+                                       const std::optional<SceneText>& scene = std::nullopt,
+                                       int chosen = 0);
 
 }  // namespace assur::mechanism

@@ -107,6 +107,8 @@ class DrawnMechanism {
   /// Whether a link lists points.
   [[nodiscard]] bool is_drawn() const { return !parts_.links.empty(); }
 
+  [[nodiscard]] const Table<DrawnPointIndex, DrawnPoint>& points() const { return parts_.points; }
+
   /// Adds to the mechanism all that the drawing says. A ground that lists nothing may be left out
   /// where all links list points.
   void place();

@@ -1,6 +1,7 @@
 // Turns a scene file (JSON) into a mechanism and what is wanted of it.
 #pragma once
 
+#include <assur/mechanism/drawn_mechanism.hpp>
 #include <assur/mechanism/request.hpp>
 #include <filesystem>
 #include <string>
@@ -13,6 +14,7 @@ struct Scene {
   std::string file;
   Mechanism mechanism;
   Request request;
+  Table<DrawnPointIndex, DrawnPoint> points = {};  ///< of the drawing, if there is one
 };
 
 /// Reads a scene. `settings` replace parameters' values: `NAME=EXPR`; messages call them

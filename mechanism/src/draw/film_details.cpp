@@ -1,0 +1,87 @@
+#include "draw/film_details.hpp"
+
+#include <assur/mechanism/forces.hpp>
+#include <cmath>
+#include <limits>
+
+namespace assur::mechanism::draw {
+
+namespace {
+
+/// The joint of each driver.
+std::vector<std::string> driven_joints(const Mechanism& mechanism) {
+  std::vector<std::string> names;
+  for (const Driver& driver : mechanism.drivers()) {
+    names.push_back(mechanism.joints()[driver.joint].name);
+  }
+  return names;
+}
+
+}  // namespace
+
+FilmDetails::FilmDetails(const Plan& plan) : plan_(plan), dyads_(dyads_of_pins(plan.structure())) {
+  for (const LinkIndex link : plan.mechanism().links().keys()) {
+    if (link != plan.mechanism().ground() && plan.request().reported.has(link)) {
+      links_.push_back(link);
+    }
+  }
+}
+
+void FilmDetails::name(Film& film) const {
+  film.links.clear();
+  for (const LinkIndex link : links_) {
+    film.links.push_back(plan_.mechanism().links()[link].name);
+  }
+  film.transmissions.clear();
+  for (const PinnedDyad& dyad : dyads_) {
+    film.transmissions.push_back(dyad.inner.name);
+  }
+  if (plan_.request().want.forces) {
+    film.efforts = driven_joints(plan_.mechanism());
+    film.forces = forces_;
+  }
+}
+
+DetailRow FilmDetails::row_of(const Values& values, const Configuration& configuration) {
+  const Want& want = plan_.request().want;
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double rates = want.velocity && configuration.rates_known ? 1 : unknown;
+  const double second_rates = want.acceleration ? rates : unknown;
+  DetailRow row;
+  for (const LinkIndex link : links_) {
+    const Frame& frame = configuration.links[link];
+    row.angles.insert(row.angles.end(),
+                      {std::atan2(frame.pose.direction.sin, frame.pose.direction.cos),
+                       rates * frame.velocity[2], second_rates * frame.acceleration[2]});
+  }
+  for (const PinnedDyad& dyad : dyads_) {
+    row.transmissions.push_back(transmission_angle(dyad, values, configuration));
+  }
+  if (want.forces) {
+    row.forces = forces_in(values, configuration);
+  }
+  return row;
+}
+
+std::vector<double> FilmDetails::forces_in(const Values& values,
+                                           const Configuration& configuration) {
+  const Mechanism& mechanism = plan_.mechanism();
+  const Forces forces = forces_of(values, configuration);
+  std::vector<double> numbers(forces.efforts.begin(), forces.efforts.end());
+  forces_.clear();
+  for (const JointForce& force : forces.joints) {
+    const JointIndex joint = index_of(mechanism.joints(), force.joint);
+    if (joint.exists() && !plan_.request().reported.has(joint)) {
+      continue;
+    }
+    const std::size_t first = force.on.size() > 2 ? 0 : force.on.size() - 1;
+    for (std::size_t place = first; place < force.on.size(); ++place) {
+      const auto& [link, vector] = force.on[place];
+      numbers.insert(numbers.end(), {vector.x(), vector.y()});
+      forces_.push_back({force.joint, mechanism.links()[link].name});
+    }
+  }
+  return numbers;
+}
+
+}  // namespace assur::mechanism::draw
