@@ -134,7 +134,7 @@ bool run_emit(const EmitOptions& options) {
         structure::models_of(structure::group_named(options.group));
     for (const structure::Model& model : models) {
       if (model.number == options.model) {
-        files.push_back(emission::model::emit_model(model));
+        files.push_back(emission::model::emit_model(model, {!options.with.empty()}));
       }
     }
     if (files.empty()) {

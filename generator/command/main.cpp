@@ -173,6 +173,12 @@ int run(int argc, char** argv) {
                    "acceleration, sensitivity),\nin place of the scene's")
       ->delimiter(',');
   command
+      ->add_option("--with", emit.with,
+                   "with --model: more functions of a rigid model\n(forces: those in its joints "
+                   "under given loads)")
+      ->needs(model)
+      ->check(one_of({"forces"}));
+  command
       ->add_option(
           "--interface", emit.interface,
           "with --scene: c writes a C header and its\nimplementation beside the C++ header")
