@@ -170,7 +170,7 @@ int run(int argc, char** argv) {
   command
       ->add_option("--want", emit.wants,
                    "with --scene: the results that the solver gives\n(position, velocity, "
-                   "acceleration, sensitivity),\nin place of the scene's")
+                   "acceleration, sensitivity, forces),\nin place of the scene's")
       ->delimiter(',');
   command
       ->add_option("--with", emit.with,
