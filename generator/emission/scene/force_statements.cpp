@@ -295,7 +295,6 @@ void show_force_members(const SolverScene& solver, cpp::View& view) {
   const bool wanted = solver.plan.request().want.forces;
   const auto& described = solver.mechanism();
   cpp::View::List efforts;
-  cpp::View::List pins;
   cpp::View::List joints;
   for (const mechanism::DriverIndex driver : described.drivers().keys()) {
     cpp::View entry("member", solver.members.drivers[driver]);
@@ -315,8 +314,12 @@ void show_force_members(const SolverScene& solver, cpp::View& view) {
     entry.set("is_vector", !is_pin && joint.type != mechanism::JointType::prismatic);
     entry.set("on",
               cpp::comment_text(solver.link_name(described.features()[joint.between[1]].link)));
-    entry.set("links",
-              member_list(is_pin ? solver.pin_members(index) : std::vector<std::string>{}));
+    cpp::View::List links =
+        member_list(is_pin ? solver.pin_members(index) : std::vector<std::string>{});
+    for (cpp::View& link : links) {
+      link.set("joint", solver.members.joints[index]);
+    }
+    entry.set("links", std::move(links));
     joints.push_back(entry);
   }
   for (std::size_t place = 0; place < joints.size(); ++place) {

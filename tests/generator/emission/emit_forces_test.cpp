@@ -7,6 +7,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "generator/mixed_scene.hpp"
 #include "generator/solver_comparison.hpp"
 #include "mechanism/driven_scene_campaign.hpp"
 #include "mechanism/equilibrium.hpp"
@@ -162,7 +163,8 @@ void compare(const Solved& scene, const Configuration& configuration, const mech
 }
 
 /// Emits a solver for each scene, runs them all in one program, and compares what they tell.
-Worst compare_all(const std::vector<LoadedScene>& scenes, const std::string& scalar = "double") {
+Worst compare_all(const std::vector<LoadedScene>& scenes, double most = 1e-10,
+                  const std::string& scalar = "double") {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
   std::string includes = "#include <cstdio>\n";
@@ -208,7 +210,7 @@ Worst compare_all(const std::vector<LoadedScene>& scenes, const std::string& sca
       const double before = std::max(worst.unbalanced, worst.against_solve);
       compare(known, configuration, read_forces(printed, known.plan.mechanism()), worst);
       const double after = std::max(worst.unbalanced, worst.against_solve);
-      EXPECT_FALSE(after > 1e-10 && after > before) << after;
+      EXPECT_FALSE(after > most && after > before) << after;
     }
   }
   return worst;
@@ -227,7 +229,7 @@ const std::vector<std::string> wanted = {"position", "forces"};
 
 class EmitForcesOfKinds : public testing::TestWithParam<std::size_t> {};
 
-/// Every kind of a group, held by the ground; of the larger groups one of nine, unless the whole
+/// Every kind of a group, held by the ground; of the larger groups one of 25, unless the whole
 /// campaign is asked for.
 TEST_P(EmitForcesOfKinds, KeepLinksInEquilibrium) {
   const mechanism::GroupModels& group = mechanism::known_groups()[GetParam()];
@@ -237,7 +239,7 @@ TEST_P(EmitForcesOfKinds, KeepLinksInEquilibrium) {
   for (const mechanism::GroupModel& model : group.models) {
     for (const std::string& kind : model.rigid ? model.kinds : std::vector<std::string>()) {
       const KindBodies bodies(group.structure.joints, links, {}, kind.c_str(), ++seed);
-      if (!is_whole_campaign() && links.size() > 2 && seed % 9 != 0) {
+      if (!is_whole_campaign() && links.size() > 2 && seed % 25 != 0) {
         continue;
       }
       std::vector<std::size_t> link_order(links.size());
@@ -273,7 +275,7 @@ class EmitForcesOfScenes : public DrivenScenes {};
 /// Drivers anywhere, laws that read joints, racks, cylinders, pins of many links, slots.
 TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
   std::vector<LoadedScene> scenes;
-  for_each_scene(6, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
+  for_each_scene(2, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
     Json json = loaded(following_laws(made.scene()), seed);
     json["want"] = wanted;
     scenes.push_back({"scene_" + std::to_string(seed), json});
@@ -283,6 +285,15 @@ TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
 
 INSTANTIATE_TEST_SUITE_P(Ties, EmitForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
                          name_of_ties);
+
+TEST(EmitForces, TellOfPinsSlidesAndLoadsThatReadJoints) {
+  expect_equal(compare_all({{"mixed", mixed_scene()}}));
+}
+
+/// In float six digits remain of the largest force where the mechanism is far from singular.
+TEST(EmitForces, AreTheSameInFloatToItsDigits) {
+  expect_equal(compare_all({{"mixed", mixed_scene()}}, 1e-5, "float"), 1e-5);
+}
 
 }  // namespace
 }  // namespace assur::test::emit_forces_test
