@@ -6,7 +6,7 @@
 # makes <target>, to link and then include <assur/scenes/NAME.hpp>; NAME is the scene's file name
 # without extension, with `_` for all but letters and digits. The parameters after VARIABLE stay
 # arguments of the solver, beside those that the scene makes so; `all` stands for all. The results
-# after WANT (position, velocity, acceleration, sensitivity) are given instead of those that the
+# after WANT (position, velocity, acceleration, sensitivity, forces) are given instead of what the
 # scene wants. With INTERFACE c <target> is a static library, to link from C too and then include
 # <assur/scenes/NAME.h>; the project needs the language CXX for it. The files are written anew when
 # the scene or the generator changes. The generator is the target assur::assur or, where that runs

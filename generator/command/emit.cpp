@@ -56,10 +56,11 @@ void add_variables(const std::vector<std::string>& names, assur::mechanism::Scen
 assur::mechanism::Want wanted(const std::vector<std::string>& words) {
   assur::mechanism::Want want = {false, false, false, false};
   using Flag = std::pair<std::string, bool*>;
-  const std::array<Flag, 4> flags = {{{"position", &want.position},
+  const std::array<Flag, 5> flags = {{{"position", &want.position},
                                       {"velocity", &want.velocity},
                                       {"acceleration", &want.acceleration},
-                                      {"sensitivity", &want.sensitivity}}};
+                                      {"sensitivity", &want.sensitivity},
+                                      {"forces", &want.forces}}};
   for (const std::string& word : words) {
     const auto* flag = std::find_if(flags.begin(), flags.end(),
                                     [&word](const auto& known) { return known.first == word; });
@@ -86,9 +87,9 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
     scene.request.want = wanted(options.wants);
     want_option = " --want " + text::joined(options.wants, ",");
   }
-  if (const assur::mechanism::Want& want = scene.request.want; want.loaded() || want.coefficients) {
-    throw InputError(file + ": want: solvers give no forces, dynamics or coefficients yet; leave " +
-                     "these out, or give --want with the results that the solver is to give");
+  if (const assur::mechanism::Want& want = scene.request.want; want.dynamics || want.coefficients) {
+    throw InputError(file + ": want: solvers give no dynamics or coefficients yet; leave these " +
+                     "out, or give --want with the results that the solver is to give");
   }
   try {
     add_variables(options.variables, scene);
@@ -134,7 +135,7 @@ bool run_emit(const EmitOptions& options) {
         structure::models_of(structure::group_named(options.group));
     for (const structure::Model& model : models) {
       if (model.number == options.model) {
-        files.push_back(emission::model::emit_model(model));
+        files.push_back(emission::model::emit_model(model, {!options.with.empty()}));
       }
     }
     if (files.empty()) {

@@ -13,6 +13,7 @@ struct EmitOptions {
   std::string scene;
   std::vector<std::string> variables;  ///< of the scene's parameters
   std::vector<std::string> wants;      ///< instead of the scene's; empty: the scene's
+  std::vector<std::string> with;       ///< what a model's header holds beside its own functions
   std::string interface = "cpp";       ///< cpp or c
   std::string closures;
   std::string output;

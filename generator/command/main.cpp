@@ -171,8 +171,14 @@ int run(int argc, char** argv) {
   command
       ->add_option("--want", emit.wants,
                    "with --scene: the results that the solver gives\n(position, velocity, "
-                   "acceleration, sensitivity),\nin place of the scene's")
+                   "acceleration, sensitivity, forces),\nin place of the scene's")
       ->delimiter(',');
+  command
+      ->add_option("--with", emit.with,
+                   "with --model: more functions of a rigid model\n(forces: those in its joints "
+                   "under given loads)")
+      ->needs(model)
+      ->check(one_of({"forces"}));
   command
       ->add_option(
           "--interface", emit.interface,

@@ -125,6 +125,7 @@ class ClosureWalk {
         pose(to).angle = line_angle(index, from) - frame(to).feature_of(index).direction;
         tied[to] = true;
         crossed[index] = true;
+        result_.ties.push_back({index, to});
         return true;
       }
       return false;
@@ -160,6 +161,7 @@ class ClosureWalk {
   }
 
   void declare_displacements() {
+    result_.slide_directions.resize(group_.joints().size());
     for (const JointIndex index : group_.joints().keys()) {
       if (slides(index)) {
         const LinkIndex first = joint(index).first;
@@ -186,6 +188,7 @@ class ClosureWalk {
                                 "cosine of the angle of the slide at " + letter(index)),
         result_.vocabulary.name("sin_slide_" + letter(index), plain.y,
                                 "sine of the angle of the slide at " + letter(index))};
+    result_.slide_directions[index] = along;
     const GiNaC::ex displacement = find(result_.unknowns, "s_" + letter(index)).value;
     return result_.vocabulary.name("slide_" + letter(index),
                                    Vector2{displacement * along.x, displacement * along.y},

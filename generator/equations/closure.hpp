@@ -28,6 +28,12 @@ struct LinkPose {
 /// The link whose angle an unknown is, or the joint whose displacement it is.
 using Owner = std::variant<structure::LinkIndex, structure::JointIndex>;
 
+/// A prismatic joint by which a link got its angle from another one, or from the base.
+struct AngleTie {
+  structure::JointIndex joint;
+  structure::LinkIndex link;  ///< the one that is tied
+};
+
 /// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
 /// the unknowns are one angle for each set of links that turn together and one displacement for
 /// each prismatic joint. The residuals are x and y of each loop.
@@ -38,6 +44,10 @@ struct ClosureEquations : ImplicitEquations {
   std::vector<Owner> owners;  ///< for each unknown
   structure::LinkTable<LinkFrame> frames;
   structure::LinkTable<LinkPose> poses;
+  /// One for each prismatic joint of a rigid model, in the order in which links were tied.
+  std::vector<AngleTie> ties;
+  /// The unit vector along each slide, in the names of the vocabulary; zero at revolute joints.
+  structure::JointTable<Vector2> slide_directions;
   std::vector<LoopClosure> loops;
   /// Sums of angles that must vanish because prismatic joints alone close a loop. They contain no
   /// unknown, so a model that has such a sum over-determines its angles.

@@ -69,7 +69,8 @@ Measure measure_of(const equations::NamedQuantity& quantity, const SymbolOrder& 
 
 SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
                          const equations::Vocabulary& vocabulary,
-                         const std::vector<equations::NamedQuantity>& known) {
+                         const std::vector<equations::NamedQuantity>& known,
+                         const std::vector<GiNaC::symbol>& given) {
   constexpr Measure length{1, 0};
   constexpr Measure direction{0, 0};
   SymbolOrder order;
@@ -92,6 +93,9 @@ SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
       order.declare(variable.second_rate, {dimension, -2});
       order.declare(variable.third_rate, {dimension, -3});
     }
+  }
+  for (const GiNaC::symbol& symbol : given) {
+    order.declare(symbol);
   }
   for (const auto* list : {&vocabulary.quantities(), &known}) {
     for (const equations::NamedQuantity& quantity : *list) {

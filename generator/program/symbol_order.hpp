@@ -52,10 +52,11 @@ class SymbolOrder {
   GiNaC::exmap values_;  ///< the constants by their symbols
 };
 
-/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, then named quantities, and
-/// then the `known` ones.
+/// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, others that are `given`,
+/// then named quantities, and then the `known` ones.
 [[nodiscard]] SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
                                        const equations::Vocabulary& vocabulary,
-                                       const std::vector<equations::NamedQuantity>& known = {});
+                                       const std::vector<equations::NamedQuantity>& known = {},
+                                       const std::vector<GiNaC::symbol>& given = {});
 
 }  // namespace assur::generator::program

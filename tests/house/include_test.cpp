@@ -86,12 +86,13 @@ House house() {
           stage("elimination", {"structure", "equations", "derivatives"}),
           stage("special_points", {"structure", "equations", "derivatives", "elimination"}),
           stage("pivoting", {"structure", "equations"}),
+          stage("forces", {"structure", "equations", "derivatives", "pivoting"}),
           stage("program", {"equations"}),
           stage("closures", {"structure", "equations"}),
           stage("emission/cpp", {"equations", "program"}, {"ginac", "kainjow", "unistd.h"}),
           stage("emission/model",
                 {"structure", "equations", "derivatives", "elimination", "special_points",
-                 "pivoting", "program", "emission/cpp"},
+                 "pivoting", "forces", "program", "emission/cpp"},
                 {"ginac", "Eigen"}, {runtime}),
           stage("emission/closures", {"equations", "derivatives", "program", "closures",
                                       "emission/cpp", "emission/model"}),
@@ -208,8 +209,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"all configurations, and branches", std::regex("assembly|batch|tracking")},
       {"whole mechanisms",
        std::regex("assur|detail/batch/placed_pack|support/"
-                  "(batch_search|closures_on_way|displacement|flat_branch|held_group|placed_group|"
-                  "scene_batch|"
+                  "(batch_search|closures_on_way|displacement|flat_branch|held_group|link_forces|"
+                  "placed_group|scene_batch|"
                   "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
                   "scene_track|shared_search|"
                   "specialised)")},

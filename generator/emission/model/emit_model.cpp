@@ -1,4 +1,5 @@
 // Turns a model, or every model of every group, into headers.
+#include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <cctype>
 #include <optional>
@@ -6,6 +7,7 @@
 #include "derivatives/mobility.hpp"
 #include "emission/model/closed_form.hpp"
 #include "emission/model/emit.hpp"
+#include "emission/model/force_function.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/rigid_functions.hpp"
 #include "emission/model/special_point_functions.hpp"
@@ -73,10 +75,15 @@ cpp::EmittedFile emit_model_list(const structure::Group& group) {
 
 }  // namespace
 
-cpp::EmittedFile emit_model(const structure::Model& model) {
+cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& contents) {
   const equations::ClosureEquations equations = equations::closure_equations(model);
   const derivatives::Derivatives derivatives = derivatives::differentiate(equations);
   const derivatives::Mobility mobility = derivatives::mobility_of(equations, derivatives.jacobian);
+  if (contents.forces && !mobility.rigid) {
+    throw text::InputError("--with forces: " + model.title() +
+                           " is degenerate, so that the equilibrium of its links determines no "
+                           "forces; leave it out, or give a rigid model");
+  }
   ModelSpelling spelling(equations.unknowns, equations.dimensions, equations.inputs);
   SpecialPointFunctions special_functions;
   special_points::SpecialPoints special{{}, false, "the group is no structure"};
@@ -123,6 +130,7 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
   view.set("dimensions_doc", "Link dimensions d.");
   view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
   view.set("group", model.group->name());
+  view.set("options", contents.forces ? " --with forces" : "");
   view.set("title", capitalised(model.title()));
   view.set("struct", struct_name(model));
   view.set("number", std::to_string(model.number));
@@ -148,6 +156,17 @@ cpp::EmittedFile emit_model(const structure::Model& model) {
       add_functions({function.function}, function.vocabulary);
     }
     add_functions(rigid.positions, elimination->vocabulary);
+    if (contents.forces) {
+      const ForceFunction forces = force_function(
+          forces::group_forces(equations, derivatives.pose_unknown_jacobian, *structured));
+      for (const auto& [symbol, entry] : forces.loads) {
+        spelling.take_out(symbol, entry);
+      }
+      const program::SymbolOrder order = forces.order(equations, rigid.known);
+      const program::Program program(order, forces.naming.vocabulary.quantities(),
+                                     forces.naming.function.results, rigid.known);
+      functions.push_back(function_view(forces.naming.function, program, spelling));
+    }
     show_solution(*structured, equations, *elimination, view);
     const std::vector<std::string> steps = elimination_steps(*elimination);
     closure.insert(closure.end(), steps.begin(), steps.end());

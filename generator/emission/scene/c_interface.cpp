@@ -73,8 +73,9 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   const bool has_vectors = stands(solver, "position") || moves || stands(solver, "tolerances");
   const bool has_outputs = stands(solver, "has_outputs");
   solver.set("shows_outputs", has_outputs && (has_vectors || stands(solver, "sensitivity")));
-  solver.set("copies_vectors",
-             (has_outputs && has_vectors) || (stands(solver, "has_links") && moves));
+  solver.set("copies_vectors", (has_outputs && has_vectors) ||
+                                   (stands(solver, "has_links") && moves) ||
+                                   stands(solver, "has_forces"));
   return {
       {std::filesystem::path(header).replace_extension(".h"), cpp::page("c_header.h", solver)},
       {std::filesystem::path(header).replace_extension(".cpp"), cpp::page("c_source.cpp", solver)}};

@@ -85,26 +85,36 @@ cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex sl
   return cpp::call("support::displacement_along", {from, frame_of(between[1 - line])});
 }
 
+void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, FunctionBody& body) {
+  const mechanism::Mechanism& mechanism = solver.mechanism();
+  const mechanism::Joint& at = mechanism.joints()[joint];
+  const std::string name = coordinate_of(solver, joint);
+  if (mechanism.driver_of(joint).exists() || body.declares(name)) {
+    return;
+  }
+  const auto frame_of = [&](std::size_t end) {
+    return nested_frames({solver.placed(mechanism.features()[at.between[end]].link)});
+  };
+  const cpp::Expression value =
+      at.type == mechanism::JointType::revolute
+          ? cpp::call(cpp::scalar_only("support::angle_between"), {frame_of(0), frame_of(1)})
+          : displacement(solver, joint, body);
+  body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
+}
+
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read) {
-  const mechanism::Mechanism& mechanism = solver.mechanism();
-  const auto link_of = [&](mechanism::FeatureIndex feature) {
-    return mechanism.features()[feature].link;
-  };
-  for (const mechanism::JointIndex joint : mechanism::joints_in_laws(mechanism, driver)) {
-    const mechanism::Joint& at = mechanism.joints()[joint];
-    const std::string name = coordinate_of(solver, joint);
-    if (mechanism.driver_of(joint).exists() || body.declares(name) || !is_read(name)) {
-      continue;
+  for (const mechanism::JointIndex joint : mechanism::joints_in_laws(solver.mechanism(), driver)) {
+    if (is_read(coordinate_of(solver, joint))) {
+      add_joint_read(solver, joint, body);
     }
-    const cpp::Expression value =
-        at.type == mechanism::JointType::revolute
-            ? cpp::call(cpp::scalar_only("support::angle_between"),
-                        {nested_frames({solver.placed(link_of(at.between[0]))}),
-                         nested_frames({solver.placed(link_of(at.between[1]))})})
-            : displacement(solver, joint, body);
-    body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
   }
+}
+
+cpp::Expression driver_position(const SolverScene& solver, mechanism::DriverIndex driver,
+                                FunctionBody& body) {
+  add_joints_read(solver, driver, body, [](const std::string&) { return true; });
+  return driver_value(solver, driver, body).position;
 }
 
 void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,

@@ -14,6 +14,7 @@
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
+#include "emission/scene/force_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/listing_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
@@ -49,6 +50,7 @@ class SceneEmitter {
   std::vector<cpp::EmittedFile> run(const std::string& options, Interface interface) {
     view_.set("options", options);
     expect_listable(solver_.plan);
+    expect_forces(solver_);
     show_drivers();
     show_variables();
     for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
@@ -238,6 +240,14 @@ class SceneEmitter {
     for (const std::string& slide : slides_) {
       place(cpp::alias("LinkSlide"), "slide_" + slide);
     }
+    if (solver_.plan.request().want.forces) {
+      for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
+        place("support::SolvedGroup<" + solver_.group_struct(group) + ", Scalar>",
+              solver_.members.solved[group]);
+      }
+    }
+    show("force_finding", force_statements(solver_));
+    show_force_members(solver_, view_);
     view_.set("placed", shown(placed));
     view_.set("keeps_drivers", cpp::any_part(statements_, is_placed_drivers));
     view_.set("links", member_list(links));
@@ -345,6 +355,7 @@ class SceneEmitter {
     const std::vector<std::pair<std::string, std::string>> aliases = {
         {"LinkCoordinate", "support::Coordinate<Scalar, order, parameter_count>"},
         {"LinkFrame", "support::Frame<Scalar, order, parameter_count>"},
+        {"LinkLoad", "support::LinkLoad<Scalar>"},
         {"LinkPoint", "support::Point<Scalar, order, parameter_count>"},
         {"LinkSlide", "support::Slide<Scalar, order>"},
         {"ParameterRow", "Matrix<Scalar, 1, parameter_count>"},

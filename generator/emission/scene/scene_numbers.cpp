@@ -26,7 +26,7 @@ bool have_rates_of_parameters(const mechanism::Plan& plan) {
   const bool laws_move = std::ranges::any_of(mechanism.drivers(), [&](const auto& driver) {
     return !mechanism.numbers()[driver.position].formula.joints().empty() && moves(driver.position);
   });
-  return (want.velocity || want.acceleration) && (places_move || laws_move);
+  return (want.velocity || want.acceleration || want.loaded()) && (places_move || laws_move);
 }
 
 }  // namespace
@@ -196,7 +196,7 @@ void SceneNumbers::add_positions(
     const mechanism::Table<mechanism::JointIndex, std::string>& joints) {
   const mechanism::Mechanism& mechanism = plan_.mechanism();
   positions_.resize(drivers.size());
-  mechanism::Table<mechanism::JointIndex, std::optional<SceneNumber>> read(joints.size());
+  coordinates_.resize(joints.size());
   for (const mechanism::DriverIndex driver : plan_.structure().laws) {
     const mechanism::Formula& law =
         mechanism.numbers()[mechanism.drivers()[driver].position].formula;
@@ -213,27 +213,78 @@ void SceneNumbers::add_positions(
       continue;
     }
     for (const mechanism::JointIndex joint : law.joints()) {
-      if (mechanism.driver_of(joint).exists()) {
-        read[joint] = positions_[mechanism.driver_of(joint)];
-      } else if (!read[joint]) {
-        // Where the joint is depends on the configuration: any number will do.
-        const cpp::Expression coordinate = cpp::variable("joint_" + joints[joint]);
-        const cpp::Expression rates = coordinate.member("rates");
-        Mover mover = this->mover(coordinate.member("position"), rates.at({cpp::word(0U)}),
-                                  rates.at({cpp::word(1U)}));
-        for (std::size_t column = 0; column < modelled_.size(); ++column) {
-          mover.gradient.emplace_back(
-              symbol(coordinate.member("gradient").at({cpp::word(column)})));
-        }
-        read[joint] = add_mover(mover, mechanism::Dual(1.0));
-      }
+      add_coordinate(joint, joints);
     }
     positions_[driver] = law.evaluate<SceneNumber>(
         [this](mechanism::ParameterIndex parameter) -> const SceneNumber& {
           return *parameters_[parameter];
         },
-        [&read](mechanism::JointIndex joint) -> const SceneNumber& { return *read[joint]; });
+        [this](mechanism::JointIndex joint) -> const SceneNumber& { return *coordinates_[joint]; });
   }
+  if (plan_.request().want.loaded()) {
+    for (const mechanism::Load& load : mechanism.loading().loads) {
+      for (const mechanism::NumberIndex number : {load.force_x, load.force_y, load.moment}) {
+        if (number.exists()) {
+          for (const mechanism::JointIndex joint : mechanism.numbers()[number].formula.joints()) {
+            add_coordinate(joint, joints);
+          }
+        }
+      }
+    }
+  }
+}
+
+void SceneNumbers::add_coordinate(
+    mechanism::JointIndex joint,
+    const mechanism::Table<mechanism::JointIndex, std::string>& joints) {
+  if (const mechanism::DriverIndex driver = plan_.mechanism().driver_of(joint); driver.exists()) {
+    coordinates_[joint] = positions_[driver];
+  } else if (!coordinates_[joint]) {
+    // Where the joint is depends on the configuration: any number will do.
+    const cpp::Expression coordinate = cpp::variable("joint_" + joints[joint]);
+    const cpp::Expression rates = coordinate.member("rates");
+    Mover mover = this->mover(coordinate.member("position"), rates.at({cpp::word(0U)}),
+                              rates.at({cpp::word(1U)}));
+    for (std::size_t column = 0; column < modelled_.size(); ++column) {
+      mover.gradient.emplace_back(symbol(coordinate.member("gradient").at({cpp::word(column)})));
+    }
+    coordinates_[joint] = add_mover(mover, mechanism::Dual(1.0));
+  }
+}
+
+SceneNumber SceneNumbers::loading(mechanism::NumberIndex number) const {
+  return plan_.mechanism().numbers()[number].formula.evaluate<SceneNumber>(
+      [this](mechanism::ParameterIndex parameter) -> const SceneNumber& {
+        return *parameters_[parameter];
+      },
+      [this](mechanism::JointIndex joint) -> const SceneNumber& { return *coordinates_[joint]; });
+}
+
+/// Another symbol stands for each joint, as the coordinates of several may follow one driver.
+SceneNumber SceneNumbers::slope(mechanism::DriverIndex driver, mechanism::JointIndex joint) const {
+  const mechanism::Formula& law =
+      plan_.mechanism().numbers()[plan_.mechanism().drivers()[driver].position].formula;
+  std::map<mechanism::JointIndex, GiNaC::symbol> stand_ins;
+  for (const mechanism::JointIndex read : law.joints()) {
+    symbols_.add(stand_ins[read], cpp::exact(coordinates_[read]->value()));
+  }
+  const SceneNumber position = law.evaluate<SceneNumber>(
+      [this](mechanism::ParameterIndex parameter) -> const SceneNumber& {
+        return *parameters_[parameter];
+      },
+      [&](mechanism::JointIndex read) {
+        return SceneNumber(coordinates_[read]->number(), stand_ins.at(read), symbols_);
+      });
+  GiNaC::exmap coordinates;
+  for (const auto& [read, symbol] : stand_ins) {
+    coordinates[symbol] = coordinates_[read]->formula();
+  }
+  const GiNaC::ex slope =
+      symbols_.written_out(symbols_.derivative(position.formula(), stand_ins.at(joint)))
+          .subs(coordinates);
+  const double value = GiNaC::ex_to<GiNaC::numeric>(symbols_.value_of(slope)).to_double();
+  return is_constant(slope) ? SceneNumber(value)
+                            : SceneNumber(mechanism::Dual(value), slope, symbols_);
 }
 
 SceneNumber SceneNumbers::law(mechanism::DriverIndex driver) const {

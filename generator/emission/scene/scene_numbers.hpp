@@ -44,6 +44,10 @@ class SceneNumbers {
   }
   /// The law of a driver that is an argument, as a formula in variable parameters.
   [[nodiscard]] SceneNumber law(mechanism::DriverIndex driver) const;
+  /// A number of a load, whose formula may read joints.
+  [[nodiscard]] SceneNumber loading(mechanism::NumberIndex number) const;
+  /// The derivative of a driver's law by the coordinate of a joint that it reads.
+  [[nodiscard]] SceneNumber slope(mechanism::DriverIndex driver, mechanism::JointIndex joint) const;
   [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex index, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
   [[nodiscard]] LinkFeature<SceneNumber> feature(const mechanism::ElementaryJoint& at,
@@ -92,6 +96,10 @@ class SceneNumbers {
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   void add_relative_frames(const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
   SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
+  /// Makes the coordinate of a joint known to formulas: that of its driver, or one that the groups
+  /// place.
+  void add_coordinate(mechanism::JointIndex joint,
+                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   /// The formula in what varies at run time: deviations are zero, so that their roots are numbers.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
   /// The expression of a formula that `at_run_time` returned.
@@ -127,6 +135,8 @@ class SceneNumbers {
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   SceneMovers movers_;
   mechanism::Table<mechanism::DriverIndex, SceneNumber> positions_;
+  /// The coordinates of the joints that laws and loads read.
+  mechanism::Table<mechanism::JointIndex, std::optional<SceneNumber>> coordinates_;
   /// The frames of links whose groups are solved relative to a link, in the frame of that link.
   mechanism::Table<mechanism::LinkIndex, Pose<SceneNumber>> relative_;
   GiNaC::exmap directions_;  ///< cosines and sines of these frames' angles to symbols

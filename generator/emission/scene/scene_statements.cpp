@@ -217,6 +217,11 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
   std::vector<std::string> slides;
   const std::size_t placed = group.place() + 1;
   add_part(solver, group, body, [&] { add_group(solver, group, body, slides); });
+  if (solver.plan.request().want.forces) {
+    const cpp::Expression of_group = cpp::variable("group");
+    body.add(cpp::assigned(cpp::variable("placed").member(solver.members.solved[group]),
+                           cpp::braces("", {of_group.member("q"), of_group.member("regularity")})));
+  }
   for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
     if (link.groups_before == placed) {
       add_part(solver, group, body, [&] { add_carried_link(solver, link, body, slides); });

@@ -118,6 +118,12 @@ SceneMembers scene_members(const mechanism::Mechanism& described,
       members_of<mechanism::LinkIndex>({linkage.links.begin(), linkage.links.end()}, taken);
   taken.insert(taken.end(), members.links.begin(), members.links.end());
   members.relative = relative_members(structure, taken);
+  taken.insert(taken.end(), members.relative.begin(), members.relative.end());
+  std::vector<std::string> solved;
+  for (const mechanism::GroupIndex group : structure.groups.keys()) {
+    solved.push_back("solved_" + std::to_string(group.place() + 1));
+  }
+  members.solved = members_of<mechanism::GroupIndex>(solved, taken);
   std::vector<std::string> driven;
   for (const mechanism::Driver& driver : described.drivers()) {
     driven.push_back(described.joints()[driver.joint].name);
@@ -156,6 +162,9 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
       needs[link] = FrameNeed::everything;
     }
   }
+  if (solver.plan.request().want.loaded()) {
+    std::ranges::fill(needs, FrameNeed::everything);
+  }
   for (const mechanism::Output& output : described.outputs()) {
     needs[described.features()[output.point].link] = FrameNeed::everything;
   }
@@ -181,7 +190,10 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
-int order_of(const mechanism::Want& want) { return want.acceleration ? 2 : want.velocity ? 1 : 0; }
+/// Loads depend on rates by inertia and dampers.
+int order_of(const mechanism::Want& want) {
+  return want.acceleration || want.loaded() ? 2 : want.velocity ? 1 : 0;
+}
 
 }  // namespace
 
@@ -202,6 +214,14 @@ const mechanism::ElementaryJoint& SolverScene::played_joint(mechanism::GroupInde
                                                             int joint) const {
   const mechanism::RoleAssignment& roles = *numbers.group(group).roles;
   return this->joint(roles.joints[static_cast<std::size_t>(joint)]);
+}
+
+std::vector<std::string> SolverScene::pin_members(mechanism::JointIndex pin) const {
+  std::vector<std::string> names;
+  for (const mechanism::FeatureIndex feature : mechanism().joints()[pin].between) {
+    names.push_back(link_name(mechanism().features()[feature].link));
+  }
+  return text::member_names(names, {"members"});
 }
 
 bool SolverScene::holds_groups(mechanism::GroupIndex group) const {

@@ -21,6 +21,8 @@ struct SceneMembers {
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
   /// The frames of links whose groups are solved relative to a moving link; empty for others.
   mechanism::Table<mechanism::LinkIndex, std::string> relative;
+  /// The configurations of groups, which are kept where forces are wanted.
+  mechanism::Table<mechanism::GroupIndex, std::string> solved;
 };
 
 /// A parameter that is an argument of the solver, and the member that stands for it.
@@ -84,6 +86,12 @@ struct SolverScene {
   [[nodiscard]] bool reports(mechanism::JointIndex slide) const {
     return wants_motion() && plan.request().reported.has(slide) && !plan.is_stand_in(slide);
   }
+  /// Whether the force in a joint is told.
+  [[nodiscard]] bool tells_force(mechanism::JointIndex joint) const {
+    return plan.request().reported.has(joint) && !plan.is_stand_in(joint);
+  }
+  /// The members for the links at a pin of several, in the order of the joint's `between`.
+  [[nodiscard]] std::vector<std::string> pin_members(mechanism::JointIndex pin) const;
   /// Whether anything is wanted of links and slides, which have no sensitivities.
   [[nodiscard]] bool wants_motion() const {
     const mechanism::Want& want = plan.request().want;

@@ -10,6 +10,7 @@
 
 #include "emission/cpp/cpp_text.hpp"
 #include "emission/model/closed_form.hpp"
+#include "emission/model/force_function.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/rigid_functions.hpp"
 #include "emission/scene/specialise.hpp"
@@ -34,15 +35,15 @@ class GroupSpecialiser {
   SpecialisedGroup run(const std::string& struct_name, const std::string& title) {
     SpecialisedGroup result{};
     result.view = view(struct_name, title);
-    const model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, inputs_);
+    model::ModelSpelling spelling(equations_.unknowns, equations_.dimensions, inputs_);
     cpp::View::List functions;
     std::vector<std::string> operations;
     std::set<std::string> named;
     const model::RigidFunctions rigid =
         model::rigid_functions(equations_, structured_, elimination_);
-    const auto add = [&](const model::ModelFunction& function,
-                         const equations::Vocabulary& vocabulary) {
-      program::SymbolOrder order = program::symbol_order(equations_, vocabulary, rigid.known);
+    const auto add_in_order = [&](const model::ModelFunction& function,
+                                  const equations::Vocabulary& vocabulary,
+                                  program::SymbolOrder order) {
       for (const NamedConstant& constant : constants_) {
         order.set_constant(constant.symbol, constant.value);
       }
@@ -63,6 +64,11 @@ class GroupSpecialiser {
                                                    range, result.view);
       }
     };
+    const auto add = [&](const model::ModelFunction& function,
+                         const equations::Vocabulary& vocabulary) {
+      add_in_order(function, vocabulary,
+                   program::symbol_order(equations_, vocabulary, rigid.known));
+    };
     for (const model::ModelFunction& function : model::model_functions(equations_, derivatives_)) {
       if (is_wanted(function.name)) {
         add(function, equations_.vocabulary);
@@ -81,6 +87,15 @@ class GroupSpecialiser {
     }
     for (const model::ModelFunction& function : rigid.positions) {
       add(function, elimination_.vocabulary);
+    }
+    if (numbers_.forces) {
+      const model::ForceFunction forces = model::force_function(
+          forces::group_forces(equations_, derivatives_.pose_unknown_jacobian, structured_));
+      for (const auto& [symbol, entry] : forces.loads) {
+        spelling.take_out(symbol, entry);
+      }
+      add_in_order(forces.naming.function, forces.naming.vocabulary,
+                   forces.order(equations_, rigid.known));
     }
     result.view.set("functions", functions);
     result.view.set("operations", text::joined(operations, "; "));
@@ -292,6 +307,8 @@ class GroupSpecialiser {
     view.set("link_count", std::to_string(count_of(FrameNeed::everything)));
     view.set("direction_count", std::to_string(count_of(FrameNeed::direction)));
     view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
+    view.set("gives_forces", numbers_.forces);
+    view.set("joint_count", std::to_string(equations_.model->group->joints().size()));
     view.set("equation_count", std::to_string(2 * equations_.loops.size()));
     model::show_variables(equations_.unknowns, "unknown", view, equations_.owners);
     model::show_variables(inputs_, "input", view);

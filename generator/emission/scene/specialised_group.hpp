@@ -38,6 +38,7 @@ struct SpecialisedNumbers {
   std::vector<bool> input_moves;   ///< for each input, whether it moves with time
   std::vector<FrameNeed> frames;   ///< of the links, in the group's order
   bool holds_groups;               ///< whether other groups are held by its links
+  bool forces;                     ///< whether the forces in its joints are wanted
 };
 
 /// The view that templates/specialised_group.hpp.mustache shows.

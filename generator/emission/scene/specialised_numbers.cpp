@@ -217,8 +217,8 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
           // A group without lengths of its own, such as one of slides, has the length of its unit.
           longest.own > 0 ? longest.own / unit : 1, solver.derivative_order, dimension_moves,
           of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
-          of_inputs.gradient(), input_moves, frame_needs(solver, group),
-          solver.holds_groups(group)};
+          of_inputs.gradient(), input_moves, frame_needs(solver, group), solver.holds_groups(group),
+          solver.plan.request().want.forces};
 }
 
 SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::GroupIndex group) {

@@ -19,6 +19,10 @@ std::string listed(const std::vector<std::pair<std::string, bool>>& names) {
   return text::joined(there, ", ", std::identity());
 }
 
+bool stands(const cpp::View& view, const std::string& section) {
+  return std::get<bool>(view.values().at(section));
+}
+
 }  // namespace
 
 cpp::View::List member_list(const std::vector<std::string>& members) {
@@ -46,7 +50,10 @@ void show_state_members(const SolverScene& solver, bool has_links, bool has_slid
   view.set("output_members", listed(of_output));
   view.set("state_members", listed({{"links", has_links},
                                     {"slides", has_slides},
-                                    {"outputs", !solver.mechanism().outputs().empty()}}));
+                                    {"outputs", !solver.mechanism().outputs().empty()},
+                                    {"efforts", stands(view, "has_efforts")},
+                                    {"forces", stands(view, "has_joint_forces")},
+                                    {"ground", stands(view, "has_forces")}}));
 }
 
 }  // namespace assur::generator::emission::scene

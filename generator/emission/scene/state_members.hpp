@@ -9,7 +9,8 @@ namespace assur::generator::emission::scene {
 /// Members by their names, each with the comma that follows it in a list.
 [[nodiscard]] cpp::View::List member_list(const std::vector<std::string>& members);
 
-/// Sets the members of a state, and of its links, slides and outputs, as lists of arguments.
+/// Sets the members of a state, and of its links, slides and outputs, as lists of arguments. The
+/// view shows those for forces already.
 void show_state_members(const SolverScene& solver, bool has_links, bool has_slides,
                         cpp::View& view);
 

@@ -13,55 +13,11 @@
 #include "mechanism/driven_scene_campaign.hpp"
 #include "mechanism/equilibrium.hpp"
 #include "mechanism/kind_scene.hpp"
+#include "mechanism/loaded_scene.hpp"
 #include "mechanism/scene_solutions.hpp"
 
 namespace assur::test::forces_test {
 namespace {
-
-/// Loads everything of a scene that can be loaded, by whole numbers.
-Json loaded(const Json& bare, unsigned seed) {
-  Json scene = bare;
-  std::mt19937 engine(seed);
-  const auto number = [&](int low, int high) {
-    return low + static_cast<int>(engine() % static_cast<unsigned>(high - low + 1));
-  };
-  scene["gravity"] = {number(-2, 2), -9.81};
-  std::string before;
-  for (const auto& [link, features] : bare["links"].items()) {
-    scene["masses"][link] = {
-        {"mass", number(0, 3)}, {"at", {number(-2, 2), number(-2, 2)}}, {"inertia", number(0, 2)}};
-    scene["loads"]["M" + link] = {{"on", link}, {"moment", number(-3, 3)}};
-    for (const auto& [name, feature] : features.items()) {
-      if (!feature.is_array()) {
-        continue;
-      }
-      const std::string point = link + "." + name;
-      scene["loads"]["F" + point] = {{"at", point}, {"force", {number(-3, 3), number(-3, 3)}}};
-      if (number(0, 1) == 1) {
-        scene["loads"]["F" + point]["frame"] = link;
-      }
-      const auto joint_of = [](const std::string& feature) {
-        return feature.substr(0, feature.find('_'));
-      };
-      if (!before.empty() && before.substr(0, before.find('.')) != link &&
-          joint_of(before.substr(before.find('.') + 1)) != joint_of(name)) {  // not at one pin
-        scene["springs"]["K" + point] = {{"between", {before, point}},
-                                         {"stiffness", number(0, 3)},
-                                         {"length", number(0, 2)},
-                                         {"damping", number(0, 1)}};
-      }
-      before = point;
-    }
-  }
-  for (const auto& [joint, entry] : bare["joints"].items()) {
-    if (entry["between"].size() == 2) {
-      scene["springs"]["T" + joint] = {
-          {"joint", joint}, {"stiffness", number(0, 2)}, {"rest", number(-1, 1)}};
-    }
-  }
-  scene["want"] = {"position", "velocity", "acceleration", "forces", "dynamics", "coefficients"};
-  return scene;
-}
 
 struct Largest {
   int configurations = 0, undetermined = 0;

@@ -13,6 +13,7 @@
 #include <assur/numeric/trigonometric_roots.hpp>
 #include <assur/support/configuration_order.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/link_forces.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/placed_link.hpp>
 #include <assur/support/position_polynomial.hpp>

@@ -113,6 +113,21 @@ class LinkSums {
                                   : measured + turn * std::round((known->angle - measured) / turn);
   }
 
+  /// The rate of a coordinate, by the velocities of the links: a slide's line turns, too.
+  [[nodiscard]] double rate(const mechanism::Joint& joint) const {
+    const auto omega = [&](FeatureIndex feature) {
+      return configuration_.links[link_of(feature)].velocity(2);
+    };
+    if (joint.type == mechanism::JointType::revolute) {
+      return omega(joint.between[1]) - omega(joint.between[0]);
+    }
+    const FeatureIndex from = line_of(joint);
+    const Vector along = line(from);
+    const Vector apart = at(other_of(joint)) - at(from);
+    return (velocity_at(other_of(joint)) - velocity_at(from)).dot(along) +
+           omega(from) * apart.dot(Vector(-along.y(), along.x()));
+  }
+
   void add(LinkIndex link, const Vector& place, const Vector& force, double couple) {
     const double moment = couple + place.x() * force.y() - place.y() * force.x();
     sums_[link] += Eigen::Vector3d(force.x(), force.y(), moment);
@@ -185,7 +200,8 @@ class LinkSums {
         deflection = std::remainder(deflection, 2 * std::numbers::pi);
         deflection += deflection < 1e-9 - std::numbers::pi ? 2 * std::numbers::pi : 0;
       }
-      add_along(joint, -number(spring.stiffness) * deflection);
+      add_along(joint,
+                -number(spring.stiffness) * deflection - number(spring.damping) * rate(joint));
     }
   }
   void add_joints(const mechanism::Forces& forces) {
