@@ -161,7 +161,7 @@ class MotionSearch {
     start_.col(1) = shortest(f);
     if (N_.cols() == 0) {
       add_only_motion(firmness_);
-    } else if (has_levels()) {
+    } else if (noise_ < 1 && has_levels()) {
       find_tangent_cone();
       descend(0, {});
     }
@@ -178,7 +178,7 @@ class MotionSearch {
   /// The first unknowns c of a direction of the cone.
   struct Tangent {
     Eigen::VectorXd c;
-    Eigen::VectorXd error;  ///< of those whose roots are simple, in parts of each
+    Eigen::VectorXd error;
     bool is_simple = true;  ///< whether all are
   };
 
@@ -198,7 +198,7 @@ class MotionSearch {
                                                   static_cast<int>(corank) - 1);
       // That place is this configuration where all constraints hold half-way there, too.
       is_exact = singular.is_found && singular.opening <= rounding &&
-                 system.misses(singular.at / 2).norm() <= rounding;
+                 system.misses(singular.at / 2).norm() <= some * rounding;
       if (is_exact) {
         place_.col(0) = singular.at;
         decompose();
@@ -335,7 +335,9 @@ class MotionSearch {
     }
     for (const Eigen::VectorXd& root : *roots) {
       const Tangent longer = lengthened(before, level, here, root);
-      if (longer.is_simple && !(longer.error.maxCoeff() < two_digits_lost)) {
+      const double size = N_.middleCols(before.c.size(), root.size()).norm();
+      const double error = longer.error.tail(root.size()).maxCoeff() * size;
+      if (!(error < two_digits_lost * std::max(1.0, root.norm() * size))) {
         is_told_ = false;
         return;
       }
@@ -348,22 +350,26 @@ class MotionSearch {
                                    const QuadraticEquations& here,
                                    const Eigen::VectorXd& root) const {
     const Eigen::Index known = before.c.size();
-    Tangent result{Eigen::VectorXd(known + root.size()), Eigen::VectorXd(known + root.size()),
-                   before.is_simple};
+    const Eigen::Index count = known + root.size();
+    Tangent result{Eigen::VectorXd(count), Eigen::VectorXd(count)};
     result.c << before.c, root;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(N_.cols());
+    all.head(count) = result.c;
+    const Eigen::MatrixXd by_known = cone_.derivative(all)(level.equations, Eigen::seqN(0, known));
+    const double reach = std::max(1.0, (N_ * all).norm());
+    const double open = noise_ * reach * reach + (by_known.cwiseAbs() * before.error).norm();
     const Eigen::VectorXd slopes =
         Eigen::JacobiSVD<Eigen::MatrixXd>(here.derivative(root)).singularValues();
     const double slope = slopes(slopes.size() - 1);
-    const double size = std::max(1.0, here.linear.cwiseAbs().maxCoeff());
-    result.is_simple = before.is_simple && slope > std::sqrt(noise_) * size;
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(N_.cols());
-    all.head(result.c.size()) = result.c;
-    const Eigen::MatrixXd by_known = cone_.derivative(all)(level.equations, Eigen::seqN(0, known));
-    const double reach = std::max(1.0, result.c.norm());
-    const double open =
-        noise_ * reach * reach + (by_known.cwiseAbs() * before.error).norm() * reach;
-    result.error << before.error,
-        Eigen::VectorXd::Constant(root.size(), open / slope / std::max(1.0, root.norm()));
+    double bend = 0;
+    for (const Eigen::MatrixXd& square : here.square) {
+      bend = std::max(bend, square.cwiseAbs().maxCoeff());
+    }
+    // At a double root the slope is 2 sqrt(bend open) at most.
+    const bool is_simple = slope > 2 * std::sqrt(bend * open);
+    result.is_simple = before.is_simple && is_simple;
+    const double error = is_simple ? open / slope : std::sqrt(open / bend);
+    result.error << before.error, Eigen::VectorXd::Constant(root.size(), error);
     return result;
   }
 
