@@ -118,6 +118,11 @@ TEST(BadArguments, SuggestWhatWasMeant) {
        "--want: only solvers of scenes give results; give it with"},
       {"emit --all --interface c --output .",
        "--interface: only solvers of scenes have a C interface; give it"},
+      {"emit --model 1 --with force --output .",
+       "--with: 'force' is not one of forces (did you mean 'forces'?)"},
+      {"emit --model 24 --with forces --output .",
+       "--with forces: tetrad model 24 (PPP-PPP) is degenerate, so that the equilibrium of its "
+       "links"},
       {"draw --output a.SVG " + scene,
        "the extensions are .svg, .html, .dxf (did you mean '.svg'?)"},
       {"derive RXR", "derive: no kind 'RXR' (did you mean 'RRR'?); give a kind such as RRR or a"},

@@ -85,6 +85,9 @@ cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex sl
   return cpp::call("support::displacement_along", {from, frame_of(between[1 - line])});
 }
 
+namespace {
+
+/// Declares the coordinate of a joint, unless a driver prescribes it or it is declared already.
 void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, FunctionBody& body) {
   const mechanism::Mechanism& mechanism = solver.mechanism();
   const mechanism::Joint& at = mechanism.joints()[joint];
@@ -102,6 +105,8 @@ void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, Func
   body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
 }
 
+}  // namespace
+
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read) {
   for (const mechanism::JointIndex joint : mechanism::joints_in_laws(solver.mechanism(), driver)) {
@@ -111,9 +116,17 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, F
   }
 }
 
+void add_joints_read(const SolverScene& solver, FunctionBody& body,
+                     const std::function<bool(const std::string&)>& is_read) {
+  for (const mechanism::JointIndex joint : solver.mechanism().joints().keys()) {
+    if (is_read(coordinate_of(solver, joint))) {
+      add_joint_read(solver, joint, body);
+    }
+  }
+}
+
 cpp::Expression driver_position(const SolverScene& solver, mechanism::DriverIndex driver,
-                                FunctionBody& body) {
-  add_joints_read(solver, driver, body, [](const std::string&) { return true; });
+                                const FunctionBody& body) {
   return driver_value(solver, driver, body).position;
 }
 

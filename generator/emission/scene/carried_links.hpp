@@ -26,15 +26,17 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                                            FunctionBody& body);
 
-/// Declares the coordinate of a joint, unless a driver prescribes it or it is declared already.
-void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, FunctionBody& body);
 /// Declares the coordinates of the joints that a driver's law reads and that groups place, as far
 /// as `is_read` tells for their names.
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read);
-/// The place to which a driver moves its joint, after declarations of what its law reads.
+/// Declares the coordinates of all joints that groups place and whose names are read.
+void add_joints_read(const SolverScene& solver, FunctionBody& body,
+                     const std::function<bool(const std::string&)>& is_read);
+/// The place to which a driver moves its joint.
 [[nodiscard]] cpp::Expression driver_position(const SolverScene& solver,
-                                              mechanism::DriverIndex driver, FunctionBody& body);
+                                              mechanism::DriverIndex driver,
+                                              const FunctionBody& body);
 /// Places a link that another one carries. A slide that this moves is added to `slides`.
 void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,
                       FunctionBody& body, std::vector<std::string>& slides);

@@ -53,6 +53,11 @@ class ForceStatements {
         tell(joint);
       }
     }
+    // All links are placed: what laws and loads read of joints comes first.
+    const cpp::Block all = body_.take_from(0);
+    const std::set<std::string> read = body_.variables_read(all);
+    add_joints_read(solver_, body_, [&](const std::string& name) { return read.contains(name); });
+    body_.add(all);
     return body_.block();
   }
 
@@ -178,9 +183,6 @@ class ForceStatements {
       if (slope.is_number(0)) {
         continue;
       }
-      const std::set<std::string> named = body_.variables_read({cpp::called(slope)});
-      add_joints_read(solver_, driver, body_,
-                      [&](const std::string& name) { return named.contains(name); });
       const cpp::Expression passed = body_.local("passed_on_to_" + solver_.members.joints[joint]);
       body_.add(
           cpp::declared("const Scalar", passed, cpp::negative(cpp::product({effort, slope}))));

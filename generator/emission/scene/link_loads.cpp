@@ -1,7 +1,5 @@
 #include "emission/scene/link_loads.hpp"
 
-#include <set>
-
 #include "emission/scene/carried_links.hpp"
 
 namespace assur::generator::emission::scene {
@@ -151,26 +149,7 @@ void LinkLoads::add_masses() {
   }
 }
 
-void LinkLoads::add_joints_read(NumberIndex number) {
-  for (const mechanism::JointIndex joint : solver_.mechanism().numbers()[number].formula.joints()) {
-    const mechanism::DriverIndex driver = solver_.mechanism().driver_of(joint);
-    const std::set<std::string> named =
-        body_.variables_read({cpp::called(body_.number(solver_.numbers.loading(number)))});
-    const auto is_read = [&](const std::string& name) { return named.contains(name); };
-    if (driver.exists()) {
-      scene::add_joints_read(solver_, driver, body_, is_read);
-    } else {
-      add_joint_read(solver_, joint, body_);
-    }
-  }
-}
-
 void LinkLoads::add_load(const mechanism::Load& load) {
-  for (const NumberIndex number : {load.force_x, load.force_y, load.moment}) {
-    if (number.exists()) {
-      add_joints_read(number);
-    }
-  }
   if (load.moment.exists()) {
     add(load.at.link, "add_couple", {body_.number(number(load.moment))});
     return;

@@ -43,8 +43,6 @@ class LinkLoads {
   [[nodiscard]] bool counts(mechanism::NumberIndex number) const;
   void add(mechanism::LinkIndex link, const std::string& function,
            std::vector<cpp::Expression> arguments);
-  /// Declares the coordinates that the formula of a load reads.
-  void add_joints_read(mechanism::NumberIndex number);
   void add_masses();
   void add_load(const mechanism::Load& load);
   void add_spring(const mechanism::Spring& spring);

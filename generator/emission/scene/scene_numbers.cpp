@@ -12,8 +12,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether rates are wanted, and the rates of parameters move features, or drivers whose laws read
-/// joints.
+/// Whether rates are wanted, and the rates of parameters move features, centres of mass, or drivers
+/// whose laws read joints.
 bool have_rates_of_parameters(const mechanism::Plan& plan) {
   const mechanism::Want& want = plan.request().want;
   const mechanism::Mechanism& mechanism = plan.mechanism();
@@ -26,7 +26,12 @@ bool have_rates_of_parameters(const mechanism::Plan& plan) {
   const bool laws_move = std::ranges::any_of(mechanism.drivers(), [&](const auto& driver) {
     return !mechanism.numbers()[driver.position].formula.joints().empty() && moves(driver.position);
   });
-  return (want.velocity || want.acceleration || want.loaded()) && (places_move || laws_move);
+  const bool masses_move =
+      want.loaded() && std::ranges::any_of(mechanism.loading().masses, [&](const auto& mass) {
+        return moves(mass.at.x) || moves(mass.at.y);
+      });
+  return masses_move ||
+         ((want.velocity || want.acceleration || want.loaded()) && (places_move || laws_move));
 }
 
 }  // namespace

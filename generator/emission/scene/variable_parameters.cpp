@@ -42,6 +42,26 @@ class Dependence {
     }
     return *this;
   }
+  /// Masses, gravity, loads and springs, where they are wanted.
+  Dependence& add_loading(const mechanism::Want& want) {
+    if (!want.loaded()) {
+      return *this;
+    }
+    const mechanism::Loading& loading = mechanism_.loading();
+    add_all({loading.gravity[0], loading.gravity[1]});
+    for (const mechanism::Mass& mass : loading.masses) {
+      add_all({mass.at.x, mass.at.y, mass.mass, mass.inertia});
+    }
+    for (const mechanism::Load& load : loading.loads) {
+      add_all({load.at.x, load.at.y, load.force_x, load.force_y, load.moment});
+    }
+    for (const mechanism::Spring& spring : loading.springs) {
+      add(spring.between[0]);
+      add(spring.between[1]);
+      add_all({spring.stiffness, spring.rest, spring.damping});
+    }
+    return *this;
+  }
   Dependence& add_laws() {
     for (const mechanism::Driver& driver : mechanism_.drivers()) {
       add(driver.position);
@@ -59,6 +79,14 @@ class Dependence {
     if (feature.is_line) {
       add(feature.along_x);
       add(feature.along_y);
+    }
+  }
+  /// Some of the numbers may not exist.
+  void add_all(const std::vector<mechanism::NumberIndex>& numbers) {
+    for (const mechanism::NumberIndex number : numbers) {
+      if (number.exists()) {
+        add(number);
+      }
     }
   }
   void add(mechanism::NumberIndex number) {
@@ -84,7 +112,7 @@ class Dependence {
 std::vector<ParameterIndex> independent_parameters(const mechanism::Scene& scene) {
   const mechanism::Plan plan(scene);
   const mechanism::Mechanism& mechanism = plan.mechanism();
-  const Dependence places = Dependence(mechanism, {}).add_places();
+  const Dependence places = Dependence(mechanism, {}).add_places().add_loading(plan.request().want);
   std::vector<ParameterIndex> found;
   for (const ParameterIndex parameter : mechanism.parameters().keys()) {
     const mechanism::NumberIndex value = mechanism.parameters()[parameter].value;
@@ -96,7 +124,10 @@ std::vector<ParameterIndex> independent_parameters(const mechanism::Scene& scene
 }
 
 void expect_arguments(const mechanism::Plan& plan, const std::vector<ParameterIndex>& parameters) {
-  const Dependence places = Dependence(plan.mechanism(), parameters).add_places().add_limits();
+  const Dependence places = Dependence(plan.mechanism(), parameters)
+                                .add_places()
+                                .add_limits()
+                                .add_loading(plan.request().want);
   const Dependence laws = Dependence(plan.mechanism(), parameters).add_laws();
   for (const ParameterIndex parameter : parameters) {
     if (!places.on(parameter)) {

@@ -2,6 +2,8 @@
 // are not determined, and cost nothing where they are not wanted.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "generator/mixed_scene.hpp"
 #include "generator/solver_comparison.hpp"
 
@@ -106,6 +108,41 @@ TEST(EmitForces, AreToldInC) {
                   )cpp",
                   "--interface c");
   EXPECT_EQ(printed, "0\n");
+}
+
+/// With masses, stiffnesses and lengths as arguments, the solver of one scene tells what that of
+/// another one does.
+TEST(EmitForces, FollowVariableParameters) {
+  Json json = mixed_scene();
+  json["parameters"] = {
+      {"load", 2}, {"k", 3}, {"rod", 3}, {"sag", {{"value", 0.2}, {"velocity", 1}}}};
+  json["links"]["rod"]["C"] = {"rod", 0};
+  json["springs"]["K"]["stiffness"] = "k";
+  Json other = json;
+  other["parameters"]["load"] = 2.5;
+  other["parameters"]["k"] = 1;
+  other["parameters"]["rod"] = 3.1;
+  const auto printing = [](const std::string& solver, const std::string& given) {
+    return "#include <cstdio>\n#include <assur/scenes/" + solver +
+           ".hpp>\nint main() {\n  using S = assur::scenes::" + struct_of(solver) +
+           ";\n  std::array<S::State<double>, S::max_configurations> states;\n  const auto found "
+           "= " +
+           "S::solve(S::Drivers<double>{}" + given +
+           R"cpp(                 , states);
+                                  for (int i = 0; i < found.count; ++i) {
+                                    const auto& s = states[static_cast<std::size_t>(i)];
+                                    std::printf("%.9g %.9g %.9g %.9g\n", s.efforts.A,
+                                                s.forces.S.moment, s.forces.C.rod(0),
+                                                s.ground.moment);
+                                  }
+                                  }
+    )cpp";
+  };
+  const std::string told =
+      run_program("variable", json, printing("variable", ", S::Parameters<double>{2.5, 1, 3.1}"),
+                  "--variable load,k,rod");
+  EXPECT_EQ(told, run_program("fixed", other, printing("fixed", "")));
+  EXPECT_GT(std::count(told.begin(), told.end(), '\n'), 0);
 }
 
 /// A stretched dyad can be prestressed: its forces are NaN though nothing loads it, and the effort

@@ -283,6 +283,13 @@ TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
   expect_equal(compare_all(scenes));
 }
 
+/// A law that reads a joint shapes a link, and so moves the origin of the link's normal frame.
+TEST(EmitForces, FollowLinksThatLawsShape) {
+  Json json = loaded(following_laws(driven_scene(27190, Places::anywhere).scene()), 27190);
+  json["want"] = wanted;
+  expect_equal(compare_all({{"shaped", json}}));
+}
+
 INSTANTIATE_TEST_SUITE_P(Ties, EmitForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
                          name_of_ties);
 

@@ -21,7 +21,8 @@ inline nlohmann::ordered_json mixed_scene() {
       "S": {"type": "prismatic", "between": ["ground.rail", "car.shoe"]}},
     "drivers": {"A": {"position": 1.1, "velocity": 2, "acceleration": 0.5}},
     "gravity": [0, -9.81],
-    "masses": {"rod": {"mass": 2, "at": [1.5, 0], "inertia": 0.3}, "car": {"mass": 5}},
+    "parameters": {"load": 2, "sag": {"value": 0.2, "velocity": 0.5, "acceleration": -0.3}},
+    "masses": {"rod": {"mass": "load", "at": [1.5, "sag"], "inertia": 0.3}, "car": {"mass": 5}},
     "loads": {"F": {"at": "car.E", "force": ["-3*joint(S)", "sin(joint(A))"]},
       "M": {
   "on" : "rocker", "moment" : "2*joint(D)"

@@ -63,17 +63,25 @@ class LinkSums {
     const auto& of = mechanism_.features()[feature];
     return at(of.link, {number(of.x), number(of.y)});
   }
+  /// A number after some time, in which parameters have gone on; zero where it does not exist.
+  [[nodiscard]] double moved(mechanism::NumberIndex index, double time) const {
+    return index.exists() ? mechanism_.numbers()[index].formula.evaluate<double>(
+                                [&](mechanism::ParameterIndex at) {
+                                  const mechanism::Dual& rate = values_.in_time(at);
+                                  double value = values_.parameter(at);
+                                  if (rate.derivatives().size() > 0) {
+                                    value += time * rate.derivatives()(0);
+                                  }
+                                  if (rate.has_hessian()) {
+                                    value += time * time / 2 * rate.hessian()(0, 0);
+                                  }
+                                  return value;
+                                })
+                          : 0;
+  }
   /// The velocity of a point of a link, on which parameters may move it.
   [[nodiscard]] Vector velocity_at(FeatureIndex feature) const {
     const auto& of = mechanism_.features()[feature];
-    const auto moved = [&](mechanism::NumberIndex index, double time) {
-      return mechanism_.numbers()[index].formula.evaluate<double>(
-          [&](mechanism::ParameterIndex at) {
-            const mechanism::Dual& rate = values_.in_time(at);
-            return values_.parameter(at) +
-                   (rate.derivatives().size() > 0 ? time * rate.derivatives()(0) : 0);
-          });
-    };
     constexpr double step = 1e-5;  // squared, it is rounding
     const Vector own((moved(of.x, step) - moved(of.x, -step)) / (2 * step),
                      (moved(of.y, step) - moved(of.y, -step)) / (2 * step));
@@ -154,7 +162,17 @@ class LinkSums {
       const Vector arm = turned(link, own);
       const Eigen::Vector3d& a = configuration_.links[link].acceleration;
       const double omega = configuration_.links[link].velocity(2);
-      Vector acceleration = a.head<2>() + a(2) * Vector(-arm.y(), arm.x()) - omega * omega * arm;
+      // The differences are those of formulas that are at most quadratic in time.
+      constexpr double step = 0.05;
+      const auto difference = [&](double back, double here, double on) {
+        return turned(
+            link, {on * moved(mass.at.x, step) + here * own.x() + back * moved(mass.at.x, -step),
+                   on * moved(mass.at.y, step) + here * own.y() + back * moved(mass.at.y, -step)});
+      };
+      const Vector slide = difference(-1, 0, 1) / (2 * step);
+      Vector acceleration = a.head<2>() + a(2) * Vector(-arm.y(), arm.x()) - omega * omega * arm +
+                            2 * omega * Vector(-slide.y(), slide.x()) +
+                            difference(1, -2, 1) / (step * step);
       double turning = a(2);
       if (link == mechanism_.ground()) {
         acceleration.setZero();
