@@ -93,7 +93,18 @@ void MovingConstraints::choose_unit_of_time() {
   const Parts still = at_rest(Eigen::VectorXd::Zero(unknowns()));
   const double first = coefficient(1, still).norm();
   const double second = std::sqrt(coefficient(2, still).norm());
-  const double fastest = std::max(first, second);
+  double fastest = std::max(first, second);
+  // Where a feature moves along its own joint, F does not change at once.
+  const auto consider = [&](const Series& moving, double size) {
+    fastest =
+        std::max({fastest, std::abs(moving.c[1]) / size, std::sqrt(std::abs(moving.c[2]) / size)});
+  };
+  for (const Pose<Series>& feature : features_) {
+    consider(feature.x, constraints_.size());
+    consider(feature.y, constraints_.size());
+    consider(feature.direction.cos, 1);
+    consider(feature.direction.sin, 1);
+  }
   unit_ = fastest > 0 && std::isfinite(fastest) ? 1 / fastest : 1;
 }
 
