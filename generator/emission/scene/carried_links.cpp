@@ -1,7 +1,5 @@
 #include "emission/scene/carried_links.hpp"
 
-#include <array>
-
 namespace assur::generator::emission::scene {
 
 namespace {
@@ -29,15 +27,8 @@ DriverValue driver_value(const SolverScene& solver, mechanism::DriverIndex index
     return {state.member("position"), row_of(std::move(rates)), solver.numbers.law(index)};
   }
   const SceneNumber& position = solver.numbers.position(index);
-  const mechanism::Driver& driver = solver.mechanism().drivers()[index];
-  std::vector<cpp::Expression> rates = solver.numbers.rates(position, solver.derivative_order);
-  const std::array<mechanism::NumberIndex, 2> given = {driver.velocity, driver.acceleration};
-  for (std::size_t order = 0; order < rates.size(); ++order) {
-    if (given[order].exists()) {
-      rates[order] = cpp::number(solver.values.number(given[order]).value());
-    }
-  }
-  return {body.number(position), row_of(std::move(rates)), position};
+  return {body.number(position), row_of(solver.numbers.rates(position, solver.derivative_order)),
+          position};
 }
 
 std::string coordinate_of(const SolverScene& solver, mechanism::JointIndex joint) {

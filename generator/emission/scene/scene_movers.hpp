@@ -11,12 +11,12 @@
 namespace assur::generator::emission::scene {
 
 /// A driver whose position is an argument, a joint that a law reads and groups place, a
-/// coordinate of a link in the frame of the link relative to which its group is solved, or a
-/// parameter with rates.
+/// coordinate of a link in the frame of the link relative to which its group is solved, a parameter
+/// with rates, or a law that reads joints and has rates of its own.
 struct Mover {
   GiNaC::symbol position, velocity, acceleration;
   mechanism::ParameterIndex parameter;  ///< exists only for a parameter with rates
-  std::vector<GiNaC::ex> gradient;      ///< to the modelled parameters; empty for a parameter
+  std::vector<GiNaC::ex> gradient;      ///< to the modelled parameters; empty where rates are given
 };
 
 class SceneMovers {

@@ -81,8 +81,8 @@ cpp::Expression SceneNumbers::expression(const SceneNumber& number) const {
 GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
   GiNaC::ex result = formula;
   for (GiNaC::ex before = result + 1; !result.is_equal(before);) {
-    before = result;  // a parameter's rates may hold those of others
-    result = result.subs(parameter_rates_);
+    before = result;  // given rates may hold those of others
+    result = result.subs(own_rates_);
   }
   const std::deque<Root>& roots = symbols_.roots();
   for (auto root = roots.rbegin(); root != roots.rend(); ++root) {

@@ -156,16 +156,36 @@ SceneNumber SceneNumbers::number(mechanism::NumberIndex number) const {
       });
 }
 
-/// A parameter may be a formula in others that move: its own rates replace those that follow.
+/// A parameter may be a formula in others that move.
 void SceneNumbers::set_rates(const Mover& mover) {
   const mechanism::Parameter& parameter = plan_.mechanism().parameters()[mover.parameter];
   const GiNaC::ex formula =
       is_variable_[mover.parameter] ? GiNaC::ex(0) : number(parameter.value).formula();
+  set_rates(mover, formula, parameter.velocity, parameter.acceleration);
+}
+
+void SceneNumbers::set_rates(const Mover& mover, const GiNaC::ex& formula,
+                             mechanism::NumberIndex velocity, mechanism::NumberIndex acceleration) {
   const auto own = [this](mechanism::NumberIndex given, const GiNaC::ex& follows) -> GiNaC::ex {
     return given.exists() ? number(given).formula() - follows : GiNaC::ex(0);
   };
-  parameter_rates_[mover.velocity] = own(parameter.velocity, movers_.rate(formula));
-  parameter_rates_[mover.acceleration] = own(parameter.acceleration, movers_.second_rate(formula));
+  own_rates_[mover.velocity] = own(velocity, movers_.rate(formula));
+  own_rates_[mover.acceleration] = own(acceleration, movers_.second_rate(formula));
+}
+
+/// The position gets a deviation that is zero and has the difference as its rates.
+void SceneNumbers::set_rates(mechanism::DriverIndex driver) {
+  const mechanism::Driver& given = plan_.mechanism().drivers()[driver];
+  if (!given.velocity.exists() && !given.acceleration.exists()) {
+    return;
+  }
+  const Mover mover;
+  set_rates(mover, positions_[driver].formula(), given.velocity, given.acceleration);
+  symbols_.add(mover.position, 0);
+  deviations_[mover.position] = 0;
+  movers_.add(mover);
+  positions_[driver] =
+      positions_[driver] + SceneNumber(mechanism::Dual(0.0), mover.position, symbols_);
 }
 
 LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bool is_line) const {
@@ -225,6 +245,7 @@ void SceneNumbers::add_positions(
           return *parameters_[parameter];
         },
         [this](mechanism::JointIndex joint) -> const SceneNumber& { return *coordinates_[joint]; });
+    set_rates(driver);
   }
   if (plan_.request().want.loaded()) {
     for (const mechanism::Load& load : mechanism.loading().loads) {

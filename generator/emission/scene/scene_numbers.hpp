@@ -91,7 +91,12 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
+  /// The rates that are given for a parameter replace those that follow from its formula.
   void set_rates(const Mover& mover);
+  void set_rates(const Mover& mover, const GiNaC::ex& formula, mechanism::NumberIndex velocity,
+                 mechanism::NumberIndex acceleration);
+  /// The same for a driver whose law reads joints.
+  void set_rates(mechanism::DriverIndex driver);
   void add_positions(const mechanism::Table<mechanism::DriverIndex, std::string>& drivers,
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   void add_relative_frames(const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
@@ -129,8 +134,8 @@ class SceneNumbers {
   mutable std::vector<NamedStep> steps_;
   mutable std::size_t roots_in_steps_ = 0;
   std::vector<GiNaC::symbol> variables_;
-  GiNaC::exmap deviations_;       ///< their symbols to zero
-  GiNaC::exmap parameter_rates_;  ///< symbols of parameters' rates to their formulas
+  GiNaC::exmap deviations_;  ///< their symbols to zero
+  GiNaC::exmap own_rates_;   ///< symbols of rates that are given to their formulas
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   SceneMovers movers_;

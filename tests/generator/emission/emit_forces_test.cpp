@@ -258,25 +258,13 @@ TEST_P(EmitForcesOfKinds, KeepLinksInEquilibrium) {
 INSTANTIATE_TEST_SUITE_P(All, EmitForcesOfKinds,
                          testing::Range(std::size_t{0}, mechanism::known_groups().size()));
 
-/// The scene with drivers that follow their laws where these read joints: emitted solvers do not
-/// yet carry rates that are given there into the shapes of the links that such a driver ties.
-Json following_laws(Json scene) {
-  for (auto& [name, driver] : scene["drivers"].items()) {
-    if (!is_argument(driver)) {
-      driver.erase("velocity");
-      driver.erase("acceleration");
-    }
-  }
-  return scene;
-}
-
 class EmitForcesOfScenes : public DrivenScenes {};
 
 /// Drivers anywhere, laws that read joints, racks, cylinders, pins of many links, slots.
 TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
   std::vector<LoadedScene> scenes;
   for_each_scene(2, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
-    Json json = loaded(following_laws(made.scene()), seed);
+    Json json = loaded(made.scene(), seed);
     json["want"] = wanted;
     scenes.push_back({"scene_" + std::to_string(seed), json});
   });
@@ -285,7 +273,7 @@ TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
 
 /// A law that reads a joint shapes a link, and so moves the origin of the link's normal frame.
 TEST(EmitForces, FollowLinksThatLawsShape) {
-  Json json = loaded(following_laws(driven_scene(27190, Places::anywhere).scene()), 27190);
+  Json json = loaded(driven_scene(27190, Places::anywhere).scene(), 27190);
   json["want"] = wanted;
   expect_equal(compare_all({{"shaped", json}}));
 }
