@@ -169,9 +169,10 @@ int run(int argc, char** argv) {
                    "with --scene: parameters X,Y that stay arguments\nof the solver, or all")
       ->delimiter(',');
   command
-      ->add_option("--want", emit.wants,
-                   "with --scene: the results that the solver gives\n(position, velocity, "
-                   "acceleration, sensitivity, forces),\nin place of the scene's")
+      ->add_option(
+          "--want", emit.wants,
+          "with --scene: the results that the solver gives\n(position, velocity, acceleration, "
+          "sensitivity,\nforces), in place of the scene's")
       ->delimiter(',');
   command
       ->add_option("--with", emit.with,

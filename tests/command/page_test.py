@@ -142,7 +142,7 @@ def check_sliders(chromium, assur, scene, folder):
     print(f"{scene.stem}: {milliseconds:.0f} ms for a step of a slider, in the middle of 20")
 
     before = chromium.value(OUTPUTS)
-    for name, value, told in (("b", 1, "not a finite number"), ("m", 200, "no-assembly")):
+    for name, value, told in (("b", 1, "form no triangle"), ("m", 200, "no-assembly")):
         chromium.value("page.reset()")
         chromium.value(SOLVED)
         set_parameter(chromium, name, value)

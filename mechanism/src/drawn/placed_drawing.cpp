@@ -43,9 +43,8 @@ void DrawnMechanism::set_lengths() {
         }
         is_listed = true;
         const std::vector<DrawnPointIndex>& points = parts_.links[link].points;
-        if (std::ranges::none_of(std::array{points[0], points[1]}, [&](DrawnPointIndex point) {
-              return point == one || point == other;
-            })) {
+        const std::array defining{points[0], points[1]};
+        if (std::ranges::count(defining, one) + std::ranges::count(defining, other) == 0) {
           throw MechanismError(part, "neither " + first_name + " nor " + second_name +
                                          " is the first or second point of the link " +
                                          parts_.links[link].name + "; list one of them there");
