@@ -1,5 +1,6 @@
 #include "all_constraints.hpp"
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/support/redundant.hpp>
@@ -141,6 +142,29 @@ Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
     result.row(row) /= unit(coordinate);
   });
   return result;
+}
+
+bool AllConstraints::let_on(Links links) const {
+  constexpr double least_firmness = 1e-6;
+  constexpr double rounding_of_rates = 1e-6;
+  constexpr double rounding_of_second_rates = 1e-5;
+  double fastest = 0;
+  for (Frame& link : links) {
+    link.acceleration.setZero();
+    link.follows.set_zero(std::ssize(values_.columns()), values_.second_order());
+    fastest =
+        std::max({fastest, link.velocity.head<2>().norm() / size(), std::abs(link.velocity(2))});
+  }
+  if (first_rates(links).col(0).norm() > rounding_of_rates * fastest) {
+    return false;
+  }
+  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
+  factors.setThreshold(least_firmness);
+  const Eigen::MatrixXd own = jacobian(poses_of(links));
+  factors.compute(own);
+  const Eigen::VectorXd open = second_rates(links).col(0);
+  const double left = (open - own * factors.solve(open)).norm();
+  return !(left > rounding_of_second_rates * (open.norm() + fastest * fastest));
 }
 
 Eigen::VectorXd AllConstraints::unknown_rates(const Links& links, Eigen::Index parameter) const {

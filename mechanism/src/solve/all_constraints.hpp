@@ -42,8 +42,6 @@ class AllConstraints {
   void place(const Body::Poses& moved, Poses& links) const;
 
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * std::ssize(moving_); }
-  /// The joints as pairs of features, in the order of the rows of f.
-  [[nodiscard]] const std::vector<HeldPair>& pairs() const { return pairs_; }
   /// The links that q moves, and the first of the three rows of such a link.
   [[nodiscard]] const std::vector<LinkIndex>& moving() const { return moving_; }
   [[nodiscard]] Eigen::Index column_of(LinkIndex link) const { return column_of_[link]; }
@@ -66,6 +64,11 @@ class AllConstraints {
   /// Adds rates and derivatives of q, in the same columns, to those of the links.
   void add_first(const Eigen::MatrixXd& rates, Links& links) const;
   void add_second(const Eigen::MatrixXd& rates, Links& links) const;
+
+  /// Whether the constraints allow the velocities v of the links: all of them hold to first order
+  /// and, with some accelerations a, to second order, J a + f''(v, v) = 0. Directions of J below
+  /// its rounding cannot provide a.
+  [[nodiscard]] bool let_on(Links links) const;
 
  private:
   [[nodiscard]] Body::Pairs held() const;

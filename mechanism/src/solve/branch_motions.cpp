@@ -7,13 +7,16 @@
 #include <limits>
 #include <optional>
 
+#include "all_constraints.hpp"
 #include "along_parameter.hpp"
 #include "branch_order.hpp"
-#include "motions_through.hpp"
+#include "branch_walk.hpp"
 #include "moved_by_parameter.hpp"
 #include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
+#include "precision.hpp"
 #include "redundant_joints.hpp"
+#include "settled_redundancy.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -71,92 +74,31 @@ bool reads_unknown(const Values& values, const PlacedLinks& placed) {
   });
 }
 
-/// A configuration as it moves: what groups place gets the rates of the motion.
-Configuration moving_along(const MovingConstraints& F, const Motion& motion,
-                           const Configuration& at) {
-  Configuration result = at;
-  const Mechanism& mechanism = at.plan->mechanism;
-  const MovingConstraints::Links links = F.links(motion.parts);
-  const Table<LinkIndex, bool> is_driven = at.plan->structure.placed_by_drivers();
-  for (const LinkIndex link : mechanism.links().keys()) {
-    if (!is_driven[link]) {
-      const Pose<models::Series>& pose = links[link];
-      result.links[link].velocity << pose.x.rate(), pose.y.rate(), turning_rate(pose.direction);
-      result.links[link].acceleration << pose.x.second_rate(), pose.y.second_rate(),
-          second_turning_rate(pose.direction);
-    }
-  }
-  for (const OutputIndex output : mechanism.outputs().keys()) {
-    const FeatureIndex point = mechanism.outputs()[output].point;
-    if (!is_driven[mechanism.features()[point].link]) {
-      const Pose<models::Series> place = F.placed(point, links);
-      result.outputs[output].velocity << place.x.rate(), place.y.rate();
-      result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
-    }
-  }
-  for (SlideState& slide : result.slides) {
-    if (!mechanism.driver_of(slide.joint).exists()) {
-      const models::Series moved = F.coordinate(slide.joint, links);
-      slide.velocity = moved.rate();
-      slide.acceleration = moved.second_rate();
-    }
-  }
-  result.rates_known = true;
-  if (!motion.is_known_twice) {
-    forget_accelerations(*at.plan, result);
-  }
-  return result;
-}
-
-/// The motions through a configuration, each as that configuration with its rates.
-std::optional<std::vector<Configuration>> moving_configurations(const Values& values,
-                                                                const Configuration& configuration,
-                                                                const Motions& motions) {
-  const PlanData& plan = values.plan();
-  // Constraints that need to hold only within a tolerance determine no motion.
-  const bool has_tolerance = plan.request.redundancy_tolerance.exists();
-  const MovingConstraints F(values, has_tolerance ? std::vector<RedundantJoint>() : plan.redundant,
-                            configuration, motions);
-  const std::optional<std::vector<Motion>> known = motions_through(F);
-  if (!known) {
-    return std::nullopt;
-  }
-  std::vector<Configuration> found;
-  for (const Motion& motion : *known) {
-    found.push_back(moving_along(F, motion, configuration));
-  }
-  if (has_tolerance) {
-    std::erase_if(found, [&](const Configuration& motion) {
-      return !moves_redundantly(values, motion.links);
-    });
-  }
-  return found;
-}
-
-/// Takes the derivatives of what groups place with respect to a parameter from a motion along it.
+/// Takes the derivatives with respect to a parameter from a motion along it.
 void take_derivatives(const Configuration& motion, Eigen::Index column,
                       Configuration& configuration) {
   const auto take = [column](const auto& from, auto& to) {
     to.follows.first.col(column) << from.velocity;
   };
-  const Mechanism& mechanism = configuration.plan->mechanism;
-  const Table<LinkIndex, bool> is_driven = configuration.plan->structure.placed_by_drivers();
   for (const LinkIndex link : configuration.links.keys()) {
-    if (!is_driven[link]) {
-      take(motion.links[link], configuration.links[link]);
-    }
+    take(motion.links[link], configuration.links[link]);
   }
   for (const OutputIndex output : configuration.outputs.keys()) {
-    if (!is_driven[mechanism.features()[mechanism.outputs()[output].point].link]) {
-      take(motion.outputs[output], configuration.outputs[output]);
-    }
+    take(motion.outputs[output], configuration.outputs[output]);
   }
   for (std::size_t slide = 0; slide < configuration.slides.size(); ++slide) {
-    SlideState& of = configuration.slides[slide];
-    if (!mechanism.driver_of(of.joint).exists()) {
-      of.follows.first(column) = motion.slides[slide].velocity;
-    }
+    configuration.slides[slide].follows.first(column) = motion.slides[slide].velocity;
   }
+}
+
+/// Whether the constraints that the plan leaves out allow a motion of the rest of the mechanism.
+bool is_motion_of_all(const Values& values, const Configuration& motion) {
+  if (!SettledRedundancy::can_close(values.plan())) {
+    return moves_redundantly(values, motion.links);
+  }
+  AllConstraints constraints(values);
+  constraints.measure(poses_of(motion.links));
+  return constraints.let_on(motion.links);
 }
 
 }  // namespace
@@ -168,28 +110,34 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
     return;
   }
   const auto found =
-      moving_configurations(values, configuration, along_parameter(values, parameter, column));
+      motions_through(values, placed, configuration, along_parameter(values, parameter, column));
   if (found && found->size() == 1) {
     take_derivatives(found->front(), column, configuration);
     configuration.path_known = true;
   }
 }
 
-void find_branches(const Values& values, Configuration& configuration) {
-  auto found = moving_configurations(values, configuration, in_time(values));
-  if (!found) {
+void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
+  auto known = motions_through(values, placed, configuration, in_time(values));
+  if (!known) {
     return;
   }
-  if (found->size() == 1) {
-    configuration = std::move(found->front());
+  std::vector<Configuration>& found = *known;
+  // A motion that the left-out constraints would stop is not a motion of the mechanism.
+  if (!values.plan().redundant.empty()) {
+    std::erase_if(found,
+                  [&](const Configuration& motion) { return !is_motion_of_all(values, motion); });
+  }
+  if (found.size() == 1) {
+    configuration = std::move(found.front());
     return;
   }
-  if (found->empty() && configuration.derivatives_known) {
+  if (found.empty() && configuration.derivatives_known) {
     forget_accelerations(values.plan(), configuration);
     return;
   }
-  put_in_order(values.plan().named_parts, *found);
-  configuration.branches = std::move(*found);
+  put_in_order(values.plan().named_parts, found);
+  configuration.branches = std::move(found);
 }
 
 }  // namespace assur::mechanism::solve

@@ -6,12 +6,12 @@
 namespace assur::mechanism::solve {
 
 /// Finds the rates of a configuration whose loop closures do not determine them to first order, by
-/// following all constraints order by order (`motions_through`). If there is one motion, the
+/// following its groups order by order (`branches_through`). If there is one motion, the
 /// configuration gets its rates. If there are several, as at a crossing, they become its branches.
 /// If there is none, as at a fold, the configuration stays as it is. A driver moves by its velocity
 /// and acceleration, and its higher rates are zero. If only one driver moves, these do not matter
 /// at a crossing.
-void find_branches(const Values& values, Configuration& configuration);
+void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration);
 
 /// Finds the derivatives of such a configuration with respect to a parameter that moves drivers
 /// alone, if only one motion goes through it, as when a group is singular throughout a sweep.

@@ -72,7 +72,7 @@ void write_configuration(const Placement& placement, Configuration& result) {
   const Request& request = placement.plan().request;
   if (!result.rates_known && placed.is_crossing &&
       (request.want.velocity || request.want.acceleration)) {
-    find_branches(values, result);
+    find_branches(values, placed, result);
   }
   if (!result.derivatives_known && request.sweep) {
     find_derivatives(values, placed, request.sweep->parameter, result);
