@@ -55,9 +55,7 @@ class ClosureWalk {
   }
   [[nodiscard]] std::string letter(JointIndex index) const { return {joint(index).name}; }
   [[nodiscard]] const std::string& word(LinkIndex link) const { return group_.links()[link]; }
-  [[nodiscard]] bool slides(JointIndex index) const {
-    return result_.model->representative[index] == structure::JointType::prismatic;
-  }
+  [[nodiscard]] bool slides(JointIndex index) const { return result_.model->slides(index); }
   [[nodiscard]] const LinkFrame& frame(LinkIndex link) const { return result_.frames[link]; }
   [[nodiscard]] LinkPose& pose(LinkIndex link) { return result_.poses[link]; }
   [[nodiscard]] static const Variable& find(const std::deque<Variable>& list,

@@ -50,9 +50,7 @@ class ForceWalk {
   }
   [[nodiscard]] std::string letter(JointIndex index) const { return {joint(index).name}; }
   [[nodiscard]] const std::string& word(LinkIndex link) const { return group_.links()[link]; }
-  [[nodiscard]] bool slides(JointIndex index) const {
-    return equations_.model->representative[index] == structure::JointType::prismatic;
-  }
+  [[nodiscard]] bool slides(JointIndex index) const { return equations_.model->slides(index); }
   /// 1 if a link is the second of a joint, -1 if it is the first.
   [[nodiscard]] int side(JointIndex index, LinkIndex link) const {
     return joint(index).second == link ? 1 : -1;
@@ -104,7 +102,7 @@ class ForceWalk {
     for (std::size_t row = 0; row < closures.row_count(); ++row) {
       symbols.emplace_back("force_" + closures.row_name(row));
     }
-    const std::vector<GiNaC::ex> framed = jacobian_.solve_transposed(
+    const std::vector<GiNaC::ex> framed = jacobian_.transposed().solve(
         rhs, symbols, "force in the cut joint in the frame of its loop", result_.vocabulary);
     for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
       const Vector2& frame = closures.frame_direction(loop);

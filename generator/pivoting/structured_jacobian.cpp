@@ -335,24 +335,13 @@ GiNaC::ex StructuredJacobian::reduced(std::size_t row, const GiNaC::ex& rhs,
   return rest.expand();
 }
 
-GiNaC::ex StructuredJacobian::reduced_column(std::size_t unknown, const GiNaC::ex& rhs,
-                                             const std::vector<GiNaC::ex>& solved) const {
-  GiNaC::ex rest = rhs;
-  for (std::size_t row = 0; row < solved.size(); ++row) {
-    rest -= entry(row, unknown) * solved[row];
-  }
-  return rest.expand();
-}
-
-std::vector<GiNaC::ex> StructuredJacobian::solve_core(const std::vector<GiNaC::ex>& rhs,
-                                                      bool transposed) const {
+std::vector<GiNaC::ex> StructuredJacobian::solve_core(const std::vector<GiNaC::ex>& rhs) const {
   const Core matrix = core();
   std::vector<GiNaC::ex> solution;
   for (std::size_t place = 0; place < matrix.size(); ++place) {
     GiNaC::ex sum;
     for (std::size_t equation = 0; equation < matrix.size(); ++equation) {
-      const GiNaC::ex minor = transposed ? expansion(without(matrix, place, equation), true)
-                                         : expansion(without(matrix, equation, place), true);
+      const GiNaC::ex minor = expansion(without(matrix, equation, place), true);
       sum += ((equation + place) % 2 == 0 ? 1 : -1) * minor * rhs[equation];
     }
     for (std::size_t pivot = 0; pivot < core_pivot_count_; ++pivot) {
@@ -386,7 +375,7 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
   for (const std::size_t row : core_rows_) {
     rests.push_back(reduced(row, rhs[row], solved));
   }
-  const std::vector<GiNaC::ex> core_solution = solve_core(rests, false);
+  const std::vector<GiNaC::ex> core_solution = solve_core(rests);
   for (std::size_t place = 0; place < core_solution.size(); ++place) {
     keep(core_unknowns_[place], core_solution[place]);
   }
@@ -394,34 +383,24 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
   return solved;
 }
 
-std::vector<GiNaC::ex> StructuredJacobian::solve_transposed(
-    const std::vector<GiNaC::ex>& rhs, const std::vector<GiNaC::symbol>& symbols,
-    const std::string& meaning, equations::Vocabulary& names) const {
-  std::vector<GiNaC::ex> solved(entries_.size());
-  const auto keep = [&](std::size_t row, const GiNaC::ex& value) {
-    solved[row] = value.expand();
-    if (needs_name(solved[row])) {
-      names.define(symbols[row], solved[row], meaning);
-      solved[row] = symbols[row];
-    }
-  };
-  const auto step_back = [&](const std::vector<EliminationStep>& steps) {
+StructuredJacobian StructuredJacobian::transposed() const {
+  const auto backwards = [](const std::vector<EliminationStep>& steps) {
+    std::vector<EliminationStep> result;
     for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
-      const GiNaC::ex rest = reduced_column(step->unknown, rhs[step->unknown], solved);
-      keep(step->row, rest * inverse_of(entry(step->row, step->unknown)));
+      result.push_back({step->unknown, step->row});
     }
+    return result;
   };
-  step_back(last_);
-  std::vector<GiNaC::ex> rests;
-  for (const std::size_t unknown : core_unknowns_) {
-    rests.push_back(reduced_column(unknown, rhs[unknown], solved));
+  StructuredJacobian result = *this;
+  for (std::size_t row = 0; row < entries_.size(); ++row) {
+    for (std::size_t unknown = 0; unknown < entries_.size(); ++unknown) {
+      result.entries_[unknown][row] = entries_[row][unknown];
+    }
   }
-  const std::vector<GiNaC::ex> core_solution = solve_core(rests, true);
-  for (std::size_t place = 0; place < core_solution.size(); ++place) {
-    keep(core_rows_[place], core_solution[place]);
-  }
-  step_back(first_);
-  return solved;
+  result.first_ = backwards(last_);
+  result.last_ = backwards(first_);
+  std::swap(result.core_rows_, result.core_unknowns_);
+  return result;
 }
 
 }  // namespace assur::generator::pivoting

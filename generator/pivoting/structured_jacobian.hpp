@@ -52,12 +52,9 @@ class StructuredJacobian {
                                              const std::vector<GiNaC::symbol>& symbols,
                                              const std::string& meaning,
                                              equations::Vocabulary& names) const;
-  /// The solution of J^T y = b, by the same steps in reverse: b has an entry for each unknown, and
-  /// y one for each row, which is named by the symbol of the row.
-  [[nodiscard]] std::vector<GiNaC::ex> solve_transposed(const std::vector<GiNaC::ex>& rhs,
-                                                        const std::vector<GiNaC::symbol>& symbols,
-                                                        const std::string& meaning,
-                                                        equations::Vocabulary& names) const;
+  /// J^T, solved by the same steps in reverse with the same pivots: its rows are the unknowns of J,
+  /// and its unknowns the rows of J.
+  [[nodiscard]] StructuredJacobian transposed() const;
 
  private:
   using Core = std::vector<std::vector<GiNaC::ex>>;
@@ -77,13 +74,8 @@ class StructuredJacobian {
   /// `rhs` minus the row's entries times the values of the unknowns in `solved`.
   [[nodiscard]] GiNaC::ex reduced(std::size_t row, const GiNaC::ex& rhs,
                                   const std::vector<GiNaC::ex>& solved) const;
-  /// `rhs` minus the column's entries times the values of the rows in `solved`.
-  [[nodiscard]] GiNaC::ex reduced_column(std::size_t unknown, const GiNaC::ex& rhs,
-                                         const std::vector<GiNaC::ex>& solved) const;
-  /// The solution with the core alone, by Cramer's rule; in place of its rows, its columns are the
-  /// equations if `transposed`.
-  [[nodiscard]] std::vector<GiNaC::ex> solve_core(const std::vector<GiNaC::ex>& rhs,
-                                                  bool transposed) const;
+  /// The solution with the core alone, by Cramer's rule.
+  [[nodiscard]] std::vector<GiNaC::ex> solve_core(const std::vector<GiNaC::ex>& rhs) const;
 
   FramedClosures closures_;
   equations::Vocabulary vocabulary_;

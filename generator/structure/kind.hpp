@@ -34,6 +34,9 @@ struct Model {
   Kind representative;               ///< the kind for which the equations are derived
   std::vector<Relabelling> members;  ///< every kind of the orbit, the representative first
 
+  [[nodiscard]] bool slides(JointIndex joint) const {
+    return representative[joint] == JointType::prismatic;
+  }
   /// `tetrad model 2 (RPR-RRR)`, for messages.
   [[nodiscard]] std::string title() const;
 };

@@ -12,10 +12,6 @@ namespace assur::mechanism::description {
 
 namespace {
 
-/// The most links: a chain of a thousand cranks takes two seconds to plan, and the time grows as
-/// the cube.
-constexpr std::size_t most_links = 1000;
-
 /// Names and titles come to be lines of messages and comments of emitted code.
 void expect_no_control_character(const std::string& text, const std::string& part) {
   if (const std::size_t at = text::first_control_character(text); at < text.size()) {
@@ -186,10 +182,9 @@ LinkIndex Mechanism::add_link(const std::string& name) {
                                       "its feature; write another letter");
   }
   description::expect_new(index_of(links_, name).exists(), name, "links");
-  if (links_.size() == description::most_links) {
-    throw MechanismError("links", "a mechanism has at most " +
-                                      std::to_string(description::most_links) +
-                                      " links; remove some");
+  if (links_.size() == most_links) {
+    throw MechanismError(
+        "links", "a mechanism has at most " + std::to_string(most_links) + " links; remove some");
   }
   return links_.add({name, {}, false});
 }

@@ -11,9 +11,6 @@
 
 namespace assur::mechanism::foreign {
 
-/// As many as a scene may have.
-inline constexpr std::size_t most_links = 1000;
-
 using ForeignPointIndex = Index<struct ForeignPoint>;
 using ForeignLinkIndex = Index<struct ForeignLink>;
 using ForeignJointIndex = Index<struct ForeignJoint>;

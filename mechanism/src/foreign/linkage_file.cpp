@@ -17,7 +17,9 @@ namespace {
 
 using boost::property_tree::ptree;
 
+/// Files of the program have three levels; deeper nesting is made to exhaust the stack.
 constexpr int deepest = 32;
+/// Links of scenes are fewer by far, and each has a handful of connectors.
 constexpr std::size_t most_connectors = 20000;
 /// The bits of layers whose elements move; those below are of drawings and measurements.
 constexpr unsigned moving_layers = 0xFFFFFFF0U;
@@ -268,8 +270,8 @@ class ElementReader {
   void read_link(const ptree& element) {
     LinkageLink link;
     link.id = identified(element, "Link");
-    if (++links_read_ > most_links) {
-      throw MechanismError("", "there are more than " + std::to_string(most_links) +
+    if (++links_read_ > Mechanism::most_links) {
+      throw MechanismError("", "there are more than " + std::to_string(Mechanism::most_links) +
                                    " links, the limit of scenes; divide the file");
     }
     Attributes attributes(element, "Link " + std::to_string(link.id));

@@ -297,8 +297,8 @@ PmksPayload read_pmks(const std::string& text, ForeignMechanism& mechanism) {
   };
   records("joint", payload.joints, joint_of);
   records("link", payload.links, link_of);
-  if (payload.links.size() > most_links) {
-    throw MechanismError("", "there are more than " + std::to_string(most_links) +
+  if (payload.links.size() > Mechanism::most_links) {
+    throw MechanismError("", "there are more than " + std::to_string(Mechanism::most_links) +
                                  " links, the limit of scenes; divide the mechanism");
   }
   records("force", payload.forces, force_of);

@@ -99,8 +99,8 @@ class SecondLook {
   [[nodiscard]] double norm(const models::SmallVector& of) const {
     return std::max(largest(of, false), size_ * largest(of, true));
   }
-  /// J^-1 f for closures f that leave every loop open by one, in the directions that move angles, or
-  /// lengths, most. A loop has two closures, one along each axis.
+  /// J^-1 f for closures f that leave every loop open by one, in the directions that move angles,
+  /// or lengths, most. A loop has two closures, one along each axis.
   [[nodiscard]] models::SmallVector loosest(bool angles) const {
     models::SmallVector result = models::SmallVector::Zero(inverse_.rows());
     double most = -1;

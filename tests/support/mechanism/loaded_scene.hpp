@@ -29,9 +29,7 @@ inline nlohmann::ordered_json loaded(const nlohmann::ordered_json& bare, unsigne
       if (number(0, 1) == 1) {
         scene["loads"]["F" + point]["frame"] = link;
       }
-      const auto joint_of = [](const std::string& of) {
-        return of.substr(0, of.find('_'));
-      };
+      const auto joint_of = [](const std::string& of) { return of.substr(0, of.find('_')); };
       if (!before.empty() && before.substr(0, before.find('.')) != link &&
           joint_of(before.substr(before.find('.') + 1)) != joint_of(name)) {  // not at one pin
         scene["springs"]["K" + point] = {{"between", {before, point}},

@@ -97,6 +97,9 @@ struct Output {
 /// declared (docs/guide/scenes.md).
 class Mechanism {
  public:
+  /// A chain of a thousand cranks takes two seconds to plan, and the time grows as the cube.
+  static constexpr std::size_t most_links = 1000;
+
   /// A number as a caller gives it: a number, the text of an expression, or a formula.
   class Given {
    public:
