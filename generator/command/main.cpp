@@ -213,6 +213,10 @@ int run(int argc, char** argv) {
                  "report only the configuration nearest to the\nscene's reference; of a sweep, "
                  "the branch that\nbegins there")
       ->excludes("--branch");
+  command->add_flag(
+      "--prove", solve.prove,
+      "prove that no configuration is missing: enclose\nall complex configurations of "
+      "every group");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   DrawOptions draw;

@@ -99,10 +99,11 @@ class StretchTeller {
   /// Takes the next step.
   void step(double parameter, const mechanism::Solution& solution) {
     const std::string what = what_is_missing(solution);
-    if (what != what_ || solution.reason != reason_) {
+    const std::string& reason = what == incomplete ? solution.incomplete : solution.reason;
+    if (what != what_ || reason != reason_) {
       finish();
       what_ = what;
-      reason_ = solution.reason;
+      reason_ = reason;
       first_ = step_;
       from_ = parameter;
     }
@@ -139,6 +140,7 @@ class StretchTeller {
 
  private:
   static constexpr const char* beyond = "beyond the limits of joints";
+  static constexpr const char* incomplete = "incomplete";
 
   static std::string what_is_missing(const mechanism::Solution& solution) {
     using mechanism::SolutionStatus;
@@ -148,7 +150,8 @@ class StretchTeller {
     return solution.status == SolutionStatus::degenerate    ? "degenerate"
            : solution.status == SolutionStatus::no_assembly ? "no-assembly"
            : all_beyond                                     ? beyond
-                                                            : "";
+           : solution.incomplete.empty()                    ? ""
+                                                            : incomplete;
   }
 
   /// The reason of a stretch. The distance by which links fail to close is that half-way along it.
@@ -277,7 +280,8 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
 }  // namespace
 
 bool print_solution(const SolveOptions& options) {
-  const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
+  mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
+  scene.request.prove = options.prove;
   try {
     const mechanism::Plan plan(scene);
     if (options.format != "csv" || !scene.request.sweep) {

@@ -11,6 +11,7 @@ struct SolveOptions {
   std::vector<std::string> settings;
   std::string format = "text";
   int branch = 0;
+  bool prove = false;    ///< enclose all complex configurations of every group
   bool nearest = false;  ///< the configuration, or the branch, nearest to the scene's reference
 };
 

@@ -197,6 +197,12 @@ void bind_solution(py::module_& module) {
       .def_property_readonly(
           "reason", reason_of,
           "str: the reason why there is no configuration; empty where there is one.")
+      .def_property_readonly(
+          "complete", [](const SolvedScene& solved) { return solved.solution.incomplete.empty(); },
+          "bool: whether no configuration can be missing.")
+      .def_property_readonly(
+          "incomplete", [](const SolvedScene& solved) { return solved.solution.incomplete; },
+          "str: the reason why configurations may be missing; empty where none can be.")
       .def_property_readonly("families", families_of,
                              "tuple of Family: the families beside the configurations.")
       .def_property_readonly(

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <assur/text/identifiers.hpp>
+#include <assur/text/names.hpp>
 #include <cstdio>
 #include <filesystem>
 
@@ -242,6 +243,14 @@ const structure::Model& derived_model(const mechanism::FoundGroup& group) {
 }
 
 void expect_listable(const mechanism::Plan& plan) {
+  for (const mechanism::FoundGroup& group : plan.structure().groups) {
+    if (group.model->is_derived()) {
+      throw mechanism::MechanismError(
+          "links", "the links " + text::listed(plan.structure().names_of(group.links)) +
+                       " form a group of more than four links, for which no solver is emitted; "
+                       "name fewer parts in the scene's 'report', or solve it with the library");
+    }
+  }
   const double most = plan.most_configurations();
   if (most > most_listed) {
     std::array<char, 32> number{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <assur/support/flat_variables.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/variables.hpp>
 #include <cmath>
@@ -16,7 +17,7 @@ namespace assur::mechanism::models {
 /// The functions of a degenerate model on flat variables. No such group has an isolated
 /// configuration: it moves, or it cannot be assembled.
 template <typename Model>
-class DegenerateFunctions {
+class DegenerateFunctions final : public ModelKernel {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
@@ -25,8 +26,8 @@ class DegenerateFunctions {
   static_assert(Model::equation_count % 2 == 0 && Model::unknown_count <= most_rows);
 
  public:
-  static void assemble(const FlatVariables& flat_d, const FlatVariables& flat_u,
-                       const support::Displacement& displaced, GroupAssemblies& result) {
+  void assemble(const FlatVariables& flat_d, const FlatVariables& flat_u,
+                const support::Displacement& displaced, GroupAssemblies& result) const override {
     const auto d = support::unflattened<Dimensions>(flat_d);
     const auto u = support::unflattened<Inputs>(flat_u);
     result.count = 0;
@@ -46,7 +47,8 @@ class DegenerateFunctions {
 
   /// Computes by how much the closures fail or, where the angles fail, by how much that moves a
   /// point of the group.
-  static Status gap(const FlatVariables& flat_d, const FlatVariables& flat_u, double& result) {
+  Status gap(const FlatVariables& flat_d, const FlatVariables& flat_u,
+             double& result) const override {
     const auto d = support::unflattened<Dimensions>(flat_d);
     const auto u = support::unflattened<Inputs>(flat_u);
     if (!is_finite(d) || !is_finite(u)) {

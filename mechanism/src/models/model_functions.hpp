@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/flat_variables.hpp>
 #include <assur/support/scale.hpp>
 #include <assur/support/shared_search.hpp>
 #include <cmath>
@@ -18,39 +19,41 @@ namespace assur::mechanism::models {
 
 /// The functions of a model on flat variables.
 template <typename Model>
-class ModelFunctions {
+class ModelFunctions final : public ModelKernel {
   using Dimensions = typename Model::template Dimensions<double>;
   using Inputs = typename Model::template Inputs<double>;
   using Configuration = typename Model::template Configuration<double>;
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
  public:
-  static void assemble(const FlatVariables& d, const FlatVariables& u,
-                       const support::Displacement& displaced, GroupAssemblies& result) {
+  void assemble(const FlatVariables& d, const FlatVariables& u,
+                const support::Displacement& displaced, GroupAssemblies& result) const override {
     const Assemblies<Model> found =
         assemblies<Model>(read<Dimensions>(d), read<Inputs>(u), displaced);
     result.status = found.status;
     result.mobility = found.mobility;
     result.count = static_cast<std::size_t>(found.count);
+    result.configurations.resize(Model::max_configurations);
+    result.regularity.resize(Model::max_configurations);
     for (std::size_t index = 0; index < result.count; ++index) {
       support::flatten(found.configurations[index], result.configurations[index]);
       result.regularity[index] = found.regularity[index];
     }
   }
 
-  static Status gap(const FlatVariables& d, const FlatVariables& u, double& result) {
+  Status gap(const FlatVariables& d, const FlatVariables& u, double& result) const override {
     return closure_gap<Model>(read<Dimensions>(d), read<Inputs>(u), result);
   }
 
-  static void stand(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
-                    GroupPoses& result) {
+  void stand(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+             GroupPoses& result) const override {
     Poses<double, Model::link_count> poses;
     Model::link_poses(read<Dimensions>(d), read<Inputs>(u), read<Configuration>(q), poses);
     std::copy(poses.begin(), poses.end(), result.begin());
   }
 
-  static void move(const FlatVariables& flat_d, const FlatVariables& flat_u,
-                   const FlatVariables& flat_q, const MotionQuery& query, GroupMotion& motion) {
+  void move(const FlatVariables& flat_d, const FlatVariables& flat_u, const FlatVariables& flat_q,
+            const MotionQuery& query, GroupMotion& motion) const override {
     const auto d = read<Dimensions>(flat_d);
     const auto u = read<Inputs>(flat_u);
     const auto q = read<Configuration>(flat_q);
@@ -118,9 +121,9 @@ class ModelFunctions {
     }
   }
 
-  static void bend(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
-                   const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
-                   Curvature& along_x) {
+  void bend(const FlatVariables& d, const FlatVariables& u, const FlatVariables& q,
+            const SmallVector& q_x, const SmallVector& d_x, const SmallVector& u_x,
+            Curvature& along_x) const override {
     Vector<double, Model::unknown_count> q_rate;
     Vector<double, Model::dimension_count> d_rate;
     Vector<double, Model::input_count> u_rate;
@@ -143,8 +146,8 @@ class ModelFunctions {
     }
   }
 
-  static void expand(const FlatSeries& flat_d, const FlatSeries& flat_u, const FlatSeries& flat_q,
-                     MovingGroup& moving) {
+  void expand(const FlatSeries& flat_d, const FlatSeries& flat_u, const FlatSeries& flat_q,
+              MovingGroup& moving) const override {
     const auto as_it_is = [](const auto& value) { return Series(value); };
     const auto d =
         support::unflattened<typename Model::template Dimensions<Series>>(flat_d, as_it_is);
@@ -192,18 +195,13 @@ class ModelFunctions {
 template <typename Model>
 [[nodiscard]] const ModelKernel* kernel_of() {
   if constexpr (Model::rigid) {
-    static_assert(Model::link_count <= most_links && 2 * Model::unknown_count <= 2 * most_rows &&
+    static_assert(Model::link_count <= most_links && Model::unknown_count <= most_unknowns &&
                   Model::dimension_count <= most_rows && Model::input_count <= most_rows &&
                   Model::max_configurations <= most_configurations);
-    using Functions = ModelFunctions<Model>;
-    static constexpr ModelKernel kernel = {&Functions::assemble, &Functions::gap,
-                                           &Functions::stand,    &Functions::move,
-                                           &Functions::bend,     &Functions::expand};
+    static const ModelFunctions<Model> kernel;
     return &kernel;
   } else {
-    using Functions = DegenerateFunctions<Model>;
-    static constexpr ModelKernel kernel = {
-        &Functions::assemble, &Functions::gap, nullptr, nullptr, nullptr, nullptr};
+    static const DegenerateFunctions<Model> kernel;
     return &kernel;
   }
 }

@@ -1,41 +1,48 @@
-// Turns the numbers of one group into its configurations and their motion, the same for every
-// model.
+// The configurations of one group and their motion, behind plain numbers: the same for every model.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <assur/assembly.hpp>
+#include <assur/mechanism/group_model.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <assur/support/displaced_frame.hpp>
-#include <assur/support/flat_variables.hpp>
+#include <optional>
+#include <vector>
 
 #include "models/series.hpp"
 
 namespace assur::mechanism::models {
 
-/// The bounds of a group's sizes: it has at most four links, and no array of it is longer than all
-/// its link poses.
-inline constexpr int most_links = 4;
+/// The bounds of a group's sizes: it has at most eight links, and no array of it is longer than
+/// these. A link's own dimensions are two for each joint but the first.
+inline constexpr int most_links = static_cast<int>(most_links_of_group);
 inline constexpr int most_unknowns = 8;
-inline constexpr int most_configurations = 6;
+inline constexpr int most_configurations = 70;  ///< the bihomogeneous bound of four loops
 inline constexpr int most_rows = 3 * most_links;
+inline constexpr int most_columns = 40;
 using SmallMatrix =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_rows>;
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_rows, 1>;
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_rows, most_columns>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_columns, 1>;
 
 /// Variables of a model one after the other: a length is one number, an angle its cosine and sine.
-using FlatVariables = support::FlatVariables<double>;
+template <typename Scalar>
+using Flat = std::array<Scalar, 64>;
+using FlatVariables = Flat<double>;
 
 /// Every configuration of a group; the fields are those of `Assemblies`.
 struct GroupAssemblies {
   AssemblyStatus status = AssemblyStatus::ok;
   int mobility = 0;
   std::size_t count = 0;
-  std::array<FlatVariables, most_configurations> configurations;
-  std::array<Status, most_configurations> regularity{};
+  std::vector<FlatVariables> configurations;  ///< the first `count` of them; kept for their memory
+  std::vector<Status> regularity;
   /// False where the angles that the prismatic joints of a degenerate model tie contradict.
   bool is_compatible = true;
+  /// How many configurations were found in complex numbers, where a list that may lack some was
+  /// found by them; else nothing: no configuration can be missing.
+  std::optional<int> complex_count = std::nullopt;
 };
 
 /// What is asked of one configuration, and how the group's neighbours move.
@@ -72,7 +79,7 @@ struct Curvature {
 };
 
 /// Variables that move, flat; the closures and the link poses that follow from them.
-using FlatSeries = support::FlatVariables<Series>;
+using FlatSeries = Flat<Series>;
 /// The series of a group's closures and of its link poses.
 struct MovingGroup {
   std::array<Series, most_unknowns> closures;
@@ -83,26 +90,36 @@ struct MovingGroup {
 
 namespace assur::mechanism {
 
-/// The functions of one model behind plain numbers: d, u and q are flat.
-struct ModelKernel {
+/// The functions of one model behind plain numbers: d, u and q are flat. A degenerate model has no
+/// configuration, so that nothing is asked of it but whether it can be assembled.
+class ModelKernel {
+ public:
   /// Finds all configurations; `displaced` is how far rounding may have moved the neighbours.
-  void (*assemble)(const models::FlatVariables& d, const models::FlatVariables& u,
-                   const support::Displacement& displaced, models::GroupAssemblies& found);
+  virtual void assemble(const models::FlatVariables& d, const models::FlatVariables& u,
+                        const support::Displacement& displaced,
+                        models::GroupAssemblies& found) const = 0;
   /// Sets the least residual of the closures, where there are no configurations.
-  Status (*gap)(const models::FlatVariables& d, const models::FlatVariables& u, double& result);
+  virtual Status gap(const models::FlatVariables& d, const models::FlatVariables& u,
+                     double& result) const = 0;
   /// Sets the poses of the links where the group's closures hold.
-  void (*stand)(const models::FlatVariables& d, const models::FlatVariables& u,
-                const models::FlatVariables& q, models::GroupPoses& poses);
-  void (*move)(const models::FlatVariables& d, const models::FlatVariables& u,
-               const models::FlatVariables& q, const models::MotionQuery& query,
-               models::GroupMotion& motion);
-  void (*bend)(const models::FlatVariables& d, const models::FlatVariables& u,
-               const models::FlatVariables& q, const models::SmallVector& q_x,
-               const models::SmallVector& d_x, const models::SmallVector& u_x,
-               models::Curvature& along_x);
+  virtual void stand(const models::FlatVariables&, const models::FlatVariables&,
+                     const models::FlatVariables&, models::GroupPoses&) const {}
+  virtual void move(const models::FlatVariables&, const models::FlatVariables&,
+                    const models::FlatVariables&, const models::MotionQuery&,
+                    models::GroupMotion&) const {}
+  virtual void bend(const models::FlatVariables&, const models::FlatVariables&,
+                    const models::FlatVariables&, const models::SmallVector& /*q_x*/,
+                    const models::SmallVector& /*d_x*/, const models::SmallVector& /*u_x*/,
+                    models::Curvature&) const {}
   /// The closures and poses of a group that moves, to the order of a series.
-  void (*expand)(const models::FlatSeries& d, const models::FlatSeries& u,
-                 const models::FlatSeries& q, models::MovingGroup& moving);
+  virtual void expand(const models::FlatSeries&, const models::FlatSeries&,
+                      const models::FlatSeries&, models::MovingGroup&) const {}
+
+ protected:
+  ModelKernel() = default;
+  ModelKernel(const ModelKernel&) = default;
+  ModelKernel& operator=(const ModelKernel&) = default;
+  ~ModelKernel() = default;
 };
 
 }  // namespace assur::mechanism

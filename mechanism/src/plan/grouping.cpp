@@ -88,6 +88,40 @@ std::optional<FoundGroup> find_group(const Linkage& linkage, const std::vector<L
   return std::nullopt;
 }
 
+std::optional<FoundGroup> derived_group(const Linkage& linkage,
+                                        const std::vector<LinkIndex>& moving,
+                                        const std::vector<ElementaryJointIndex>& joints,
+                                        std::string& obstacle) {
+  RoleAssignment roles{moving, joints};
+  std::ranges::sort(roles.links, {}, [&](LinkIndex link) { return linkage.links[link]; });
+  const auto place = [&](LinkIndex link) {
+    const auto found = std::ranges::find(roles.links, link);
+    return found == roles.links.end() ? base_link : static_cast<int>(found - roles.links.begin());
+  };
+  const auto ends = [&](ElementaryJointIndex joint) {
+    const ElementaryJoint& at = linkage.joints[joint];
+    return std::minmax({place(at.first), place(at.second)});
+  };
+  std::ranges::sort(roles.joints, {}, [&](ElementaryJointIndex joint) {
+    const ElementaryJoint& at = linkage.joints[joint];
+    return std::make_tuple(at.name, ends(joint), at.prismatic);
+  });
+  std::vector<ModelJoint> graph;
+  for (const ElementaryJointIndex joint : roles.joints) {
+    const auto [first, second] = ends(joint);
+    graph.push_back({'\0', first, second, linkage.joints[joint].prismatic});
+  }
+  if (moving.size() > most_links_of_group) {
+    obstacle = "groups of at most " + std::to_string(most_links_of_group) + " links are solved";
+    return std::nullopt;
+  }
+  const GroupModel* model = derived_model(static_cast<int>(moving.size()), graph, obstacle);
+  if (model == nullptr) {
+    return std::nullopt;
+  }
+  return FoundGroup{model, model->kinds.front(), moving, {std::move(roles)}};
+}
+
 int assur_class_of(const Linkage& linkage, const std::vector<LinkIndex>& moving,
                    const std::vector<ElementaryJointIndex>& joints) {
   const auto place = [&](LinkIndex link) {

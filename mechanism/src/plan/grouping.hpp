@@ -14,6 +14,13 @@ namespace assur::mechanism::plan {
                                                    const std::vector<LinkIndex>& moving,
                                                    const std::vector<ElementaryJointIndex>& joints);
 
+/// The group that they form, whatever its graph is, with the model that is derived from it. The
+/// links, and then the joints, are in the order of their names. Nothing where there is no such
+/// model: `obstacle` then tells why.
+[[nodiscard]] std::optional<FoundGroup> derived_group(
+    const Linkage& linkage, const std::vector<LinkIndex>& moving,
+    const std::vector<ElementaryJointIndex>& joints, std::string& obstacle);
+
 /// Assur's class of the group that `moving` links form with `joints`.
 [[nodiscard]] int assur_class_of(const Linkage& linkage, const std::vector<LinkIndex>& moving,
                                  const std::vector<ElementaryJointIndex>& joints);

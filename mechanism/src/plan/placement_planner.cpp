@@ -137,7 +137,12 @@ class PlacementPlanner {
       while (!found) {
         std::optional<Cluster> cluster = find_cluster(structure_.linkage, left);
         if (!cluster) {
-          refuse(component);
+          std::string obstacle;
+          found = derived_group(structure_.linkage, left.links, left.joints, obstacle);
+          if (!found) {
+            refuse(component, obstacle);
+          }
+          break;
         }
         add(std::move(cluster->group));
         left = std::move(cluster->left);
@@ -299,18 +304,14 @@ class PlacementPlanner {
     return carriers;
   }
 
-  [[noreturn]] void refuse(const Component& component) const {
-    std::vector<std::string> known;
-    for (const GroupModels& group : known_groups()) {
-      known.push_back(group.structure.name);
-    }
+  [[noreturn]] void refuse(const Component& component, const std::string& obstacle) const {
     const int assur_class = assur_class_of(structure_.linkage, component.links, component.joints);
-    throw MechanismError(
-        "links", "the links " + text::listed(structure_.names_of(component.links)) +
-                     " can only be solved together, as a group of class " +
-                     std::to_string(assur_class) + " with " +
-                     std::to_string(component.links.size()) +
-                     " links, which is not known here (known: " + text::listed(known) + ")");
+    throw MechanismError("links", "the links " +
+                                      text::listed(structure_.names_of(component.links)) +
+                                      " can only be solved together, as a group of class " +
+                                      std::to_string(assur_class) + " with " +
+                                      std::to_string(component.links.size()) +
+                                      " links, which is not solved here: " + obstacle);
   }
 
   /// Whether one of some joints joins links that drivers tie together, none of which is placed.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "drawn_configuration.hpp"
 #include "forces_json.hpp"
@@ -87,13 +88,27 @@ Json output_json(const Point& point, const Report& report, const Want& want) {
   return entry;
 }
 
+/// The names of a group's joints, each once.
+Json joints_of(const Structure& structure, const FoundGroup& group) {
+  std::set<std::string> names;
+  for (const ElementaryJointIndex joint : group.assignments.front().joints) {
+    names.insert(structure.linkage.joints[joint].name);
+  }
+  return names;
+}
+
 Json groups_json(const Structure& structure) {
   Json list = Json::array();
   for (const FoundGroup& group : structure.groups) {
-    list.push_back({{"class", group.model->group->assur_class},
-                    {"kind", group.kind},
-                    {"model", group.model->number},
-                    {"links", structure.names_of(group.links)}});
+    list.push_back({{"class", group.model->group->assur_class}, {"kind", group.kind}});
+    if (!group.model->is_derived()) {
+      list.back()["model"] = group.model->number;
+    }
+    list.back()["links"] = structure.names_of(group.links);
+    list.back()["joints"] = joints_of(structure, group);
+    if (group.model->rigid) {
+      list.back()["complex_configurations"] = group.model->max_configurations;
+    }
     if (group.base.exists()) {
       list.back()["relative_to"] = structure.linkage.links[group.base];
     }
@@ -133,6 +148,15 @@ Json configuration_json(const Configuration& configuration, const Report& report
   }
   for (const Configuration& branch : configuration.branches) {
     entry["branches"].push_back(parts_json(branch, report, rates_alone(want)));
+  }
+  for (const GroupProof& proof : configuration.proofs) {
+    Json& group = entry["groups"].emplace_back();
+    group["proof"] = {{"boxes", proof.boxes},
+                      {"of", proof.of > 0 ? Json(proof.of) : Json()},
+                      {"radius", proof.obstacle.empty() ? Json(proof.radius) : Json()}};
+    if (!proof.obstacle.empty()) {
+      group["proof"]["reason"] = proof.obstacle;
+    }
   }
   entry["regularity"] = regularity_text(configuration.regularity);
   entry["residual"] = configuration.residual;
@@ -189,9 +213,11 @@ std::string report_json(const Report& report) {
   report::Json root;
   root["status"] = report::status_text(solution.status);
   root["mobility"] = solution.mobility;
+  const std::string incomplete = report::incomplete_text(report);
   const std::string reason = report::reason_text(report);
-  if (!reason.empty()) {
-    root["reason"] = reason;
+  root["complete"] = incomplete.empty();
+  if (!reason.empty() || !incomplete.empty()) {
+    root["reason"] = reason + (reason.empty() || incomplete.empty() ? "" : "; ") + incomplete;
   }
   if (!report.plan.redundant().empty()) {
     for (const RedundantJoint& joint : report.plan.redundant()) {

@@ -256,6 +256,22 @@ std::string drawn_text(const Report& report) {
   return text;
 }
 
+/// A line for each group that is enclosed, or is not.
+std::string proofs_text(const Table<GroupIndex, GroupProof>& proofs) {
+  std::string text;
+  for (const GroupIndex group : proofs.keys()) {
+    const GroupProof& proof = proofs[group];
+    std::array<char, 32> radius{};
+    (void)std::snprintf(radius.data(), radius.size(), "%.1e", proof.radius);
+    text += "  group " + std::to_string(group.place() + 1) + ": " + std::to_string(proof.boxes) +
+            " of " + std::to_string(proof.of) + " complex configurations enclosed, " +
+            (proof.obstacle.empty() ? std::string("this one within ") + radius.data()
+                                    : proof.obstacle) +
+            "\n";
+  }
+  return text;
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::report
@@ -274,8 +290,11 @@ std::string report_text(const Report& report) {
   text += (reason.empty() ? "" : ": " + reason) + "\n";
   const Structure& structure = report.plan.structure();
   for (const FoundGroup& group : structure.groups) {
-    text += "group: " + group.model->group->name + " " + group.kind + ", model " +
-            std::to_string(group.model->number) + ", links";
+    text += "group: " + group.model->group->name + " " + group.kind +
+            (group.model->is_derived() ? ", " + std::to_string(group.model->max_configurations) +
+                                             " complex configurations"
+                                       : ", model " + std::to_string(group.model->number)) +
+            ", links";
     for (const std::string& link : structure.names_of(group.links)) {
       text += " " + link;
     }
@@ -285,6 +304,9 @@ std::string report_text(const Report& report) {
   for (const RedundantJoint& joint : report.plan.redundant()) {
     text += "redundant: constraints of the joint " + joint.name +
             " are left out; configurations in which they do not hold are excluded\n";
+  }
+  if (const std::string incomplete = report::incomplete_text(report); !incomplete.empty()) {
+    text += "incomplete: " + incomplete + "\n";
   }
   for (const Family& family : solution.families) {
     text += "family of group " + std::to_string(family.group.place() + 1) + ", mobility " +
@@ -327,7 +349,7 @@ std::string report_text(const Report& report) {
              : report.nearest ? "nearest to the reference"
                               : std::to_string(report.branch)) +
             ": " + report::regularity_text(configuration.regularity) + ", residual " +
-            residual.data() + "\n";
+            residual.data() + "\n" + report::proofs_text(configuration.proofs);
     text += report::configuration_text(configuration, report);
   }
   return text;

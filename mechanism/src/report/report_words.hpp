@@ -27,6 +27,11 @@ namespace assur::mechanism::report {
                                                         : solution.reason;
 }
 
+/// Why configurations may be missing from the answer; empty where none can be.
+[[nodiscard]] inline std::string incomplete_text(const Report& report) {
+  return report.alone ? "one configuration alone was sought" : report.solution.incomplete;
+}
+
 [[nodiscard]] inline const char* regularity_text(Status regularity) {
   return regularity == Status::ok ? "regular" : "near-singular";
 }

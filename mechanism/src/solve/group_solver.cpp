@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "groups/derived_model.hpp"
 #include "models/scaled_motion.hpp"
 #include "plan/plan_data.hpp"
 #include "solve/precision.hpp"
@@ -136,6 +137,46 @@ double GroupSolver::determinant() const {
     }
   }
   return 1 / determinant_of(inverse);
+}
+
+GroupProof GroupSolver::proof(const Table<LinkIndex, Frame>& links) const {
+  const Structure& structure = values_.plan().structure;
+  const FoundGroup& group = structure.groups[group_];
+  const RoleAssignment& roles = *values_.group(group_).roles;
+  std::vector<ModelJoint> joints = group.model->group->joints;
+  std::vector<groups::JointFeatures<double>> features(joints.size());
+  const double* held = u_.data();
+  for (std::size_t index = 0; index < joints.size(); ++index) {
+    ModelJoint& joint = joints[index];
+    joint.prismatic = group.model->prismatic[index];
+    const ElementaryJoint& at = structure.linkage.joints[roles.joints[index]];
+    const auto on = [&](int link) {
+      const LinkFeature<Dual> feature =
+          values_.feature(at, roles.links[static_cast<std::size_t>(link)]);
+      return LinkFeature<double>{joint.prismatic,
+                                 feature.x.value(),
+                                 feature.y.value(),
+                                 {feature.along.cos.value(), feature.along.sin.value()}};
+    };
+    features[index].on_second = on(joint.second);
+    if (joint.first != base_link) {
+      features[index].on_first = on(joint.first);
+      continue;
+    }
+    features[index].on_first = {joint.prismatic, held[0], held[1], {1, 0}};
+    held += 2;
+    if (joint.prismatic) {
+      features[index].on_first.along = {held[0], held[1]};
+      held += 2;
+    }
+  }
+  std::vector<Direction<double>> directions;
+  for (const LinkIndex link : roles.links) {
+    const Direction<double>& own = links[link].pose.direction;
+    directions.push_back(
+        group.base.exists() ? turned(own, reversed(links[group.base].pose.direction)) : own);
+  }
+  return groups::proof_of(joints, features, directions);
 }
 
 void GroupSolver::stand(std::size_t configuration, Table<LinkIndex, Frame>& links) const {

@@ -69,6 +69,9 @@ class GroupSolver {
   /// Places the group's links and slides in one of its configurations; the slides are written to
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);
+  /// The proof that no configuration of the group is missing where it was placed last; `links` has
+  /// its links.
+  [[nodiscard]] GroupProof proof(const Table<LinkIndex, Frame>& links) const;
   /// The determinant of the loop Jacobian where the group was placed last; NaN where it has no
   /// inverse.
   [[nodiscard]] double determinant() const;

@@ -46,6 +46,16 @@ std::string reason_of_doubt(const Values& values, GroupIndex group) {
          "that hold their group";
 }
 
+std::string reason_of_incompleteness(const Values& values, GroupIndex group, int found) {
+  const FoundGroup& of = values.plan().structure.groups[group];
+  return "group " + std::to_string(group.place() + 1) + " (" + of.model->group->name + ": " +
+         text::listed(values.plan().structure.names_of(of.links)) + ") has " +
+         std::to_string(of.model->max_configurations) +
+         " configurations in complex numbers in general position, of which " +
+         std::to_string(found) +
+         " were found to be single ones here: in this special position others may be missing";
+}
+
 std::string reason_of_conflict(const Values& values, GroupIndex group) {
   return reason_of_model(values, group,
                          "these angles are not compatible here, and the group cannot be assembled");

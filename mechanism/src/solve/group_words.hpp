@@ -16,5 +16,9 @@ namespace assur::mechanism::solve {
 [[nodiscard]] std::string reason_of_doubt(const Values& values, GroupIndex group);
 /// The reason why a group cannot be assembled if prismatic joints over-determine its angles.
 [[nodiscard]] std::string reason_of_conflict(const Values& values, GroupIndex group);
+/// The reason why configurations of a group may be missing: some of its complex configurations were
+/// found to be single ones, but not as many as there are in general position.
+[[nodiscard]] std::string reason_of_incompleteness(const Values& values, GroupIndex group,
+                                                   int found);
 
 }  // namespace assur::mechanism::solve

@@ -70,6 +70,12 @@ void write_configuration(const Placement& placement, Configuration& result) {
   result.determinants = placed.determinants;
   result.plan = placement.shared_plan();
   const Request& request = placement.plan().request;
+  result.proofs.resize(0);
+  for (const GroupIndex group : placement.structure().groups.keys()) {
+    if (request.prove) {
+      result.proofs.add(placement.solver(group).proof(placed.links));
+    }
+  }
   if (!result.rates_known && placed.is_crossing &&
       (request.want.velocity || request.want.acceleration)) {
     find_branches(values, placed, result);

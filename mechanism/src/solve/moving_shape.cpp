@@ -24,7 +24,7 @@ class ShapeWriter {
     shape_.d[place_++] = dimension.angle.sin;
     include_turn(dimension.angle);
   }
-  void add_frame(const NormalForm<Series>& form) {
+  void add_frame(const LinkForm<Series>& form) {
     shape_.own.push_back(inverse(form.frame));
     include_turn(form.frame.direction);
     std::ranges::for_each(form.shift, [this](const Series& shift) { include_length(shift); });
@@ -80,7 +80,7 @@ std::optional<MovingShape> moving_shape(const Values& values, GroupIndex index,
   for (const DimensionValue<Series>& dimension : geometry.dimensions()) {
     writer.add(dimension);
   }
-  for (const NormalForm<Series>& form : geometry.links) {
+  for (const LinkForm<Series>& form : geometry.links) {
     writer.add_frame(form);
   }
   for (const HeldAxis<Series>& held : geometry.held_axes) {

@@ -136,6 +136,7 @@ class ConfigurationWalk {
     result.status = SolutionStatus::ok;
     result.mobility = 0;
     result.reason.clear();
+    result.incomplete.clear();
     result.dropped = 0;
     result.drop_reason.clear();
     result.breaches.clear();
@@ -202,6 +203,9 @@ class ConfigurationWalk {
           "links",
           "the arithmetic of this build or of its process does not round as double precision "
           "does; compile without -ffast-math and its parts, and with -mfpmath=sse");
+    }
+    if (found.complex_count && solution_->incomplete.empty()) {
+      solution_->incomplete = reason_of_incompleteness(values_, group, *found.complex_count);
     }
     if (found.mobility > 0) {
       families_.add(group, found.mobility, reason_of_freedom(values_, group));
@@ -330,6 +334,10 @@ class ConfigurationWalk {
   }
 
   void conclude() {
+    if (is_unsure_ && solution_->incomplete.empty()) {
+      solution_->incomplete =
+          "beside a singular position rounding decides whether some places are configurations";
+    }
     if (passed_ > listed_) {  // a single configuration was sought, and there are others
       return;
     }

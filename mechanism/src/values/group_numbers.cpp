@@ -95,7 +95,7 @@ Values::GroupNumbers group_numbers(const Values& values, GroupIndex index) {
   }
   numbers.across = across_axes(values, group, geometry, numbers.is_angle);
   numbers.links = geometry.roles->links;
-  for (const NormalForm<Dual>& link : geometry.links) {
+  for (const LinkForm<Dual>& link : geometry.links) {
     numbers.own.push_back(Frame::at(inverse(link.frame)));
   }
   const auto played = [&](int joint) -> const ElementaryJoint& {

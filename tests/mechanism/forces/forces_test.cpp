@@ -203,7 +203,9 @@ TEST_P(ForcesOfScenes, HaveCoefficientsThatGiveTheRates) {
   EXPECT_LT(worst, 1e-8);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ties, ForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
+INSTANTIATE_TEST_SUITE_P(Ties, ForcesOfScenes,
+                         testing::Values(Ties::drivers, Ties::groups,
+                                         Ties::drivers_in_larger_groups),
                          name_of_ties);
 
 /// A crank of length a with a rod of length b that pushes a block along the x-axis, by hand: a

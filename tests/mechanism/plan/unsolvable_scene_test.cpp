@@ -118,36 +118,26 @@ TEST(Drivers, OfAPinOfManyLinksAreNamed) {
 }
 
 /// Six links of class four: a contour of four links, two of them on bars to the ground.
-TEST(UnknownGroup, OfClassFourIsNamed) {
+// Seven links in a ring, three of which bars hold, and two the ground: ten links.
+TEST(UnknownGroup, OfTooManyLinksIsNamed) {
   Bars bars;
-  for (const char* link : {"one", "two", "three", "four"}) {
+  const std::vector<std::string> ring{"one", "two", "three", "four", "five", "six", "seven"};
+  for (const std::string& link : ring) {
     bars.point(link, "P", 0, 0).point(link, "Q", 2, 0).point(link, "R", 1, 1);
   }
-  bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3);
-  bars.join("12", {"one.Q", "two.P"}).join("23", {"two.Q", "three.P"});
-  bars.join("34", {"three.Q", "four.P"}).join("41", {"four.Q", "one.P"});
-  bars.bar("five", "one.R", "crank.B").bar("six", "two.R", "ground.F");
-  bars.join("G", {"ground.G", "three.R"});
-  EXPECT_EQ(message_of(bars.json()),
-            "scene: links: the links one, two, three, four, five, six can only be solved together, "
-            "as a group of class 4 with 6 links, which is not known here (known: dyad, triad, "
-            "tetrad)");
-}
-
-TEST(UnknownGroup, OfClassFiveIsNamed) {
-  Bars bars;
-  for (const char* link : {"one", "two", "three", "four", "five"}) {
-    bars.point(link, "P", 0, 0).point(link, "Q", 2, 0).point(link, "R", 1, 1);
+  for (std::size_t link = 0; link < ring.size(); ++link) {
+    bars.join("J" + std::to_string(link),
+              {ring[link] + ".Q", ring[(link + 1) % ring.size()] + ".P"});
   }
-  bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3);
-  bars.join("12", {"one.Q", "two.P"}).join("23", {"two.Q", "three.P"});
-  bars.join("34", {"three.Q", "four.P"}).join("45", {"four.Q", "five.P"});
-  bars.join("51", {"five.Q", "one.P"}).bar("six", "two.R", "crank.B");
-  bars.join("F", {"ground.F", "one.R"}).join("G", {"ground.G", "four.R"});
+  bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3).point("ground", "H", 4, -3);
+  bars.point("ground", "I", 5, 1);
+  bars.bar("eight", "two.R", "crank.B").bar("nine", "three.R", "ground.F");
+  bars.bar("ten", "six.R", "ground.H");
+  bars.join("G", {"ground.G", "one.R"}).join("I", {"ground.I", "four.R"});
   EXPECT_EQ(message_of(bars.json()),
-            "scene: links: the links one, two, three, four, five, six can only be solved together, "
-            "as a group of class 5 with 6 links, which is not known here (known: dyad, triad, "
-            "tetrad)");
+            "scene: links: the links one, two, three, four, five, six, seven, eight, nine, ten can "
+            "only be solved together, as a group of class 7 with 10 links, which is not solved "
+            "here: groups of at most 8 links are solved");
 }
 
 }  // namespace

@@ -120,7 +120,9 @@ std::ostream& operator<<(std::ostream& out, const Errors& errors) {
 }
 
 using DriversAnywhere = DrivenScenes;
-INSTANTIATE_TEST_SUITE_P(Tied, DriversAnywhere, testing::Values(Ties::drivers, Ties::groups),
+INSTANTIATE_TEST_SUITE_P(Tied, DriversAnywhere,
+                         testing::Values(Ties::drivers, Ties::groups,
+                                         Ties::drivers_in_larger_groups),
                          name_of_ties);
 
 TEST_P(DriversAnywhere, AgreeWithRigidBodiesInMotion) {
@@ -139,6 +141,9 @@ TEST_P(DriversAnywhere, AgreeWithRigidBodiesInMotion) {
 
 /// Newton's method from many places finds nothing that is not listed.
 TEST_P(DriversAnywhere, ListWhateverNewtonFinds) {
+  if (GetParam() == Ties::drivers_in_larger_groups) {
+    GTEST_SKIP() << "none is small; LargerGroups.LackNoConfigurationThatNewtonFinds asks Newton";
+  }
   constexpr int starts = 25;
   constexpr Eigen::Index largest_scene = 24;
   int arrived = 0;

@@ -16,14 +16,17 @@
 #include <utility>
 #include <vector>
 
+#include "mechanism/larger_groups.hpp"
+
 namespace assur::test {
 
 /// Where random scenes lie: anywhere, or on whole numbers with angles of right and 3-4-5 triangles,
 /// where parts are equal and parallel and joints stand in singular positions.
 enum class Places : unsigned char { anywhere, lattice };
 
-/// What ties several links together into one link of a group: drivers alone, or other groups too.
-enum class Ties : unsigned char { drivers, groups };
+/// What ties several links together into one link of a group: drivers alone, or other groups too;
+/// or drivers alone, and the first group is a larger one than those that are generated.
+enum class Ties : unsigned char { drivers, groups, drivers_in_larger_groups };
 
 /// Driven links, groups, and driven links behind them. A link of a group may consist of several
 /// links that are tied together. Laws read joints that are placed before; parameters move, and with
@@ -289,22 +292,39 @@ class RandomDrivenScene {
     body.insert(body.end(), added.begin(), added.end());
   }
 
-  /// Adds a known group, on a body or on links that are placed, and returns its links.
+  /// Adds a group, on a body or on links that are placed, and returns its links.
   std::vector<std::string> add_group(std::size_t which, const Body* base) {
+    if (ties_ == Ties::drivers_in_larger_groups && !has_larger_) {
+      has_larger_ = true;
+      const std::vector<Chain>& chains = seven_link_chains();
+      const mechanism::GroupStructure larger =
+          grounded(chains[static_cast<std::size_t>(below(3))], 7, below(7));
+      return add_group(larger, base, [&](const std::vector<bool>& slides) {
+        return model_of(larger, slides) != nullptr;
+      });
+    }
     const auto& known = mechanism::known_groups();
     const mechanism::GroupModels& group = known[std::min(which, known.size() - 1)];
-    const std::size_t count = group.structure.joints.size();
+    return add_group(group.structure, base, [&](const std::vector<bool>& slides) {
+      return group.serving(slides).model->rigid;
+    });
+  }
+
+  template <typename IsRigid>
+  std::vector<std::string> add_group(const mechanism::GroupStructure& structure, const Body* base,
+                                     const IsRigid& is_rigid) {
+    const std::size_t count = structure.joints.size();
     std::vector<bool> slides(count);
     do {
       for (std::size_t joint = 0; joint < count; ++joint) {
         slides[joint] = chance(0.25);
       }
-    } while (!group.serving(slides).model->rigid);
+    } while (!is_rigid(slides));
 
-    const std::size_t links = group.structure.link_count();
+    const std::size_t links = structure.link_count();
     std::vector<Body> bodies(links);
     std::vector<bool> is_block(links, false);
-    choose_block(group.structure, slides, is_block);
+    choose_block(structure, slides, is_block);
     std::vector<std::string> added;
     for (std::size_t link = 0; link < links; ++link) {
       if (is_block[link]) {
@@ -328,11 +348,11 @@ class RandomDrivenScene {
     }
     const Body* const outer = std::exchange(base_, base);
     for (std::size_t joint = 0; joint < count; ++joint) {
-      add_joint(group.structure, joint, slides[joint], bodies, is_block);
+      add_joint(structure, joint, slides[joint], bodies, is_block);
     }
     for (std::size_t link = 0; link < links; ++link) {
       if (is_block[link]) {
-        add_slot(group.structure, static_cast<int>(link), slides, bodies);
+        add_slot(structure, static_cast<int>(link), slides, bodies);
       }
     }
     base_ = outer;
@@ -438,6 +458,7 @@ class RandomDrivenScene {
   std::mt19937 engine_;
   Places places_;
   Ties ties_;
+  bool has_larger_ = false;
   const Body* base_ = nullptr;  ///< holds the group that is being added; null where placed links do
   Json scene_;
   std::map<std::string, BodyPose> poses_;

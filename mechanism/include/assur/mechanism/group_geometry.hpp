@@ -1,6 +1,7 @@
-// Turns a group of a mechanism into the normal forms of its links, in any scalar.
+// The links of a mechanism's group in the frames in which its model measures them, in any scalar.
 #pragma once
 
+#include <algorithm>
 #include <assur/mechanism/carried_features.hpp>
 #include <assur/mechanism/normal_forms.hpp>
 #include <assur/mechanism/structure.hpp>
@@ -12,13 +13,23 @@
 
 namespace assur::mechanism {
 
-/// The links of a group in normal form, under the first assignment of roles that has one.
+/// The frame of a link in which its group's model measures it, what it measures there, and for each
+/// joint the distance by which the model's displacement begins elsewhere (`NormalForm`).
+template <typename Scalar>
+struct LinkForm {
+  Pose<Scalar> frame;
+  std::vector<DimensionValue<Scalar>> dimensions;
+  std::vector<Scalar> shift;
+};
+
+/// The links of a group in the frames of its model, under the first assignment of roles that has
+/// such frames.
 template <typename Scalar>
 struct GroupGeometry {
   const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
   std::string obstacle;                   ///< in that case: which link has none, and why
   std::string flaw;                       ///< the link that has no length, if there is one
-  std::vector<NormalForm<Scalar>> links;  ///< of each link of the model
+  std::vector<LinkForm<Scalar>> links;    ///< of each link of the model
   std::vector<HeldAxis<Scalar>> held_axes;
   /// How well the features define the links' frames, from zero to one. A held axis counts as firm.
   double firmness = 0;
@@ -39,9 +50,8 @@ struct GroupGeometry {
   /// The dimensions of the model, in its order.
   [[nodiscard]] std::vector<DimensionValue<Scalar>> dimensions() const {
     std::vector<DimensionValue<Scalar>> values;
-    for (const NormalForm<Scalar>& link : links) {
-      values.insert(values.end(), link.dimensions.begin(),
-                    link.dimensions.begin() + link.dimension_count);
+    for (const LinkForm<Scalar>& link : links) {
+      values.insert(values.end(), link.dimensions.begin(), link.dimensions.end());
     }
     return values;
   }
@@ -54,8 +64,48 @@ struct SlideMeasure {
   Scalar shift;
 };
 
+namespace values {
+
+template <typename Scalar>
+[[nodiscard]] LinkForm<Scalar> link_form(const NormalForm<Scalar>& normal) {
+  return {normal.frame,
+          {normal.dimensions.begin(), normal.dimensions.begin() + normal.dimension_count},
+          {normal.shift.begin(), normal.shift.end()}};
+}
+
+/// The form of a link of any number of joints, whose axes keep their directions: the origin is its
+/// first point, or a point of its first line where it has no point. Of each other point the model
+/// has the coordinates; of each line the angle and, unless the origin is on it, the offset.
+template <typename Scalar>
+[[nodiscard]] LinkForm<Scalar> link_form(const std::vector<LinkFeature<Scalar>>& features,
+                                         const Scalar& zero) {
+  const auto point = std::ranges::find(features, false, &LinkFeature<Scalar>::line);
+  const LinkFeature<Scalar>& origin = point != features.end() ? *point : features.front();
+  LinkForm<Scalar> form{{origin.x, origin.y, {Scalar(1.0), Scalar(0.0)}}, {}, {}};
+  for (const LinkFeature<Scalar>& feature : features) {
+    const Scalar dx = feature.x - origin.x;
+    const Scalar dy = feature.y - origin.y;
+    const bool is_origin = &feature == &origin;
+    if (feature.line) {
+      form.dimensions.push_back({true, zero, feature.along});
+    }
+    if (!is_origin && feature.line) {
+      form.dimensions.push_back({false, dy * feature.along.cos - dx * feature.along.sin, {}});
+    } else if (!is_origin) {
+      form.dimensions.push_back({false, dx, {}});
+      form.dimensions.push_back({false, dy, {}});
+    }
+    form.shift.push_back(
+        feature.line && !is_origin ? dx * feature.along.cos + dy * feature.along.sin : zero);
+  }
+  return form;
+}
+
+}  // namespace values
+
 /// The group in normal form under the first assignment of roles that defines its links' frames
-/// well, or else the best. `feature_of(joint, link)` is a joint's feature in the frame of a link
+/// well, or else the best; a derived model needs no such choice. `feature_of(joint, link)` is a
+/// joint's feature in the frame of a link
 /// (`carried_feature`), `zero` depends on nothing. A `Scalar` gives its plain value by `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
@@ -63,6 +113,19 @@ template <typename Scalar, typename FeatureOf>
                                                    const FeatureOf& feature_of,
                                                    const Scalar& zero) {
   GroupGeometry<Scalar> geometry;
+  if (group.model->is_derived()) {
+    geometry.roles = &group.assignments.front();
+    geometry.firmness = 1;
+    for (std::size_t link = 0; link < geometry.roles->links.size(); ++link) {
+      std::vector<LinkFeature<Scalar>> features;
+      for (const int joint : values::joints_of(*group.model, link)) {
+        features.push_back(feature_of(values::played_joint(structure, *geometry.roles, joint),
+                                      geometry.roles->links[link]));
+      }
+      geometry.links.push_back(values::link_form(features, zero));
+    }
+    return geometry;
+  }
   double firmest = -1;
   for (const RoleAssignment& roles : group.assignments) {
     for (const std::size_t first_size : {2U, 3U}) {
@@ -75,7 +138,10 @@ template <typename Scalar, typename FeatureOf>
         geometry.held_axes = normal.held_axes();
         geometry.roles = &roles;
         geometry.flaw = normal.flaw();
-        geometry.links = std::move(normal.forms());
+        geometry.links.clear();
+        for (const NormalForm<Scalar>& form : normal.forms()) {
+          geometry.links.push_back(values::link_form(form));
+        }
         geometry.held_offsets = std::move(normal.held_offsets());
       }
       if (firmest > values::well) {

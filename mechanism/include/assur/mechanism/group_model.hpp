@@ -1,4 +1,4 @@
-// Turns the tables of the generated headers into one list of groups and their kinematic models.
+// The groups and their kinematic models, as the generated headers list them or as they are derived.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace assur::mechanism {
 
-struct ModelKernel;
+class ModelKernel;
 
 /// An Assur group as a graph, the same for all its models.
 struct GroupStructure {
@@ -20,19 +20,24 @@ struct GroupStructure {
   [[nodiscard]] std::size_t link_count() const { return link_joints.size(); }
 };
 
-/// A kinematic model of a group, as its generated header describes it.
+/// A kinematic model of a group, as its generated header describes it, or as it is derived from its
+/// graph.
 struct GroupModel {
   const GroupStructure* group;
-  int number;
+  int number;  ///< zero if it is derived
   bool rigid;
-  int mobility;                    ///< generic, where it can be assembled
-  int max_configurations;          ///< the most that a rigid model has; 0 for others
+  int mobility;  ///< generic, where it can be assembled
+  /// The number of configurations that a rigid model has in complex numbers, which is the most that
+  /// it has in real ones; 0 for others.
+  int max_configurations;
   std::vector<bool> prismatic;     ///< of each joint
   std::vector<std::string> kinds;  ///< the spellings of the kinds that it serves
   std::vector<ModelUnknown> unknowns;
   std::size_t dimension_count, input_count;
   std::vector<bool> dimension_is_angle, input_is_angle;
   const ModelKernel* kernel;  ///< its functions
+
+  [[nodiscard]] bool is_derived() const { return number == 0; }
 };
 
 /// The models of one group.
@@ -50,6 +55,14 @@ struct GroupModels {
 
 /// Every group that was generated: dyad, triad, tetrad.
 [[nodiscard]] const std::vector<GroupModels>& known_groups();
+
+/// The largest group that is solved.
+inline constexpr std::size_t most_links_of_group = 8;
+/// The model of a group with these joints among some links, derived from its graph when it is asked
+/// for first; it lasts as long as the process. Null where the group has no isolated configuration,
+/// or has slides in more than two directions: `obstacle` then tells which.
+[[nodiscard]] const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
+                                              std::string& obstacle);
 
 /// The two links that a joint joins.
 struct JointPair {

@@ -86,6 +86,7 @@ struct Request {
   /// Exists where the reference is that of a drawing, as nobody has given another one. It keeps no
   /// link in the solved part of the mechanism.
   std::optional<DrawnPose> drawn;
+  bool prove = false;  ///< enclose every group of every configuration (`GroupProof`)
   /// The parameters that stay arguments of an emitted solver; the others become numbers there.
   std::vector<ParameterIndex> variable;
 };

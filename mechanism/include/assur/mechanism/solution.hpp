@@ -37,6 +37,18 @@ struct CountedAngle {
   double angle;
 };
 
+/// A proof that no configuration of a group is missing: every solution of its equations in complex
+/// numbers is enclosed in a ball in which Krawczyk's operator, rounded outward, is a contraction,
+/// so that it holds exactly one; and in general position there are no more solutions than `of`.
+struct GroupProof {
+  int boxes = 0;         ///< disjoint balls that were found
+  int of = 0;            ///< complex configurations that there are in general position
+  double radius = 0;     ///< of this configuration's ball: radians, and parts of the group's size
+  std::string obstacle;  ///< why this configuration is in no ball; empty where it is in one
+
+  [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }
+};
+
 /// One assembly configuration of the whole mechanism.
 struct Configuration {
   Table<LinkIndex, Frame> links;  ///< of the mechanism's links, in the frame of the ground
@@ -65,6 +77,7 @@ struct Configuration {
   /// Set only where the request has a sweep. Along a branch it changes its sign in singular
   /// configurations only.
   Table<GroupIndex, double> determinants;
+  Table<GroupIndex, GroupProof> proofs;  ///< set only where the request asks for them
 
   /// Finds a part by its name. Throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;
@@ -105,6 +118,8 @@ struct Solution {
   SolutionStatus status = SolutionStatus::ok;
   int mobility = 0;    ///< of the freest family, if the solution is degenerate
   std::string reason;  ///< why there are no configurations
+  /// Why configurations may be missing from the list; empty where none can be.
+  std::string incomplete;
   /// The configurations, in an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;

@@ -22,8 +22,8 @@ inline constexpr std::size_t number_count = std::is_empty_v<Variables>
                                                 : sizeof(Variables) / sizeof(Scalar);
 
 /// The variables that stand in `flat`.
-template <typename Variables, typename Scalar>
-[[nodiscard]] Variables unflattened(const FlatVariables<Scalar>& flat) {
+template <typename Variables, typename Scalar, std::size_t Room>
+[[nodiscard]] Variables unflattened(const std::array<Scalar, Room>& flat) {
   static_assert(std::is_trivially_copyable_v<Variables>);
   Variables result;
   std::memcpy(static_cast<void*>(&result), flat.data(),
@@ -33,8 +33,8 @@ template <typename Variables, typename Scalar>
 
 /// The variables that stand in `flat` as numbers of another scalar, which `convert` turns into that
 /// of the variables.
-template <typename Variables, typename Scalar, typename Convert>
-[[nodiscard]] Variables unflattened(const FlatVariables<Scalar>& flat, const Convert& convert) {
+template <typename Variables, typename Scalar, std::size_t Room, typename Convert>
+[[nodiscard]] Variables unflattened(const std::array<Scalar, Room>& flat, const Convert& convert) {
   using Own = std::decay_t<decltype(convert(flat[0]))>;
   FlatVariables<Own> converted;
   for (std::size_t place = 0; place < number_count<Variables, Own>; ++place) {
@@ -44,8 +44,8 @@ template <typename Variables, typename Scalar, typename Convert>
 }
 
 /// The variables as `flat` numbers of another scalar.
-template <template <typename> class Variables, typename Own, typename Scalar>
-void flatten(const Variables<Own>& variables, FlatVariables<Scalar>& flat) {
+template <template <typename> class Variables, typename Own, typename Scalar, std::size_t Room>
+void flatten(const Variables<Own>& variables, std::array<Scalar, Room>& flat) {
   static_assert(std::is_trivially_copyable_v<Variables<Own>>);
   constexpr std::size_t count = number_count<Variables<Own>, Own>;
   FlatVariables<Own> own;

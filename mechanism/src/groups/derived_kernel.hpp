@@ -1,0 +1,74 @@
+// The functions of a model that is derived from the graph of its group.
+#pragma once
+
+#include <assur/mechanism/solution.hpp>
+#include <vector>
+
+#include "groups/elimination.hpp"
+#include "groups/enclosure.hpp"
+#include "groups/loops.hpp"
+#include "models/model_kernel.hpp"
+
+namespace assur::mechanism::groups {
+
+/// The unknowns, inputs and dimensions of the largest group together.
+inline constexpr int most_variables = 72;
+
+/// The closures of a group of any size, as its loops are placed, and their derivatives. The
+/// unknowns q are the angles of the links in `Loops::free_turned` and then the displacements; the
+/// dimensions d are those of `LinkForm`, link by link; the inputs u are the points, or lines, of
+/// the base at the external joints.
+class DerivedKernel final : public ModelKernel {
+ public:
+  /// `link_joints`: of each link, in the order in which the dimensions list them.
+  DerivedKernel(Loops loops, std::vector<std::vector<int>> link_joints);
+
+  /// The number of configurations in complex numbers, in general position; zero where there is
+  /// none, or no way to find all.
+  [[nodiscard]] int complex_count() const { return complex_count_; }
+  [[nodiscard]] const Loops& loops() const { return loops_; }
+  [[nodiscard]] const std::vector<bool>& dimension_is_angle() const { return dimension_is_angle_; }
+  [[nodiscard]] const std::vector<bool>& input_is_angle() const { return input_is_angle_; }
+
+  /// Encloses all configurations, and tells the ball of the one with these directions of the links.
+  [[nodiscard]] GroupProof proof(const std::vector<JointFeatures<double>>& features,
+                                 const std::vector<Direction<double>>& directions) const;
+
+  void assemble(const models::FlatVariables& d, const models::FlatVariables& u,
+                const support::Displacement& displaced,
+                models::GroupAssemblies& found) const override;
+  Status gap(const models::FlatVariables& d, const models::FlatVariables& u,
+             double& result) const override;
+  void stand(const models::FlatVariables& d, const models::FlatVariables& u,
+             const models::FlatVariables& q, models::GroupPoses& poses) const override;
+  void move(const models::FlatVariables& d, const models::FlatVariables& u,
+            const models::FlatVariables& q, const models::MotionQuery& query,
+            models::GroupMotion& motion) const override;
+  void bend(const models::FlatVariables& d, const models::FlatVariables& u,
+            const models::FlatVariables& q, const models::SmallVector& q_x,
+            const models::SmallVector& d_x, const models::SmallVector& u_x,
+            models::Curvature& along_x) const override;
+  void expand(const models::FlatSeries& d, const models::FlatSeries& u, const models::FlatSeries& q,
+              models::MovingGroup& moving) const override;
+
+ private:
+  [[nodiscard]] bool slides(int joint) const;
+  /// The joint at which the frame of a link with these joints has its origin (`LinkForm`).
+  [[nodiscard]] int origin_of(const std::vector<int>& joints) const;
+  template <typename Scalar>
+  [[nodiscard]] std::vector<JointFeatures<Scalar>> features(const models::Flat<Scalar>& d,
+                                                            const models::Flat<Scalar>& u) const;
+  template <typename Scalar>
+  [[nodiscard]] PlacedLinks<Scalar> placed(const models::Flat<Scalar>& d,
+                                           const models::Flat<Scalar>& u,
+                                           const models::Flat<Scalar>& q) const;
+  [[nodiscard]] models::FlatVariables flat(const ComplexConfiguration& at) const;
+
+  Loops loops_;
+  std::vector<std::vector<int>> link_joints_;
+  std::vector<bool> unknown_is_angle_, dimension_is_angle_, input_is_angle_;
+  std::vector<Elimination> eliminations_;
+  int complex_count_ = 0;
+};
+
+}  // namespace assur::mechanism::groups
