@@ -220,6 +220,11 @@ std::string report_json(const Report& report) {
     if (report::is_reported(report, number)) {
       root["configurations"].push_back(
           report::configuration_json(solution.configurations[number], report));
+      if (const auto place = report::place_in_sweep(report, number)) {
+        const auto known = [](int of) { return of > 0 ? report::Json(of) : report::Json(); };
+        root["configurations"].back()["branch"] = known(place->branch);
+        root["configurations"].back()["circuit"] = known(place->circuit);
+      }
     }
   }
   if (!solution.families.empty()) {

@@ -233,6 +233,17 @@ std::string degrees_text(double angle) {
   return digits.data();
 }
 
+/// The branch and the circuit of a configuration, where they were asked for.
+std::string place_text(const Report& report, std::size_t configuration) {
+  const std::optional<PlaceInSweep> place = place_in_sweep(report, configuration);
+  if (!place) {
+    return "";
+  }
+  return place->branch == 0 ? ", on no known branch"
+                            : ", branch " + std::to_string(place->branch) + ", circuit " +
+                                  std::to_string(place->circuit);
+}
+
 /// Which configuration it is, where the number is known.
 std::string which_text(const Nearest& nearest, bool is_numbered) {
   return is_numbered ? "configuration " + std::to_string(nearest.configuration + 1) + ", " : "one ";
@@ -327,7 +338,7 @@ std::string report_text(const Report& report) {
              : report.nearest ? "nearest to the reference"
                               : std::to_string(report.branch)) +
             ": " + report::regularity_text(configuration.regularity) + ", residual " +
-            residual.data() + "\n";
+            residual.data() + report::place_text(report, index) + "\n";
     text += report::configuration_text(configuration, report);
   }
   return text;
