@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "campaign/partial_file.hpp"
+#include "command/scene_warnings.hpp"
 #include "emission/cpp/files.hpp"
 
 namespace assur::generator::command {
@@ -95,6 +96,8 @@ void draw_scene(const DrawOptions& options) {
   const std::string read = text::read_input_file(options.scene);
   const Source source = {read,
                          mechanism::parse_scene(read, options.scene, options.settings, "--set")};
+  warn_of_idle_links(source.scene);
+  warn_of_idle_sweep(source.scene);
   try {
     const std::string text = form.text(source, options);
     emission::cpp::write_files({{file.filename(), text}},

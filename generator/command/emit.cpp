@@ -12,6 +12,7 @@
 #include "campaign/partial_file.hpp"
 #include "command/progress.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 #include "emission/closures/emit_closures.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/scene/emit_scene.hpp"
@@ -92,6 +93,7 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
                      "out, or give --want with the results that the solver is to give");
   }
   try {
+    warn_of_idle_links(scene);
     add_variables(options.variables, scene);
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(
         scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);

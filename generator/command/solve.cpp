@@ -11,6 +11,7 @@
 #include "command/output.hpp"
 #include "command/progress.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {
 
@@ -307,11 +308,13 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_solution(const SolveOptions& options) {
   const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
   expect_sweep(options, scene);
+  warn_of_idle_links(scene);
   try {
     const mechanism::Plan plan(scene);
     if (options.format != "csv" || !scene.request.sweep) {
       return print_one(options, scene, plan);
     }
+    warn_of_idle_sweep(scene);
     const bool follows_one = (options.nearest || options.branch > 0) &&
                              plan.most_configurations() > mechanism::most_followed;
     return follows_one ? print_branch(options, plan) : print_sweep(options, scene, plan);

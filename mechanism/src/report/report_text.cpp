@@ -341,6 +341,11 @@ std::string report_text(const Report& report) {
             residual.data() + report::place_text(report, index) + "\n";
     text += report::configuration_text(configuration, report);
   }
+  if (const auto nearest = report::nearest_to_limits(report)) {
+    text +=
+        "\nnearest to the limits: " + excesses_text(report.plan.mechanism(), nearest->excesses) +
+        "\n" + report::configuration_text(nearest->configuration, report);
+  }
   return text;
 }
 

@@ -29,6 +29,14 @@ namespace assur::mechanism::report {
                                                         : solution.reason;
 }
 
+/// The configuration nearest to the limits of joints, where all are left out.
+[[nodiscard]] inline std::optional<NearestToLimits> nearest_to_limits(const Report& report) {
+  const Solution& solution = report.solution;
+  return solution.status == SolutionStatus::no_assembly && solution.left_out.value_or(0) > 0
+             ? report.plan.nearest_to_limits(report.values)
+             : std::nullopt;
+}
+
 [[nodiscard]] inline const char* regularity_text(Status regularity) {
   return regularity == Status::ok ? "regular" : "near-singular";
 }

@@ -34,9 +34,14 @@ struct Circuits {
   std::vector<int> next;
 
   /// The circuit of a branch by its number; 0 for one that is not known, as branch 0.
-  [[nodiscard]] int of(int branch) const {
+  [[nodiscard]] int of(int branch) const { return at(of_branch, branch); }
+  /// The next branch of a branch by its number; 0 if there is none.
+  [[nodiscard]] int next_of(int branch) const { return at(next, branch); }
+
+ private:
+  [[nodiscard]] static int at(const std::vector<int>& numbers, int branch) {
     const auto place = static_cast<std::size_t>(branch);
-    return branch > 0 && place <= of_branch.size() ? of_branch[place - 1] : 0;
+    return branch > 0 && place <= numbers.size() ? numbers[place - 1] : 0;
   }
 };
 
