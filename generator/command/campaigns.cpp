@@ -15,7 +15,6 @@
 #include "command/progress.hpp"
 #include "command/ranks.hpp"
 #include "command/remarks.hpp"
-#include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {
 
@@ -107,7 +106,6 @@ campaign::Outputs files_of(const CampaignOptions& options, const std::vector<std
 CampaignScene campaign_scene(const std::string& campaign, const CampaignOptions& options) {
   const std::string text = text::read_input_file(options.scene);
   CampaignScene result{mechanism::parse_scene(text, options.scene, options.settings, "--set"), {}};
-  warn_of_idle_links(result.scene);
   campaign::Description& description = result.description;
   const std::string& name = result.scene.mechanism.name();
   description.add("assur", campaign);

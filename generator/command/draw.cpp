@@ -96,10 +96,10 @@ void draw_scene(const DrawOptions& options) {
   const std::string read = text::read_input_file(options.scene);
   const Source source = {read,
                          mechanism::parse_scene(read, options.scene, options.settings, "--set")};
-  warn_of_idle_links(source.scene);
-  warn_of_idle_sweep(source.scene);
   try {
     const std::string text = form.text(source, options);
+    warn_of_idle_links(source.scene);
+    warn_of_idle_sweep(source.scene);
     emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
   } catch (const mechanism::NoSuchConfiguration& error) {

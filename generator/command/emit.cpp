@@ -93,10 +93,10 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
                      "out, or give --want with the results that the solver is to give");
   }
   try {
-    warn_of_idle_links(scene);
     add_variables(options.variables, scene);
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(
         scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);
+    warn_of_idle_links(scene);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
       remarks() << "warning: " << file << ": " << warning << '\n';
     }

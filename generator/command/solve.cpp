@@ -308,9 +308,9 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_solution(const SolveOptions& options) {
   const mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
   expect_sweep(options, scene);
-  warn_of_idle_links(scene);
   try {
     const mechanism::Plan plan(scene);
+    warn_of_idle_links(scene);
     if (options.format != "csv" || !scene.request.sweep) {
       return print_one(options, scene, plan);
     }

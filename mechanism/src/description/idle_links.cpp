@@ -4,6 +4,22 @@
 
 namespace assur::mechanism {
 
+namespace {
+
+/// Three for each moving link, less one for each closure of a joint and each driver.
+int freedoms_of(const Mechanism& mechanism) {
+  int count = 3 * static_cast<int>(mechanism.links().size()) -
+              (mechanism.ground().exists() ? 3 : 0) - static_cast<int>(mechanism.drivers().size());
+  for (const Joint& joint : mechanism.joints()) {
+    count -= joint.type == JointType::revolute    ? 2 * (static_cast<int>(joint.between.size()) - 1)
+             : joint.type == JointType::prismatic ? 2
+                                                  : 1;
+  }
+  return count;
+}
+
+}  // namespace
+
 /// The only joint of a link that turns freely; does not exist for other links.
 JointIndex Mechanism::pin_of_idle(LinkIndex link) const {
   if (link == ground()) {
@@ -45,6 +61,9 @@ void Mechanism::hold_idle_links(const std::function<Formula(LinkIndex)>& angle_o
     if (const JointIndex pin = pin_of_idle(link); pin.exists()) {
       idle.emplace_back(link, pin);
     }
+  }
+  if (freedoms_of(*this) > static_cast<int>(idle.size())) {
+    return;  // more than these can move: the mechanism is not complete, and none of them idle
   }
   for (const auto& [link, pin] : idle) {
     if (joints_[pin].between.size() > 2) {  // the other links keep their pin
