@@ -197,7 +197,8 @@ class Mechanism {
 
   /// Holds at rest, by a driver each, the links that nothing else than one pin holds, if no driver,
   /// limit, formula or load is at that pin and nothing loads the link; `angle_of` gives the angle
-  /// of a link. Two links that are pinned to each other alone are held by one driver.
+  /// of a link. Two links that are pinned to each other alone are held by one driver. Does nothing
+  /// where more than these links can move.
   void hold_idle_links(const std::function<Formula(LinkIndex)>& angle_of);
 
   /// The mechanism without the links that are not kept: without their features and outputs, and
