@@ -218,8 +218,7 @@ void bind_scene(py::module_& module) {
       .def_readonly("text", &mechanism::ImportedScene::text,
                     "str: what a scene file holds, for parse_scene.")
       .def_property_readonly(
-          "remarks",
-          [](const mechanism::ImportedScene& scene) { return tuple_of(scene.remarks); },
+          "remarks", [](const mechanism::ImportedScene& scene) { return tuple_of(scene.remarks); },
           "tuple of str: a line for each thing that the scene does not say.")
       .def_readonly("complete", &mechanism::ImportedScene::complete,
                     "bool: whether all that holds or drives the mechanism is in the scene.");

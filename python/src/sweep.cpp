@@ -187,10 +187,11 @@ void bind_rows(py::module_& module) {
           "configuration", all_of<Branch>(&SweptRows::configuration),
           "Array of shape (rows,): the number of the configuration at its step;\n"
           "zero where that is not known.")
-      .def_readonly("circuit", &Branch::circuit,
-                    "int or None: the number of its circuit, from 1: the branches that the mechanism "
-                    "reaches\n"
-                    "without being taken apart; None where it is not known, as for sweep_branch.")
+      .def_readonly(
+          "circuit", &Branch::circuit,
+          "int or None: the number of its circuit, from 1: the branches that the mechanism "
+          "reaches\n"
+          "without being taken apart; None where it is not known, as for sweep_branch.")
       .def_readonly("ends_at", &Branch::ends_at,
                     "float or None: the value of the parameter at which sweep_branch cannot follow "
                     "the branch\n"
