@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "campaign/partial_file.hpp"
+#include "command/scene_warnings.hpp"
 #include "emission/cpp/files.hpp"
 
 namespace assur::generator::command {
@@ -97,6 +98,8 @@ void draw_scene(const DrawOptions& options) {
                          mechanism::parse_scene(read, options.scene, options.settings, "--set")};
   try {
     const std::string text = form.text(source, options);
+    warn_of_idle_links(source.scene);
+    warn_of_idle_sweep(source.scene);
     emission::cpp::write_files({{file.filename(), text}},
                                file.has_parent_path() ? file.parent_path() : ".");
   } catch (const mechanism::NoSuchConfiguration& error) {

@@ -12,6 +12,7 @@
 #include "campaign/partial_file.hpp"
 #include "command/progress.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 #include "emission/closures/emit_closures.hpp"
 #include "emission/model/emit.hpp"
 #include "emission/scene/emit_scene.hpp"
@@ -95,6 +96,7 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
     add_variables(options.variables, scene);
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(
         scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);
+    warn_of_idle_links(scene);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
       remarks() << "warning: " << file << ": " << warning << '\n';
     }

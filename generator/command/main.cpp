@@ -204,8 +204,10 @@ int run(int argc, char** argv) {
       ->check(one_of({"text", "json", "csv"}))
       ->capture_default_str();
   command
-      ->add_option("--branch", solve.branch,
-                   "report configuration N only;\nof a sweep, the rows of branch N")
+      ->add_option(
+          "--branch", solve.branch,
+          "report configuration N only, as numbered\nwithout the option; with --format csv and "
+          "a\nsweep, the rows of branch N, as numbered at\nthe first step that has one")
       ->type_name("N")
       ->check(any_whole_number);
   command
@@ -217,6 +219,12 @@ int run(int argc, char** argv) {
       "--prove", solve.prove,
       "prove that no configuration is missing: enclose\nall complex configurations of "
       "every group");
+  command->add_flag("--circuits", solve.circuits,
+                    "also tell on which branch and circuit of the\nsweep a configuration is; with "
+                    "--format csv a\nsweep always tells");
+  command->add_flag(
+      "--unwrapped", solve.unwrapped,
+      "with --format csv and a sweep: angles continue\nby whole turns along a branch");
   command->callback([&] { chosen = [&] { return run_solve(solve); }; });
 
   DrawOptions draw;

@@ -11,6 +11,7 @@
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {
 
@@ -109,6 +110,7 @@ void map(const MapOptions& options, CampaignScene& scene) {
   const mechanism::Request& request = scene.scene.request;
   const std::vector<WrittenAxis> written = written_axes(options.over, options.settings, mechanism);
   const mechanism::Plan plan(mechanism, request);
+  warn_of_idle_links(scene.scene);
   const std::vector<mechanism::GridAxis> axes = grid_axes(written, plan);
   const mechanism::Campaign campaign = mechanism::grid_campaign(mechanism, request, axes);
   campaign::Description& description = scene.description;

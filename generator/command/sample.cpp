@@ -11,6 +11,7 @@
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {
 
@@ -61,6 +62,7 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
   const mechanism::Request& request = scene.scene.request;
   const mechanism::Sampling sampling(mechanism, request, static_cast<std::size_t>(options.branch),
                                      seed, count);
+  warn_of_idle_links(scene.scene);
   const mechanism::Campaign campaign = sampling.campaign();
   campaign::Description& description = scene.description;
   description.columns = campaign.columns;

@@ -11,6 +11,7 @@
 #include "command/output.hpp"
 #include "command/progress.hpp"
 #include "command/remarks.hpp"
+#include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {
 
@@ -35,7 +36,20 @@ void expect_branch(const SolveOptions& options, int count) {
   }
 }
 
-bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
+/// The options that ask for a sweep need one.
+void expect_sweep(const SolveOptions& options, const mechanism::Scene& scene) {
+  if (options.circuits && !scene.request.sweep) {
+    throw text::InputError(options.scene + ": --circuits: the scene has no sweep; add one");
+  }
+  if (options.unwrapped && (options.format != "csv" || !scene.request.sweep)) {
+    throw text::InputError(options.scene + ": --unwrapped: only the rows of a sweep have angles " +
+                           "that continue; " +
+                           (scene.request.sweep ? "use --format csv" : "add a sweep to the scene"));
+  }
+}
+
+bool print_one(const SolveOptions& options, const mechanism::Scene& scene,
+               const mechanism::Plan& plan) {
   const mechanism::Values values = plan.values();
   const bool alone = (options.nearest || options.branch > 0) &&
                      plan.most_configurations() > mechanism::Plan::most_listed;
@@ -56,7 +70,10 @@ bool print_one(const SolveOptions& options, const mechanism::Plan& plan) {
     expect_configuration(options, count, count == 0 ? plan.obstacle(values) : "");
   }
   const int branch = nearest ? static_cast<int>(nearest->configuration) + 1 : options.branch;
-  const mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
+  mechanism::Report report{plan, values, solution, options.scene, branch, nearest, alone};
+  if (options.circuits) {
+    report.places = swept_places(scene.mechanism, scene.request);
+  }
   if (degenerate && options.format == "csv") {
     remarks() << "degenerate: " << solution.reason << '\n';
   }
@@ -196,6 +213,11 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SolveOptions& optio
   }
 }
 
+mechanism::SweepRows::Angles angles_of(const SolveOptions& options) {
+  using Angles = mechanism::SweepRows::Angles;
+  return options.unwrapped ? Angles::unwrapped : Angles::principal;
+}
+
 /// Prints rows as they are computed. It prints nothing before the requested branch has begun, since
 /// it may not exist, nor before the second step, since the steps may be too far apart.
 bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
@@ -206,6 +228,12 @@ bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
                                                     : std::optional(options.branch);
   const bool is_all = chosen == 0;
   ProgressBar bar;
+  const auto steps = static_cast<std::uint64_t>(range.count);
+  // Any event may join two circuits, so they are known at the end of a sweep only.
+  const mechanism::SweptPlaces places = swept_places(scene.mechanism, scene.request, [&](int done) {
+    bar.show(static_cast<std::uint64_t>(done), 2 * steps);
+  });
+  mechanism::SweepRows rows(plan, places.circuits, angles_of(options));
   bool degenerate = false;
   int last_branch = 0;
   bool has_row = false;
@@ -214,7 +242,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
     last_branch = std::max(last_branch, row.branch);
     if (is_all || (row.event.empty() && row.branch == chosen)) {
       has_row = true;
-      add_csv_row(plan, row, text);
+      rows.add(row, text);
     }
   };
   StretchTeller stretches(plan);
@@ -223,7 +251,7 @@ bool print_sweep(const SolveOptions& options, const mechanism::Scene& scene,
     stretches.step(parameter, solution);
   };
   const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
+    bar.show(steps + static_cast<std::uint64_t>(done), 2 * steps);
     if (done > 1 && options.branch <= last_branch) {
       print(text);
       text.clear();
@@ -252,7 +280,8 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
   bool degenerate = false;
   std::string text = csv_header(plan);
   StretchTeller stretches(plan);
-  const auto record = [&](const mechanism::SweepRecord& row) { add_csv_row(plan, row, text); };
+  mechanism::SweepRows rows(plan, {}, angles_of(options));
+  const auto record = [&](const mechanism::SweepRecord& row) { rows.add(row, text); };
   const auto judge = [&](double parameter, const mechanism::Solution& solution) {
     degenerate = degenerate || solution.status == mechanism::SolutionStatus::degenerate;
     stretches.step(parameter, solution);
@@ -282,11 +311,14 @@ bool print_branch(const SolveOptions& options, const mechanism::Plan& plan) {
 bool print_solution(const SolveOptions& options) {
   mechanism::Scene scene = mechanism::read_scene(options.scene, options.settings, "--set");
   scene.request.prove = options.prove;
+  expect_sweep(options, scene);
   try {
     const mechanism::Plan plan(scene);
+    warn_of_idle_links(scene);
     if (options.format != "csv" || !scene.request.sweep) {
-      return print_one(options, plan);
+      return print_one(options, scene, plan);
     }
+    warn_of_idle_sweep(scene);
     const bool follows_one = (options.nearest || options.branch > 0) &&
                              plan.most_configurations() > mechanism::most_followed;
     return follows_one ? print_branch(options, plan) : print_sweep(options, scene, plan);

@@ -11,8 +11,10 @@ struct SolveOptions {
   std::vector<std::string> settings;
   std::string format = "text";
   int branch = 0;
-  bool prove = false;    ///< enclose all complex configurations of every group
-  bool nearest = false;  ///< the configuration, or the branch, nearest to the scene's reference
+  bool prove = false;      ///< enclose all complex configurations of every group
+  bool nearest = false;    ///< the configuration, or the branch, nearest to the scene's reference
+  bool circuits = false;   ///< also the branch and the circuit of each configuration in the sweep
+  bool unwrapped = false;  ///< angles of a sweep continue by whole turns along a branch
 };
 
 /// Solves or sweeps the scene, prints the result to standard output, and returns whether it is

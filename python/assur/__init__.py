@@ -15,13 +15,13 @@ NaN. Every error is an assur.Error, whose text is one line with the place, the f
 
 from assur.errors import (Error, NotWanted, OverConstrained, SceneError, ShapeError, UnknownName)
 from assur.statuses import Outcome, Status
-from assur._assur import (Batch, Branch, Configuration, Events, Family, Group, JointState, Joints,
-                          LinkState, Links, Nearest, NominalPoint, OutputState, Outputs, Plan,
-                          Samples, Scene, Solution, States, Sweep, __version__, parse_scene,
-                          read_scene, sample, scene_schema)
+from assur._assur import (Batch, Branch, Configuration, Events, Family, Group, ImportedScene,
+                          JointState, Joints, LinkState, Links, Nearest, NominalPoint, OutputState,
+                          Outputs, Plan, Samples, Scene, Solution, States, Sweep, __version__,
+                          import_scene, parse_scene, read_scene, sample, scene_schema)
 
-__all__ = ["Batch", "Branch", "Configuration", "Error", "Events", "Family", "Group", "JointState",
-           "Joints", "LinkState", "Links", "Nearest", "NominalPoint", "NotWanted", "Outcome",
-           "OutputState", "Outputs", "OverConstrained", "Plan", "Samples", "Scene", "SceneError",
-           "ShapeError", "Solution", "States", "Status", "Sweep", "UnknownName", "parse_scene",
-           "read_scene", "sample", "scene_schema"]
+__all__ = ["Batch", "Branch", "Configuration", "Error", "Events", "Family", "Group",
+           "ImportedScene", "JointState", "Joints", "LinkState", "Links", "Nearest", "NominalPoint",
+           "NotWanted", "Outcome", "OutputState", "Outputs", "OverConstrained", "Plan", "Samples",
+           "Scene", "SceneError", "ShapeError", "Solution", "States", "Status", "Sweep",
+           "UnknownName", "import_scene", "parse_scene", "read_scene", "sample", "scene_schema"]

@@ -1,6 +1,7 @@
 // Turns scene files, their text and dictionaries into scenes, and scenes into pictures.
 #include <pybind11/stl.h>
 
+#include <assur/mechanism/imported_scene.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/input_file.hpp>
 #include <filesystem>
@@ -95,11 +96,26 @@ std::string dxf(const Scene& scene, const py::object& configuration, bool neares
   });
 }
 
-std::string page(const Scene& scene) {
+std::string page(const Scene& scene, const py::object& branch) {
+  const int number = place_number(branch, "branch");
   const OthersRun others_run;
   return in_scene(scene.file, [&] {
-    return mechanism::drawing_page(scene.mechanism, scene.request, scene.source);
+    return mechanism::drawing_page(scene.mechanism, scene.request, scene.source, number);
   });
+}
+
+/// The scene in another program's file, or in a text that it shares.
+mechanism::ImportedScene import_scene(const py::object& source, const std::string& driver) {
+  if (PyUnicode_Check(source.ptr()) != 0) {
+    const std::string text = utf8_of(source, "source: what is imported");
+    if (mechanism::is_shared_mechanism(text)) {
+      const OthersRun others_run;
+      return mechanism::import_scene(text, "the link", driver);
+    }
+  }
+  const std::filesystem::path file = path_given(source);
+  const OthersRun others_run;
+  return mechanism::import_scene(text::read_input_file(file), file.string(), driver);
 }
 
 /// None where there is no picture: a notebook then shows the text.
@@ -171,11 +187,15 @@ void bind_scene(py::module_& module) {
            "Returns a drawing for CAD as the text of a DXF file, in the scene's unit. Arguments "
            "and\n"
            "errors are those of svg.")
-      .def("page", page,
-           "page(self)\n--\n\n"
+      .def("page", page, py::arg("branch") = 0,
+           "page(self, branch=0)\n--\n\n"
            "Returns the text of an HTML page that needs no other file and animates the scene's "
-           "sweep.\n\n"
-           "Raises SceneError where no step of the sweep has a configuration.")
+           "sweep.\n"
+           "It opens on the branch, or without a sweep the configuration, with a number; for 0 on "
+           "the one\n"
+           "nearest to the reference, or else on the first.\n\n"
+           "Raises SceneError where no step of the sweep has a configuration, or there is no such "
+           "branch.")
       .def("_repr_svg_", picture_of_scene)
       .def("__repr__", [](const Scene& scene) {
         return "<assur.Scene " + scene.file +
@@ -193,6 +213,22 @@ void bind_scene(py::module_& module) {
       "parse_scene(scene, values=None, /, **parameters)\n--\n\n"
       "Returns the Scene in a JSON text, or in a dictionary of the same form, which may contain\n"
       "numbers and arrays of NumPy. values, keywords and errors: see read_scene.");
+  py::class_<mechanism::ImportedScene>(module, "ImportedScene",
+                                       "A scene made of another program's file, by import_scene.")
+      .def_readonly("text", &mechanism::ImportedScene::text,
+                    "str: what a scene file holds, for parse_scene.")
+      .def_property_readonly(
+          "remarks", [](const mechanism::ImportedScene& scene) { return tuple_of(scene.remarks); },
+          "tuple of str: a line for each thing that the scene does not say.")
+      .def_readonly("complete", &mechanism::ImportedScene::complete,
+                    "bool: whether all that holds or drives the mechanism is in the scene.");
+  module.def("import_scene", import_scene, ByPlace("source "), py::arg("driver") = "",
+             "import_scene(source, /, driver='')\n--\n\n"
+             "Returns the ImportedScene of a .linkage2 file of Linkage, a link that PMKS+ shares, "
+             "or an\n"
+             "expression of Pyslvs: in a file, or in a text in place of its name. driver: for an\n"
+             "expression, the point of the driven joint, such as 'P0'.\n\n"
+             "Raises SceneError with one line where it cannot be read.");
   module.def("scene_schema", mechanism::scene_schema,
              "scene_schema()\n--\n\nReturns the JSON Schema of scenes, as text.");
 }

@@ -24,6 +24,7 @@ struct SweptRows : RowsView {
 
 struct Branch : SweptRows {
   int number = 0;
+  std::optional<int> circuit;
   std::optional<double> ends_at;
 };
 
@@ -48,6 +49,11 @@ class Collector {
     mechanism::SweepObserver observer;
     observer.record = [this](const mechanism::SweepRecord& record) { add(record); };
     observer.solved = [&call](double, const mechanism::Solution&) { call.go_on(); };
+    observer.circuits = [this](const mechanism::Circuits& circuits) {
+      for (const auto& [number, branch] : result_.branches) {
+        branch->circuit = circuits.of(number);
+      }
+    };
     return observer;
   }
   /// What was collected; branches are in the order of their numbers.
@@ -181,6 +187,11 @@ void bind_rows(py::module_& module) {
           "configuration", all_of<Branch>(&SweptRows::configuration),
           "Array of shape (rows,): the number of the configuration at its step;\n"
           "zero where that is not known.")
+      .def_readonly(
+          "circuit", &Branch::circuit,
+          "int or None: the number of its circuit, from 1: the branches that the mechanism "
+          "reaches\n"
+          "without being taken apart; None where it is not known, as for sweep_branch.")
       .def_readonly("ends_at", &Branch::ends_at,
                     "float or None: the value of the parameter at which sweep_branch cannot follow "
                     "the branch\n"

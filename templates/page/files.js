@@ -18,13 +18,16 @@ function csvOfBranch(film, branch) {
   });
   film.outputs.forEach((name, output) =>
     add(name, ["x", "y", "vx", "vy", "ax", "ay"], "outputs", 6 * output));
-  const head = ["step", "branch", ...(film.count > 1 ? [quoted(film.parameter)] : [])];
-  const lines = [[...head, ...columns.map(([name]) => name)].join(",")];
+  const isSwept = film.count > 1;
+  const head = ["step", "branch", ...(isSwept ? [quoted(film.parameter)] : [])];
+  const tail = isSwept ? ["circuit"] : [];
+  const lines = [[...head, ...columns.map(([name]) => name), ...tail].join(",")];
   for (const [first, last] of branch.stretches) {
     for (let step = first; step <= last; ++step) {
       const numbers = columns.map(([, value]) => value(step));
-      lines.push([step, branch.number, ...(film.count > 1 ? [film.parameterAt(step)] : []),
-        ...numbers.map((number) => (Number.isFinite(number) ? number : ""))].join(","));
+      lines.push([step, branch.number, ...(isSwept ? [film.parameterAt(step)] : []),
+        ...numbers.map((number) => (Number.isFinite(number) ? number : "")),
+        ...(isSwept ? [branch.circuit] : [])].join(","));
     }
   }
   return `${lines.join("\n")}\n`;

@@ -119,6 +119,8 @@ function longestOf(rows, first, step) {
 class Branch {
   constructor(data, film) {
     this.number = data.number;
+    this.circuit = data.circuit;  // 0 without a sweep
+    this.next = data.next;        // the branch that goes on where this one ends the sweep, or 0
     this.points = new Rows(data.points, film.count);
     this.outputs = new Rows(data.outputs, film.count);
     this.spreads = new Rows(data.spreads, film.count);
@@ -233,16 +235,15 @@ class Film {
     this.quantities = quantitiesOf(this);
   }
 
-  /** Whether the first step of a branch is where the last one of another, or the same, is. */
-  joins(last, first) {
-    const there = first.points.at(0);
-    const here = last.points.at(this.count - 1);
-    return here !== null && there !== null &&
-      here.every((number, place) => Math.abs(number - there[place]) < 1e-4 * this.size);
+  /** The branch that is at the first step where another is at the last one, or the other way round;
+   * undefined if there is none. */
+  branchOverEnd(branch, forwards) {
+    return forwards ? this.branch(branch.next)
+      : this.branches.find((one) => one.next === branch.number);
   }
 
   isClosed(branch) {
-    return this.joins(branch, branch);
+    return branch.next === branch.number;
   }
 
   branch(number) {

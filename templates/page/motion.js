@@ -9,17 +9,17 @@ const sweepSeconds = 6;
 function beyond(film, branch, end, forwards, goesOn) {
   const last = film.count - 1;
   if (end === (forwards ? last : 0)) {
-    const joined = [branch, ...(goesOn ? film.branches : [])].find((one) =>
-      (forwards ? film.joins(branch, one) : film.joins(one, branch)));
-    if (joined) {
+    const joined = film.branchOverEnd(branch, forwards);
+    if (joined && (goesOn || joined === branch)) {
       return { number: joined.number, place: last - end, forwards };
     }
   }
   if (!goesOn) {
     return null;
   }
+  const kind = forwards ? "fold" : "birth";
   const partners = film.events
-    .filter(({ event, branches, parameter }) => event === "fold" &&
+    .filter(({ event, branches, parameter }) => event === kind &&
       branches.includes(branch.number) && Math.abs(film.placeOf(parameter) - end) < 1.01)
     .flatMap(({ branches }) => branches.filter((number) => number !== branch.number));
   const partner = film.branch(partners[0]);

@@ -344,6 +344,7 @@ class Page {
       button.setAttribute("aria-pressed", branch.number === this.chosen);
       button.classList.toggle("absent", branch.points.at(this.place) === null);
     });
+    this.element("circuit").textContent = toldCircuit(film, this.branch);
     this.element("magnified").textContent =
       `${film.spread}, × ${shortNumber(this.branch.magnification)}`;
     showStretches(this);

@@ -7,6 +7,7 @@ function showFilm(page) {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = branch.number;
+    button.title = branch.circuit > 0 ? `circuit ${branch.circuit}` : "";
     button.style.borderBottomColor = `var(--c${branch.colour})`;
     button.addEventListener("click", () => page.choose(branch.number));
     return button;
@@ -31,6 +32,17 @@ function showFilm(page) {
   page.hide(".forces", !film.hasForces);
   page.hide(".moving, #time", film.count === 1);
   page.hide("#plots", film.count === 1 || film.quantities.length === 0);
+}
+
+/** The circuit of the chosen branch: the branches that it reaches over folds, crossings and the ends
+ * of the sweep. Where some branches are left out, those that are shown. */
+function toldCircuit({ branches }, { number, circuit }) {
+  if (circuit === 0) {
+    return "";
+  }
+  const others = branches.filter((one) => one.circuit === circuit && one.number !== number);
+  return `circuit ${circuit}: branch ${number} ` + (others.length === 0 ? "alone"
+    : `with ${others.map((one) => one.number).join(", ")}`);
 }
 
 /** The quantities that can be plotted. The choice stays as long as it can. */

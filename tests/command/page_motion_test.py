@@ -228,6 +228,43 @@ def check_opening(chromium, assur, scene, folder):
                 "the branch nearest to the reference is shown")
 
 
+def circuits_of(assur, scene):
+    """The circuit of each branch, as the rows of the sweep tell."""
+    table, _ = run(assur, "solve", str(scene), "--format", "csv")
+    return {int(row["branch"]): int(row["circuit"])
+            for row in csv.DictReader(io.StringIO(table)) if row["branch"]}
+
+
+def check_circuits(chromium, assur, scene, folder):
+    """The page names the circuit of each branch, and going on shows all of it and nothing else."""
+    rocker = folder / "rocker.json"
+    rocker.write_text(json.dumps({
+        "points": {"A": [0, 0], "B": [3, 0], "C": [4.6, 1.6], "D": [4, 0]},
+        "links": {"ground": ["A", "D"], "crank": ["A", "B"], "coupler": ["B", "C"],
+                  "rocker": ["D", "C"]},
+        "parameters": {"phi": {"drawn": "A"}, "AB": {"drawn": ["A", "B"], "value": 3},
+                       "BC": {"drawn": ["B", "C"], "value": 2},
+                       "CD": {"drawn": ["C", "D"], "value": 2.5}},
+        "drivers": {"A": {"position": "phi"}}, "outputs": ["C"],
+        "sweep": {"parameter": "phi", "from": 0, "to": "2*pi", "count": 181}}))
+    for file in (scene, rocker):
+        opened(chromium, assur, file, folder)
+        circuits = circuits_of(assur, file)
+        for number, circuit in circuits.items():
+            own = {one for one, other in circuits.items() if other == circuit}
+            others = ", ".join(str(one) for one in sorted(own - {number}))
+            told = chromium.value(f"(page.choose({number}), document.getElementById('circuit').textContent)")
+            expect(told == f"circuit {circuit}: branch {number} " +
+                   (f"with {others}" if others else "alone"), f"{file.stem}: the page says {told!r}")
+            shown, absent, _ = chromium.value(f"{PLAYED}({number}, 2880, true)")
+            expect(set(shown) == own and absent == 0,
+                   f"{file.stem}: going on from {number} shows {shown} of the circuit {own}")
+        rows = chromium.value("csvOfBranch(page.film, page.branch)")
+        expect({row["circuit"] for row in csv.DictReader(io.StringIO(rows))} == {str(circuit)},
+               f"{file.stem}: the saved rows have the circuit")
+    expect(set(circuits.values()) == {1} and len(circuits) == 4, f"a triple rocker has {circuits}")
+
+
 def star(legs):
     """A crank that many dyads hold: 2^legs configurations."""
     turns = [math.tau * leg / legs for leg in range(legs)]
@@ -319,6 +356,7 @@ def checks(chromium, assur, examples, folder):
     check_view(chromium, assur, jansen, folder)
     check_angles(chromium, assur, examples / "watt_six_bar.json", folder)
     check_many_branches(chromium, assur, folder)
+    check_circuits(chromium, assur, jansen, folder)
     check_forces(chromium, assur, folder)
     check_opening(chromium, assur, examples / "watt_six_bar.json", folder)
 

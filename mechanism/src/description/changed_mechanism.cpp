@@ -108,7 +108,7 @@ Mechanism Mechanism::only(const Table<LinkIndex, bool>& kept) const {
       continue;
     }
     const LinkIndex own = link_of[link] =
-        part.links_.add({links_[link].name, {}, links_[link].is_drawn});
+        part.links_.add({links_[link].name, {}, links_[link].is_drawn, links_[link].is_idle});
     for (const FeatureIndex index : links_[link].features) {
       Feature feature = features_[index];
       feature.link = own;

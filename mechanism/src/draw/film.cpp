@@ -147,7 +147,7 @@ class FilmMaker {
                            film_.events.push_back({kind, branches, row.parameter});
                          }
                        },
-                       nullptr, nullptr});
+                       nullptr, nullptr, [&](const Circuits& circuits) { circuits_ = circuits; }});
   }
 
   /// Gives the swept parameter a value, where numbers of a step depend on it.
@@ -311,7 +311,9 @@ class FilmMaker {
         all([](const Row& row) -> auto& { return row.spreads; }),
         all([](const Row& row) -> auto& { return row.details.angles; }),
         all([](const Row& row) -> auto& { return row.details.transmissions; }),
-        all([](const Row& row) -> auto& { return row.details.forces; })};
+        all([](const Row& row) -> auto& { return row.details.forces; }),
+        circuits_.of(number),
+        circuits_.next_of(number)};
     for (const Row& row : rows) {
       const std::vector<double> places = places_at(number, row, points, frames, size);
       std::copy(places.begin(), places.end(),
@@ -332,6 +334,7 @@ class FilmMaker {
   Film film_;
   std::map<int, std::vector<Row>> rows_;
   std::map<int, Reaches> reaches_;
+  Circuits circuits_;
 };
 
 }  // namespace

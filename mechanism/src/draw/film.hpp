@@ -23,6 +23,8 @@ struct FilmedBranch {
   /// For each step the efforts of the drivers, then x and y of each filmed force in a joint; NaN
   /// where they are not determined, and empty where no forces are wanted.
   std::vector<double> forces;
+  int circuit = 0;  ///< 0 without a sweep
+  int next = 0;     ///< the branch that goes on at the first step from the last; 0 if none does
 };
 
 /// A force in a joint, on one of its links.

@@ -24,6 +24,8 @@ Json film_json(const Mechanism& mechanism, const Request& request, const Film& f
   Json branches = Json::array();
   for (const FilmedBranch& branch : film.branches) {
     branches.push_back({{"number", branch.number},
+                        {"circuit", branch.circuit},
+                        {"next", branch.next},
                         {"points", told(branch.points)},
                         {"outputs", told(branch.outputs)},
                         {"spreads", told(branch.spreads)},

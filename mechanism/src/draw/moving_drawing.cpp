@@ -86,14 +86,9 @@ Drawing moving_drawing_of(const Mechanism& mechanism, const Request& request, in
     drawing.motion.push_back(std::move(stance));
   }
   drawing.stances.push_back(drawing.motion.front());
-  double apart = 0;
-  double size = 0;
-  for (std::size_t point = 0; point < film.points; ++point) {
-    const Eigen::Vector2d begin = drawing.motion.front().points[point];
-    apart = std::max(apart, (drawing.motion.back().points[point] - begin).norm());
-    size = std::max(size, (drawing.motion.front().points[0] - begin).norm());
-  }
-  if (apart > 1e-4 * size) {
+  const bool is_whole = first == 0 && end == static_cast<std::size_t>(film.count);
+  const bool is_closed = is_whole && filmed.next == filmed.number;
+  if (!is_closed) {
     const std::vector<Stance> there = drawing.motion;
     drawing.motion.insert(drawing.motion.end(), there.rbegin() + 1, there.rend());
     drawing.seconds *= 2;

@@ -509,12 +509,26 @@ class SceneReader {
 
 namespace assur::mechanism {
 
+namespace {
+
+/// Holds idle links as they are drawn, or at angle 0.
+void hold_idle_links(Scene& scene) {
+  scene.mechanism.hold_idle_links([&](LinkIndex link) {
+    const auto found = std::ranges::find(scene.request.reference, link, &ReferenceAngle::link);
+    return found == scene.request.reference.end() ? Formula(0)
+                                                  : scene.mechanism.numbers()[found->theta].formula;
+  });
+}
+
+}  // namespace
+
 Scene parse_scene(const std::string& text, const std::string& file,
                   const std::vector<std::string>& settings, const std::string& settings_name) {
   text::expect_no_nul(text, file);
   Scene scene{file, Mechanism(), {}};
   try {
     file::SceneReader(file::parsed(text), settings, settings_name, scene).read();
+    hold_idle_links(scene);
   } catch (const MechanismError& error) {
     throw InputError(file + ": " + error.what());
   }

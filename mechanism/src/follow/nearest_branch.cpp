@@ -80,12 +80,6 @@ class NearestBranchFinder {
   }
 
  private:
-  static Request positions_of(Request request) {
-    request.want = {true, false, false, false};
-    request.covariance.reset();
-    return request;
-  }
-
   [[nodiscard]] double value_at(int step) const {
     return value_at_step(from_, to_, step, request_.sweep->count);
   }

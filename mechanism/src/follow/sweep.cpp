@@ -6,6 +6,7 @@
 #include <set>
 
 #include "branch_tracker.hpp"
+#include "circuit_finder.hpp"
 #include "event_text.hpp"
 #include "passage.hpp"
 #include "set_beside.hpp"
@@ -34,7 +35,22 @@ class Sweeper {
       : observer_(observer),
         solver_(plan, values),
         tracker_(solver_),
-        told_(!plan.redundant().empty()) {}
+        told_(!plan.redundant().empty()) {
+    if (observer.circuits) {
+      circuits_.emplace(solver_);
+    }
+  }
+
+  /// Looks at the configurations at a value of the swept parameter on the way.
+  void watch(double value) { watched_ = value; }
+  /// The branches of the configurations that have rows there, as `SweptPlaces` lists them.
+  [[nodiscard]] std::vector<int> watched_branches() const {
+    std::vector<int> shown;
+    for (const int branch : watched_branches_) {
+      shown.push_back(told_.shown_so_far(branch));
+    }
+    return shown;
+  }
 
   /// Runs the sweep. Returns how many branches have been numbered.
   int run() {
@@ -42,6 +58,9 @@ class Sweeper {
       (void)solver_.values_at(value_at(step));
     }
     for (int step = 0; step < count(); ++step) {
+      if (step > 0 && is_watched_between(value_at(step - 1), value_at(step))) {
+        look_between();
+      }
       const SnapshotPointer set = solver_.at_step(value_at(step));
       observer_.solved(set->parameter, set->solution);
       if (passage_ && passage_->covers(value_at(step), sense())) {
@@ -55,6 +74,9 @@ class Sweeper {
       observer_.progress(step + 1);
     }
     report_events(count() - 1, later_.end());
+    if (circuits_) {
+      observer_.circuits(circuits_->found(told_));
+    }
     return told_.count();
   }
 
@@ -66,6 +88,11 @@ class Sweeper {
   [[nodiscard]] double value_at(int step) const {
     return value_at_step(solver_.from(), solver_.to(), step, count());
   }
+  /// By how much the value of a step may be rounded.
+  [[nodiscard]] double rounding_of_steps() const {
+    return 4 * std::numeric_limits<double>::epsilon() *
+           std::max(std::abs(solver_.from()), std::abs(solver_.to()));
+  }
 
   void pass(int step, const SnapshotPointer& set) {
     if (tracker_.running()) {
@@ -74,11 +101,7 @@ class Sweeper {
       begin(set, set->parameter);
     }
     take_events();
-    std::vector<StepRow> rows;
-    for (const PointIndex point : set->points.keys()) {
-      rows.push_back({point, tracker_.branches()[point], &set->configuration(point)});
-    }
-    report(step, *set, rows);
+    report(step, *set, rows_of_tracker(*set));
   }
 
   /// Handles a step whose set cannot be followed, since branches meet there or it is degenerate:
@@ -196,6 +219,45 @@ class Sweeper {
     report(step, set, rows);
   }
 
+  /// Whether the watched value lies between two steps; it is at a step to within rounding.
+  [[nodiscard]] bool is_watched_at(double step) const {
+    return watched_ && std::abs(*watched_ - step) <= rounding_of_steps();
+  }
+  [[nodiscard]] bool is_watched_between(double before, double after) const {
+    return watched_ && !is_watched_at(before) && !is_watched_at(after) &&
+           (*watched_ - before) * (*watched_ - after) < 0;
+  }
+
+  /// Goes on to the watched value between two steps.
+  void look_between() {
+    const SnapshotPointer set = solver_.at(*watched_);
+    if (passage_ && passage_->covers(*watched_, sense())) {
+      note_watched(*set, passage_->rows(*set));
+    } else if (tracker_.running() && set->separable) {
+      passage_.reset();
+      advance(set);
+      note_watched(*set, rows_of_tracker(*set));
+    }
+  }
+
+  void note_watched(const Snapshot& set, const std::vector<StepRow>& rows) {
+    watched_branches_.clear();
+    for (const PointIndex point : set.points.keys()) {
+      if (is_told(set.configuration(point))) {
+        const auto row = std::ranges::find(rows, point, &StepRow::point);
+        watched_branches_.push_back(row == rows.end() ? 0 : row->branch);
+      }
+    }
+  }
+
+  [[nodiscard]] std::vector<StepRow> rows_of_tracker(const Snapshot& set) const {
+    std::vector<StepRow> rows;
+    for (const PointIndex point : set.points.keys()) {
+      rows.push_back({point, tracker_.branches()[point], &set.configuration(point)});
+    }
+    return rows;
+  }
+
   /// Reports the events since the last step, which may name branches that have their first rows at
   /// this step, and then the rows of this step.
   void report(int step, const Snapshot& set, const std::vector<StepRow>& rows) {
@@ -205,6 +267,12 @@ class Sweeper {
     report_events(step - 1, until(set.parameter));
     for (const StepRow& row : rows) {
       report_row(step, set, row);
+    }
+    if (circuits_) {
+      circuits_->join_at_step(set.parameter, rows);
+    }
+    if (is_watched_at(set.parameter)) {
+      note_watched(set, rows);
     }
   }
 
@@ -269,9 +337,7 @@ class Sweeper {
   /// beyond the ends of the sweep are not reported.
   void take_events() {
     const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
-    const double nearest =
-        at_a_step * way + 4 * std::numeric_limits<double>::epsilon() *
-                              std::max(std::abs(solver_.from()), std::abs(solver_.to()));
+    const double nearest = at_a_step * way + rounding_of_steps();
     for (BranchEvent& event : tracker_.take_events()) {
       const double middle = event.parameter;
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
@@ -354,6 +420,9 @@ class Sweeper {
   void report_events(int step, std::vector<BranchEvent>::iterator end) {
     for (auto event = later_.begin(); event != end; ++event) {
       if (told_.keeps_own(*event)) {
+        if (circuits_) {
+          circuits_->join_at(*event);
+        }
         const Spread spread = complete(*event);
         told_.renumber(*event);
         observer_.record(
@@ -370,9 +439,21 @@ class Sweeper {
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep
   std::set<int> unresolved_;        ///< numbers of branches that have no rows in the passage
   ToldBranches told_;
+  std::optional<CircuitFinder> circuits_;  ///< where they are asked for
+  std::optional<double> watched_;
+  std::vector<int> watched_branches_;
   std::optional<EventKind> gap_;    ///< why no branch is followed at present
   std::optional<Passage> passage_;  ///< the last that was not followed step by step
 };
+
+/// Solving throws where redundant constraints do not hold as the sweep begins.
+void expect_redundant_joints_to_hold(const Plan& plan, const Values& values) {
+  if (!plan.redundant().empty()) {
+    Values first = values;
+    first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
+    (void)plan.solve(first);
+  }
+}
 
 }  // namespace
 
@@ -386,12 +467,24 @@ int sweep(const Plan& plan, const SweepObserver& observer) {
 
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer) {
   const SweepObserver complete = follow::expect_sweep(plan, values, observer);
-  if (!plan.redundant().empty()) {  // solving throws where they do not hold as the sweep begins
-    Values first = values;
-    first.set(plan.request().sweep->parameter, values.value_of(plan.request().sweep->from));
-    (void)plan.solve(first);
-  }
+  follow::expect_redundant_joints_to_hold(plan, values);
   return follow::Sweeper(plan, values, complete).run();
+}
+
+SweptPlaces swept_places(const Mechanism& mechanism, const Request& request,
+                         const std::function<void(int)>& progress) {
+  SweptPlaces places;
+  const Plan plan(mechanism, follow::positions_of(request));
+  const Values values = plan.values();
+  const SweepObserver observer = follow::expect_sweep(
+      plan, values,
+      {{}, {}, progress, [&places](const Circuits& circuits) { places.circuits = circuits; }});
+  follow::expect_redundant_joints_to_hold(plan, values);
+  follow::Sweeper sweeper(plan, values, observer);
+  sweeper.watch(values.parameter(plan.request().sweep->parameter));
+  (void)sweeper.run();
+  places.branches = sweeper.watched_branches();
+  return places;
 }
 
 }  // namespace assur::mechanism

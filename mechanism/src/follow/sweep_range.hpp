@@ -11,6 +11,14 @@ namespace assur::mechanism::follow {
   return last == 0 ? from : from + (to - from) * (static_cast<double>(step) / last);
 }
 
+/// The request of the same configurations without the results that follow from positions.
+[[nodiscard]] inline Request positions_of(Request request) {
+  request.want.velocity = request.want.acceleration = request.want.sensitivity = false;
+  request.want.coefficients = false;
+  request.covariance.reset();
+  return request;
+}
+
 /// Throws MechanismError for a request without a sweep, and for one that cannot be run. Returns the
 /// observer with functions that do nothing in place of those that it lacks.
 [[nodiscard]] SweepObserver expect_sweep(const Plan& plan, const Values& values,

@@ -70,4 +70,14 @@ int ToldBranches::shown(int branch) {
   return numbers_[place];
 }
 
+std::vector<int> ToldBranches::in_order() const {
+  std::vector<int> branches(static_cast<std::size_t>(last_shown_), 0);
+  for (std::size_t branch = 0; branch < numbers_.size(); ++branch) {
+    if (numbers_[branch] > 0) {
+      branches[static_cast<std::size_t>(numbers_[branch]) - 1] = static_cast<int>(branch);
+    }
+  }
+  return branches;
+}
+
 }  // namespace assur::mechanism::follow

@@ -42,6 +42,13 @@ class ToldBranches {
   /// as branches appear in rows and events: others may have ended before the sweep's first value,
   /// or be beyond the limits of joints throughout.
   [[nodiscard]] int shown(int branch);
+  /// The same without giving a number: 0 for a branch that is not shown so far.
+  [[nodiscard]] int shown_so_far(int branch) const {
+    const auto place = static_cast<std::size_t>(branch);
+    return place < numbers_.size() ? numbers_[place] : 0;
+  }
+  /// The tracker's numbers of the branches that are shown, in the order of those.
+  [[nodiscard]] std::vector<int> in_order() const;
   /// How many are shown.
   [[nodiscard]] int count() const { return last_shown_; }
 

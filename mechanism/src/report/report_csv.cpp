@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "force_rows.hpp"
 #include "report_words.hpp"
@@ -43,22 +44,34 @@ void add_numbers(bool wanted, const Vector& numbers, std::string& row) {
   }
 }
 
-/// Adds the cells of a configuration, each with a comma ahead. `forces` are the numbers of the
-/// columns of forces.
+/// The angles of the reported links, in (-pi, pi].
+std::vector<double> angles_of_links(const Plan& plan, const Configuration& configuration) {
+  std::vector<double> angles;
+  for (const LinkIndex link : reported_links(plan, false)) {
+    angles.push_back(angle_of(configuration.links[link].pose.direction));
+  }
+  return angles;
+}
+
+/// Adds the cells of a configuration, each with a comma ahead. `angles` are those of the reported
+/// links, and `forces` the numbers of the columns of forces.
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
-               const std::vector<double>& forces, std::string& row) {
+               const std::vector<double>& angles, const std::vector<double>& forces,
+               std::string& row) {
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    add_cells(plan, spread, without_unknown(plan, configuration), forces, row);
+    add_cells(plan, spread, without_unknown(plan, configuration), angles, forces, row);
     return;
   }
   const Want& want = plan.request().want;
+  auto angle = angles.begin();
   for (const LinkIndex link : reported_links(plan, false)) {
     const Frame& frame = configuration.links[link];
     if (want.position) {
       add_number(frame.pose.x, row);
       add_number(frame.pose.y, row);
-      add_number(angle_of(frame.pose.direction), row);
+      add_number(*angle, row);
     }
+    ++angle;
     add_numbers(want.velocity, frame.velocity, row);
     add_numbers(want.acceleration, frame.acceleration, row);
   }
@@ -154,7 +167,7 @@ std::string csv_header(const Plan& plan) {
   }
   add(true, "solution", {"regularity", "residual"});
   if (request.sweep) {
-    cells.emplace_back("event");
+    cells.insert(cells.end(), {"circuit", "event"});
   }
   std::string line;
   for (const std::string& cell : cells) {
@@ -175,6 +188,7 @@ std::string csv_rows(const Report& report) {
                              : std::to_string(index + 1);
       const Configuration& configuration = configurations[index];
       report::add_cells(report.plan, report.values.spread(), configuration,
+                        report::angles_of_links(report.plan, configuration),
                         report::told_forces(report.plan, report.values, configuration), rows);
       rows += "\n";
     }
@@ -182,13 +196,27 @@ std::string csv_rows(const Report& report) {
   return rows;
 }
 
-void add_csv_row(const Plan& plan, const SweepRecord& record, std::string& text) {
+void SweepRows::add(const SweepRecord& record, std::string& text) {
   const auto number = [](int value) { return value > 0 ? std::to_string(value) : std::string(); };
+  std::vector<double> angles = report::angles_of_links(plan_, *record.state);
+  if (angles_ == Angles::unwrapped && record.branch > 0) {
+    unwrap(record.branch, angles);
+  }
   text += std::to_string(record.step) + "," + number(record.configuration) + "," +
           number(record.branch);
   report::add_number(record.parameter, text);
-  report::add_cells(plan, *record.spread, *record.state, report::told_forces(plan, record), text);
-  text += "," + record.event + "\n";
+  report::add_cells(plan_, *record.spread, *record.state, angles,
+                    report::told_forces(plan_, record), text);
+  text += "," + number(circuits_.of(record.branch)) + "," + record.event + "\n";
+}
+
+void SweepRows::unwrap(int branch, std::vector<double>& angles) {
+  constexpr double turn = 2 * std::numbers::pi;
+  const auto [last, is_first] = last_angles_.try_emplace(branch, angles);
+  for (std::size_t link = 0; !is_first && link < angles.size(); ++link) {
+    angles[link] -= turn * std::round((angles[link] - last->second[link]) / turn);
+  }
+  last->second = angles;
 }
 
 }  // namespace assur::mechanism

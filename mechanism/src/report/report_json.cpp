@@ -224,6 +224,11 @@ std::string report_json(const Report& report) {
       root["redundant"].push_back(joint.name);
     }
   }
+  for (const Link& link : report.plan.mechanism().links()) {
+    if (link.is_idle) {
+      root["idle"].push_back(link.name);
+    }
+  }
   root["groups"] = report::groups_json(report.plan.structure());
   if (std::ranges::any_of(report.plan.mechanism().joints(),
                           [](const Joint& joint) { return joint.lowest.exists(); })) {
@@ -246,7 +251,20 @@ std::string report_json(const Report& report) {
     if (report::is_reported(report, number)) {
       root["configurations"].push_back(
           report::configuration_json(solution.configurations[number], report));
+      if (const auto place = report::place_in_sweep(report, number)) {
+        const auto known = [](int of) { return of > 0 ? report::Json(of) : report::Json(); };
+        root["configurations"].back()["branch"] = known(place->branch);
+        root["configurations"].back()["circuit"] = known(place->circuit);
+      }
     }
+  }
+  if (const auto nearest = report::nearest_to_limits(report)) {
+    report::Json& entry = root["nearest_to_limits"];
+    for (const NearestToLimits::Excess& excess : nearest->excesses) {
+      const Joint& joint = report.plan.mechanism().joints()[excess.joint];
+      entry["excess"][joint.name] = excess.by;
+    }
+    entry.update(report::configuration_json(nearest->configuration, report));
   }
   if (!solution.families.empty()) {
     root["families"] = report::families_json(report);

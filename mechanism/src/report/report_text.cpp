@@ -233,6 +233,17 @@ std::string degrees_text(double angle) {
   return digits.data();
 }
 
+/// The branch and the circuit of a configuration, where they were asked for.
+std::string place_text(const Report& report, std::size_t configuration) {
+  const std::optional<PlaceInSweep> place = place_in_sweep(report, configuration);
+  if (!place) {
+    return "";
+  }
+  return place->branch == 0 ? ", on no known branch"
+                            : ", branch " + std::to_string(place->branch) + ", circuit " +
+                                  std::to_string(place->circuit);
+}
+
 /// Which configuration it is, where the number is known.
 std::string which_text(const Nearest& nearest, bool is_numbered) {
   return is_numbered ? "configuration " + std::to_string(nearest.configuration + 1) + ", " : "one ";
@@ -343,14 +354,20 @@ std::string report_text(const Report& report) {
     const Configuration& configuration = solution.configurations[index];
     std::array<char, 32> residual{};
     (void)std::snprintf(residual.data(), residual.size(), "%.1e", configuration.residual);
-    text += "\nconfiguration " +
-            (!report.alone ? std::to_string(index + 1) + " of " +
-                                 std::to_string(solution.configurations.size())
-             : report.nearest ? "nearest to the reference"
-                              : std::to_string(report.branch)) +
-            ": " + report::regularity_text(configuration.regularity) + ", residual " +
-            residual.data() + "\n" + report::proofs_text(configuration.proofs);
+    text +=
+        "\nconfiguration " +
+        (!report.alone
+             ? std::to_string(index + 1) + " of " + std::to_string(solution.configurations.size())
+         : report.nearest ? "nearest to the reference"
+                          : std::to_string(report.branch)) +
+        ": " + report::regularity_text(configuration.regularity) + ", residual " + residual.data() +
+        report::place_text(report, index) + "\n" + report::proofs_text(configuration.proofs);
     text += report::configuration_text(configuration, report);
+  }
+  if (const auto nearest = report::nearest_to_limits(report)) {
+    text +=
+        "\nnearest to the limits: " + excesses_text(report.plan.mechanism(), nearest->excesses) +
+        "\n" + report::configuration_text(nearest->configuration, report);
   }
   return text;
 }

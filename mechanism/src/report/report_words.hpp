@@ -4,7 +4,9 @@
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/reported_parts.hpp>
 #include <assur/variables.hpp>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace assur::mechanism::report {
 
@@ -32,8 +34,31 @@ namespace assur::mechanism::report {
   return report.alone ? "one configuration alone was sought" : report.solution.incomplete;
 }
 
+/// The configuration nearest to the limits of joints, where all are left out.
+[[nodiscard]] inline std::optional<NearestToLimits> nearest_to_limits(const Report& report) {
+  const Solution& solution = report.solution;
+  return solution.status == SolutionStatus::no_assembly && solution.left_out.value_or(0) > 0
+             ? report.plan.nearest_to_limits(report.values)
+             : std::nullopt;
+}
+
 [[nodiscard]] inline const char* regularity_text(Status regularity) {
   return regularity == Status::ok ? "regular" : "near-singular";
+}
+
+/// Where a configuration is in the sweep: its branch and its circuit, 0 where one is not known.
+struct PlaceInSweep {
+  int branch, circuit;
+};
+/// The place of a configuration of the solution; nothing where it was not asked for.
+[[nodiscard]] inline std::optional<PlaceInSweep> place_in_sweep(const Report& report,
+                                                                std::size_t configuration) {
+  if (!report.places) {
+    return std::nullopt;
+  }
+  const std::vector<int>& branches = report.places->branches;
+  const int branch = configuration < branches.size() ? branches[configuration] : 0;
+  return PlaceInSweep{branch, report.places->circuits.of(branch)};
 }
 
 /// The wanted results in which the branches through one configuration differ: rates.

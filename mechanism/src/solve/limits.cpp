@@ -25,6 +25,15 @@ double whole_angle(const Direction<double>& direction) {
   return angle < negligible - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
+/// By how much a joint is beyond its limits: `B by 3.5 deg`.
+std::string excess_text(const Joint& joint, double excess) {
+  const bool turns = joint.type == JointType::revolute;
+  std::array<char, 40> by{};
+  (void)std::snprintf(by.data(), by.size(), turns ? "%.3g deg" : "%.3g",
+                      turns ? excess * 180 / std::numbers::pi : excess);
+  return joint.name + " by " + by.data();
+}
+
 }  // namespace
 
 JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
@@ -95,14 +104,16 @@ void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches) {
   same->least = std::min(same->least, breach.least);
 }
 
+std::string excesses_text(const Mechanism& mechanism,
+                          const std::vector<NearestToLimits::Excess>& excesses) {
+  return text::joined(excesses, ", ", [&](const NearestToLimits::Excess& excess) {
+    return solve::excess_text(mechanism.joints()[excess.joint], excess.by);
+  });
+}
+
 std::string breaches_text(const Mechanism& mechanism, const std::vector<LimitBreach>& breaches) {
   return text::joined(breaches, ", ", [&](const LimitBreach& breach) {
-    const Joint& joint = mechanism.joints()[breach.joint];
-    const bool turns = joint.type == JointType::revolute;
-    std::array<char, 40> by{};
-    (void)std::snprintf(by.data(), by.size(), turns ? "%.3g deg" : "%.3g",
-                        turns ? breach.least * 180 / std::numbers::pi : breach.least);
-    return joint.name + " by " + by.data() + " at least";
+    return solve::excess_text(mechanism.joints()[breach.joint], breach.least) + " at least";
   });
 }
 

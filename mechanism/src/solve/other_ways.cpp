@@ -76,6 +76,12 @@ class Adoption {
     for (LimitBreach& breach : solution.breaches) {
       breach.joint = own(breach.joint);
     }
+    if (solution.nearest_to_limits) {
+      adopt(solution.nearest_to_limits->configuration);
+      for (NearestToLimits::Excess& excess : solution.nearest_to_limits->excesses) {
+        excess.joint = own(excess.joint);
+      }
+    }
     if (!(most_configurations(plan_.structure) > Plan::most_listed)) {
       ConfigurationOrder(plan_.named_parts).sort(solution.configurations);
     }

@@ -283,6 +283,13 @@ std::string Plan::obstacle(const Values& values) const {
   return result.reason;
 }
 
+std::optional<NearestToLimits> Plan::nearest_to_limits(const Values& values) const {
+  expect_usable(values);
+  Solution result;
+  solve::MechanismSolver(values).solve({.measures_gap = true}, result);
+  return std::move(result.nearest_to_limits);
+}
+
 const Mechanism& Plan::mechanism() const { return data_->mechanism; }
 const Request& Plan::request() const { return data_->request; }
 const Structure& Plan::structure() const { return data_->structure; }

@@ -140,6 +140,7 @@ class ConfigurationWalk {
     result.dropped = 0;
     result.drop_reason.clear();
     result.breaches.clear();
+    result.nearest_to_limits.reset();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
     is_inconsistent_ = has_settled_ = is_unsure_ = has_left_inconsistent_ = false;
     least_gap_ = std::numeric_limits<double>::infinity();
@@ -299,6 +300,9 @@ class ConfigurationWalk {
     const bool keeps = !limits_.exist() || cuts_ || limits_.are_kept(solution_->breaches);
     if (!keeps && search_.within_limits) {
       ++*solution_->left_out;
+      if (search_.measures_gap && listed_ == 0) {
+        limits_.keep_nearest(solution_->nearest_to_limits);
+      }
       return;
     }
     ++passed_;
@@ -358,6 +362,7 @@ class ConfigurationWalk {
       conclude_without_configurations();
       return;
     }
+    solution_->nearest_to_limits.reset();
     if (!is_ordered_by_groups_) {
       order_.sort(solution_->configurations);
     }

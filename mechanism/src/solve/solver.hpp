@@ -20,8 +20,8 @@ struct Search {
   /// Whether configurations beyond the limits of joints are left out. A sweep keeps them, since
   /// branches go through them.
   bool within_limits = true;
-  /// Whether a solution without configurations says by how much the links fail to close, which
-  /// takes longer than solving.
+  /// Whether a solution without configurations says by how much the links fail to close, and which
+  /// configuration comes nearest to the limits of joints. This takes longer than solving.
   bool measures_gap = false;
 };
 

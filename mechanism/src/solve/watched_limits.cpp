@@ -1,8 +1,11 @@
 #include "watched_limits.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "limits.hpp"
+#include "listed_configuration.hpp"
+#include "longest_on_links.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
@@ -42,6 +45,35 @@ bool WatchedLimits::are_kept(std::vector<LimitBreach>& breaches) const {
     keeps = are_kept_at(groups, breaches) && keeps;
   }
   return keeps;
+}
+
+double WatchedLimits::square_of(const std::vector<NearestToLimits::Excess>& excesses) const {
+  const double length = longest_on_links(placement_.values());
+  double square = 0;
+  for (const NearestToLimits::Excess& excess : excesses) {
+    const JointType type = placement_.plan().mechanism.joints()[excess.joint].type;
+    square += std::pow(type == JointType::revolute ? excess.by : excess.by / length, 2);
+  }
+  return square;
+}
+
+void WatchedLimits::keep_nearest(std::optional<NearestToLimits>& nearest) const {
+  std::vector<NearestToLimits::Excess> excesses;
+  for (const std::vector<JointIndex>& joints : joints_) {
+    for (const JointIndex joint : joints) {
+      const double by = beyond_limits(placement_.values(), placement_.placed().links,
+                                      placement_.placed().slides, joint);
+      if (by > 0) {
+        excesses.push_back({joint, by});
+      }
+    }
+  }
+  if (!nearest || square_of(excesses) < square_of(nearest->excesses)) {
+    nearest.emplace();
+    nearest->excesses = std::move(excesses);
+    write_configuration(placement_, nearest->configuration);
+    nearest->configuration.within_limits = false;
+  }
 }
 
 std::string reason_of_limits(std::size_t count, const std::string& breaches) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,16 @@ class WatchedLimits {
   [[nodiscard]] bool are_kept_at(std::size_t groups, std::vector<LimitBreach>& breaches) const;
   /// Whether all joints keep their limits, once everything is placed.
   [[nodiscard]] bool are_kept(std::vector<LimitBreach>& breaches) const;
+  /// Keeps the placed configuration if it is nearer to the limits than the one that is kept.
+  void keep_nearest(std::optional<NearestToLimits>& nearest) const;
 
  private:
   const Placement& placement_;
   std::vector<std::vector<JointIndex>> joints_;  ///< by the groups before them
   bool exist_ = false;
+
+  /// The sum of squares of excesses, angles in radians and lengths in parts of the mechanism's.
+  [[nodiscard]] double square_of(const std::vector<NearestToLimits::Excess>& excesses) const;
 };
 
 /// One sentence for `count` configurations that are all beyond limits, with their breaches.

@@ -137,9 +137,10 @@ TEST(SweepStream, OtherParametersMayHaveOtherValues) {
   }
   const auto rows = [](const Plan& swept, const Values& values) {
     std::string text;
+    mechanism::SweepRows table(swept, {});
     mechanism::sweep(
         swept, values,
-        {.record = [&](const mechanism::SweepRecord& record) { add_csv_row(swept, record, text); },
+        {.record = [&](const mechanism::SweepRecord& record) { table.add(record, text); },
          .solved = {},
          .progress = {}});
     return text;

@@ -131,7 +131,7 @@ TEST(UnknownGroup, OfTooManyLinksIsNamed) {
   }
   bars.point("ground", "F", 3, 3).point("ground", "G", 3, -3).point("ground", "H", 4, -3);
   bars.point("ground", "I", 5, 1);
-  bars.bar("eight", "two.R", "crank.B").bar("nine", "three.R", "ground.F");
+  bars.bar("eight", "two.R", "crank.B").bar("nine", "five.R", "ground.F");
   bars.bar("ten", "six.R", "ground.H");
   bars.join("G", {"ground.G", "one.R"}).join("I", {"ground.I", "four.R"});
   EXPECT_EQ(message_of(bars.json()),

@@ -20,6 +20,11 @@ def test_scenes(command, example):
                                               "--configuration", 1)
     assert here.dxf(configuration=1) == drawn(command, scene, ".dxf", "--configuration", 1)
     assert here.page() == drawn(command, scene, ".html")
+    pages = [here.page(branch) for branch in (1, 2)]
+    assert pages == [drawn(command, scene, ".html", "--configuration", one) for one in (1, 2)]
+    assert pages[0] != pages[1]
+    with pytest.raises(assur.SceneError, match="there is no branch 9"):
+        here.page(9)
 
 
 def test_the_nearest(command, example):

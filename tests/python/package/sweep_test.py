@@ -46,6 +46,7 @@ def expect_sweep(sweep, rows):
     for key, branch in sweep.branches.items():
         own = [row for row in plain if row["branch"] == str(key)]
         assert branch.number == key and branch.ends_at is None
+        assert {row["circuit"] for row in own} == {str(branch.circuit)}
         expect_rows(branch, own, sweep.parameter)
         assert_array_equal(branch.configuration, [int(row["configuration"]) for row in own])
     expect_rows(sweep.unassigned, [row for row in plain if not row["branch"]], sweep.parameter)

@@ -7,6 +7,7 @@
 #include <assur/mechanism/formula.hpp>
 #include <assur/mechanism/loads.hpp>
 #include <assur/mechanism/part_indices.hpp>
+#include <functional>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -45,6 +46,7 @@ struct Link {
   std::string name;
   std::vector<FeatureIndex> features;
   bool is_drawn = false;  ///< whether points of a drawing define its frame and its features
+  bool is_idle = false;   ///< whether it would turn freely on its one pin, and is held at rest
 };
 
 /// The constraint that a joint puts on its features.
@@ -193,6 +195,12 @@ class Mechanism {
   /// The fixed frame; does not exist if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
+  /// Holds at rest, by a driver each, the links that nothing else than one pin holds, if no driver,
+  /// limit, formula or load is at that pin and nothing loads the link; `angle_of` gives the angle
+  /// of a link. Two links that are pinned to each other alone are held by one driver. Does nothing
+  /// where more than these links can move.
+  void hold_idle_links(const std::function<Formula(LinkIndex)>& angle_of);
+
   /// The mechanism without the links that are not kept: without their features and outputs, and
   /// without the joints that fewer than two of the kept links share. Parameters and numbers stay as
   /// they are.
@@ -220,6 +228,8 @@ class Mechanism {
   NumberIndex add_number(const Given& given, const std::string& part);
 
  private:
+  [[nodiscard]] JointIndex pin_of_idle(LinkIndex link) const;
+  void hold(JointIndex joint, const std::function<Formula(LinkIndex)>& angle_of);
   /// Updates drivers to other indices of joints, and removes the drivers of joints that are gone.
   void renumber_drivers(const Table<JointIndex, JointIndex>& joint_of);
   /// What an expression may name beside parameters.

@@ -70,6 +70,10 @@ class Plan {
   /// configurations.
   [[nodiscard]] std::string obstacle(const Values& values) const;
 
+  /// The configuration that comes nearest to the limits of joints; nothing where there are
+  /// configurations within them, or none at all, or too many to be listed.
+  [[nodiscard]] std::optional<NearestToLimits> nearest_to_limits(const Values& values) const;
+
   /// The redundant joints, whose constraints are left out and checked after solving.
   [[nodiscard]] const std::vector<RedundantJoint>& redundant() const;
   /// Whether a joint of `mechanism()` was not described, but is a slot or pin that stands in for a

@@ -3,7 +3,10 @@
 
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/sweep.hpp>
+#include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace assur::mechanism {
 
@@ -19,6 +22,9 @@ struct Report {
   /// Whether the one configuration is alone in the solution; the number of the nearest one is then
   /// not known.
   bool alone = false;
+  /// The branches and circuits of the configurations in the sweep; nothing where they were not
+  /// asked for.
+  std::optional<SweptPlaces> places = std::nullopt;
 };
 
 /// Returns the JSON object of the scene format (docs/reference/scene_format.md).
@@ -29,7 +35,31 @@ struct Report {
 [[nodiscard]] std::string csv_header(const Plan& plan);
 /// The rows of one solution, without a sweep.
 [[nodiscard]] std::string csv_rows(const Report& report);
-/// Adds one row of a sweep to a text: a configuration on its branch, or an event.
-void add_csv_row(const Plan& plan, const SweepRecord& record, std::string& text);
+
+/// The rows of a sweep, below `csv_header`.
+class SweepRows {
+ public:
+  /// How the angles of links are told.
+  enum class Angles : unsigned char {
+    principal,  ///< in (-pi, pi]
+    unwrapped   ///< on each branch continued by whole turns from row to row
+  };
+
+  /// Branches have no circuits where `circuits` does not name them.
+  SweepRows(const Plan& plan, Circuits circuits, Angles angles = Angles::principal)
+      : plan_(plan), circuits_(std::move(circuits)), angles_(angles) {}
+
+  /// Adds one row to a text: a configuration on its branch, or an event.
+  void add(const SweepRecord& record, std::string& text);
+
+ private:
+  /// Continues the angles of a row from those of the last row of its branch.
+  void unwrap(int branch, std::vector<double>& angles);
+
+  const Plan& plan_;
+  Circuits circuits_;
+  Angles angles_;
+  std::map<int, std::vector<double>> last_angles_;  ///< of each branch
+};
 
 }  // namespace assur::mechanism

@@ -99,6 +99,18 @@ struct Family {
   Table<LinkIndex, Frame> links;     ///< the frames of placed links
 };
 
+/// The configuration that comes nearest to the limits of joints, where all are beyond them: the
+/// root of the sum of its squared excesses, lengths in parts of the mechanism's, is the least.
+struct NearestToLimits {
+  /// By how much a joint is beyond its limits, in radians or the unit of length.
+  struct Excess {
+    JointIndex joint;
+    double by;
+  };
+  Configuration configuration;
+  std::vector<Excess> excesses;
+};
+
 /// How many configurations are beyond the limits of a joint, and the least excess, in radians or
 /// the unit of length.
 struct LimitBreach {
@@ -109,6 +121,9 @@ struct LimitBreach {
 
 /// Adds a breach to a list, or merges it with the breach of the same joint there.
 void add_breach(const LimitBreach& breach, std::vector<LimitBreach>& breaches);
+/// The text of excesses: `B by 3.5 deg, S by 0.2`.
+[[nodiscard]] std::string excesses_text(const Mechanism& mechanism,
+                                        const std::vector<NearestToLimits::Excess>& excesses);
 /// The text of breaches: `B by 3.5 deg at least, S by 0.2 at least`.
 [[nodiscard]] std::string breaches_text(const Mechanism& mechanism,
                                         const std::vector<LimitBreach>& breaches);
@@ -131,6 +146,8 @@ struct Solution {
   std::size_t dropped = 0;
   std::string drop_reason;
   std::vector<LimitBreach> breaches;  ///< by configurations that were left out or are beyond limits
+  /// Only `Plan::nearest_to_limits` looks for it.
+  std::optional<NearestToLimits> nearest_to_limits;
 };
 
 /// The configuration whose links stand closest to the angles of a request's reference. The distance

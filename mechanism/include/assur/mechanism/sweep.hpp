@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace assur::mechanism {
 
@@ -19,6 +20,31 @@ struct SweepRecord {
   const Configuration* state;
 };
 
+/// How the branches of a sweep are joined. Two are on one circuit where the mechanism can go from
+/// one to the other without being taken apart: they meet in one configuration (a fold, a birth, a
+/// crossing), or one ends the sweep where the other begins it and the mechanism is the same there,
+/// as after a whole turn. Limits of joints are not regarded, and where an event is degenerate or
+/// unresolved it is not known whether branches meet.
+struct Circuits {
+  /// The circuit of branch n, at n - 1. Circuits are numbered from 1 in the order of their first
+  /// branches.
+  std::vector<int> of_branch;
+  /// The branch that is at the first step where branch n, at n - 1, is at the last one; 0 if there
+  /// is none.
+  std::vector<int> next;
+
+  /// The circuit of a branch by its number; 0 for one that is not known, as branch 0.
+  [[nodiscard]] int of(int branch) const { return at(of_branch, branch); }
+  /// The next branch of a branch by its number; 0 if there is none.
+  [[nodiscard]] int next_of(int branch) const { return at(next, branch); }
+
+ private:
+  [[nodiscard]] static int at(const std::vector<int>& numbers, int branch) {
+    const auto place = static_cast<std::size_t>(branch);
+    return branch > 0 && place <= numbers.size() ? numbers[place - 1] : 0;
+  }
+};
+
 /// The functions that a sweep calls while it runs, in its order. Any of them may be left out.
 struct SweepObserver {
   std::function<void(const SweepRecord&)> record;
@@ -26,6 +52,8 @@ struct SweepObserver {
   /// solution includes the configurations beyond the limits of joints.
   std::function<void(double, const Solution&)> solved;
   std::function<void(int)> progress;  ///< steps done
+  /// Gets the circuits at the end, since any event may join two.
+  std::function<void(const Circuits&)> circuits = {};
 };
 
 /// The largest number of branches that are followed side by side.
@@ -43,6 +71,19 @@ inline constexpr std::size_t most_followed = 1000;
 int sweep(const Plan& plan, const SweepObserver& observer);
 /// Does the same with all parameters but the swept one as in `values`.
 int sweep(const Plan& plan, const Values& values, const SweepObserver& observer);
+
+/// The circuits of a sweep, and where the configurations at the swept parameter's own value are.
+struct SweptPlaces {
+  Circuits circuits;
+  /// The branches of the configurations that `Plan::solve` lists at that value, in their order; 0
+  /// for one whose branch is not known, and empty where the value is not in the sweep.
+  std::vector<int> branches;
+};
+
+/// Runs the sweep of a request once, for positions alone; `progress` gets the steps done. Throws
+/// MechanismError as `sweep` does.
+[[nodiscard]] SweptPlaces swept_places(const Mechanism& mechanism, const Request& request,
+                                       const std::function<void(int)>& progress = {});
 
 /// The number of the branch, in the sweep of a request, that is nearest to the request's reference.
 /// Where that is the one of a drawing, it is the branch that goes through the drawn configuration

@@ -1,0 +1,50 @@
+// Turns events and the rows of steps into the circuits of a sweep's branches.
+#pragma once
+
+#include <vector>
+
+#include "told_branches.hpp"
+
+namespace assur::mechanism::follow {
+
+/// The places of all features on their links, and the coordinates of the drivers whose laws read no
+/// joint: what is the same where the mechanism is the same.
+struct Shapes {
+  std::vector<double> lengths;  ///< in parts of the mechanism's
+  std::vector<double> angles;   ///< of revolute drivers
+};
+
+/// Joins the branches of a sweep into circuits, by the tracker's numbers.
+class CircuitFinder {
+ public:
+  explicit CircuitFinder(SnapshotSolver& solver) : solver_(solver) {}
+
+  /// Joins the branches that meet in the configuration of an event, if it has one.
+  void join_at(const BranchEvent& event);
+  /// Joins branches that share a configuration of a step, and those that are where others are at
+  /// the first step, if the mechanism is the same.
+  void join_at_step(double parameter, const std::vector<StepRow>& rows);
+  /// The circuits of the branches that are shown. Branches that end the sweep at its last value
+  /// must have been joined last.
+  [[nodiscard]] Circuits found(const ToldBranches& told);
+
+ private:
+  /// A branch at the first step.
+  struct Start {
+    int branch;
+    Eigen::VectorXd at;
+  };
+  void join(int one, int other);
+  /// The least branch that another is joined with.
+  [[nodiscard]] int first_of(int branch);
+  [[nodiscard]] Shapes shapes_at(double parameter);
+
+  SnapshotSolver& solver_;
+  std::vector<int> joined_with_;  ///< another branch of the same circuit, none greater
+  Shapes shapes_;                 ///< at the first step
+  std::vector<Start> starts_;
+  bool has_begun_ = false;
+  std::vector<std::pair<int, int>> next_;  ///< at the last step: a branch, and the one to follow
+};
+
+}  // namespace assur::mechanism::follow
