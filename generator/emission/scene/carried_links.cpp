@@ -116,6 +116,14 @@ void add_joints_read(const SolverScene& solver, FunctionBody& body,
   }
 }
 
+cpp::Block behind_joints_read(const SolverScene& solver, FunctionBody& body) {
+  const cpp::Block all = body.take_from(0);
+  const std::set<std::string> read = body.variables_read(all);
+  add_joints_read(solver, body, [&](const std::string& name) { return read.contains(name); });
+  body.add(all);
+  return body.block();
+}
+
 cpp::Expression driver_position(const SolverScene& solver, mechanism::DriverIndex driver,
                                 const FunctionBody& body) {
   return driver_value(solver, driver, body).position;

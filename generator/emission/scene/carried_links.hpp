@@ -33,6 +33,9 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, F
 /// Declares the coordinates of all joints that groups place and whose names are read.
 void add_joints_read(const SolverScene& solver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read);
+/// The statements of a function that runs once all links are placed, after the coordinates of
+/// joints that they read.
+[[nodiscard]] cpp::Block behind_joints_read(const SolverScene& solver, FunctionBody& body);
 /// The place to which a driver moves its joint.
 [[nodiscard]] cpp::Expression driver_position(const SolverScene& solver,
                                               mechanism::DriverIndex driver,

@@ -5,7 +5,6 @@
 #include <assur/text/identifiers.hpp>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "emission/scene/carried_links.hpp"
 #include "emission/scene/force_order.hpp"
@@ -53,12 +52,7 @@ class ForceStatements {
         tell(joint);
       }
     }
-    // All links are placed: what laws and loads read of joints comes first.
-    const cpp::Block all = body_.take_from(0);
-    const std::set<std::string> read = body_.variables_read(all);
-    add_joints_read(solver_, body_, [&](const std::string& name) { return read.contains(name); });
-    body_.add(all);
-    return body_.block();
+    return behind_joints_read(solver_, body_);
   }
 
  private:

@@ -17,9 +17,13 @@ class LinkLoads {
 
   /// Adds all that is there before the forces of joints are known.
   void add_all();
+  /// Adds the same without inertia.
+  void add_applied();
 
   /// The variable of a link.
   [[nodiscard]] const cpp::Expression& on(mechanism::LinkIndex link) const { return on_[link]; }
+  /// Whether anything was added to what acts on a link.
+  [[nodiscard]] bool bears(mechanism::LinkIndex link) const { return bears_[link]; }
   /// The sum over links that count as one.
   [[nodiscard]] cpp::Expression together(const std::vector<mechanism::LinkIndex>& links) const;
   /// A variable for the place of a point, or of a line's `through`.
@@ -31,6 +35,14 @@ class LinkLoads {
   [[nodiscard]] cpp::Expression direction(mechanism::FeatureIndex line) const;
   /// Adds an effort along the coordinate between two features, and against it on the other link.
   void push(const std::vector<mechanism::FeatureIndex>& between, const cpp::Expression& effort);
+  /// A variable for the centre of a mass.
+  [[nodiscard]] cpp::Expression centre(const mechanism::Mass& mass);
+  /// Whether the number is there, and not always zero.
+  [[nodiscard]] bool counts(mechanism::NumberIndex number) const;
+  /// The expression of a number that need not exist.
+  [[nodiscard]] cpp::Expression value(mechanism::NumberIndex number) const {
+    return body_.number(this->number(number));
+  }
 
  private:
   [[nodiscard]] mechanism::LinkIndex link_of(mechanism::FeatureIndex feature) const {
@@ -39,11 +51,14 @@ class LinkLoads {
   [[nodiscard]] cpp::Expression place(const std::string& name, const mechanism::PlaceOnLink& on);
   /// A number that need not exist.
   [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
-  /// Whether the number is there, and not always zero.
-  [[nodiscard]] bool counts(mechanism::NumberIndex number) const;
   void add(mechanism::LinkIndex link, const std::string& function,
            std::vector<cpp::Expression> arguments);
+  /// A variable for the acceleration of gravity.
+  [[nodiscard]] cpp::Expression gravity();
   void add_masses();
+  void add_weights();
+  void add_weight(const mechanism::Mass& mass, const cpp::Expression& gravity);
+  void add_loads_and_springs();
   void add_load(const mechanism::Load& load);
   void add_spring(const mechanism::Spring& spring);
   void add_joint_spring(const mechanism::Spring& spring);
@@ -51,7 +66,9 @@ class LinkLoads {
   const SolverScene& solver_;
   FunctionBody& body_;
   mechanism::Table<mechanism::LinkIndex, cpp::Expression> on_;
+  mechanism::Table<mechanism::LinkIndex, bool> bears_;
   std::map<mechanism::FeatureIndex, cpp::Expression> places_;
+  std::map<mechanism::LinkIndex, cpp::Expression> centres_;
 };
 
 }  // namespace assur::generator::emission::scene

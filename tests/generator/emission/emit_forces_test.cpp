@@ -5,24 +5,16 @@
 #include <assur/text/identifiers.hpp>
 #include <iostream>
 #include <numeric>
-#include <sstream>
 
 #include "generator/mixed_scene.hpp"
-#include "generator/solver_comparison.hpp"
+#include "generator/printed_states.hpp"
 #include "mechanism/driven_scene_campaign.hpp"
 #include "mechanism/equilibrium.hpp"
 #include "mechanism/kind_scene.hpp"
 #include "mechanism/loaded_scene.hpp"
-#include "mechanism/scene_maker.hpp"
 
 namespace assur::test::emit_forces_test {
 namespace {
-
-/// A scene by its name, which the files of its solver have.
-struct LoadedScene {
-  std::string name;
-  Json json;
-};
 
 /// C++ that prints every number that a state `s` tells of forces: efforts, the force on each link
 /// of each joint, in order, with a slide's couple, and the resultant on the ground.
@@ -35,9 +27,7 @@ std::string printing_code(const mechanism::Mechanism& mechanism) {
     return names;
   };
   std::string code;
-  const auto print = [&code](const std::string& number) {
-    code += "  std::printf(\"%.17g\\n\", static_cast<double>(" + number + "));\n";
-  };
+  const auto print = [&code](const std::string& number) { code += printing(number); };
   const auto print_vector = [&](const std::string& vector) {
     print(vector + "(0)");
     print(vector + "(1)");
@@ -72,11 +62,7 @@ std::string printing_code(const mechanism::Mechanism& mechanism) {
 
 /// What the solver told of one configuration.
 mechanism::Forces read_forces(std::istream& printed, const mechanism::Mechanism& mechanism) {
-  const auto number = [&printed] {
-    std::string text;
-    printed >> text;
-    return std::strtod(text.c_str(), nullptr);
-  };
+  const auto number = [&printed] { return read_number(printed); };
   const auto vector = [&number] {
     const double x = number();
     return Eigen::Vector2d(x, number());
@@ -163,56 +149,17 @@ void compare(const Solved& scene, const Configuration& configuration, const mech
 }
 
 /// Emits a solver for each scene, runs them all in one program, and compares what they tell.
-Worst compare_all(const std::vector<LoadedScene>& scenes, double most = 1e-10,
+Worst compare_all(const std::vector<NamedScene>& scenes, double most = 1e-10,
                   const std::string& scalar = "double") {
-  const TemporaryDirectory directory;
-  const std::string root = directory.path().string();
-  std::string includes = "#include <cstdio>\n";
-  std::string functions;
-  std::string calls;
-  for (const LoadedScene& scene : scenes) {
-    const EmittedScene emitted = {directory.write(scene.name + ".json", scene.json.dump()),
-                                  scene.name,
-                                  struct_of(scene.name),
-                                  {}};
-    emit_solver(emitted, directory);
-    includes += "#include <assur/scenes/" + scene.name + ".hpp>\n";
-    functions +=
-        "void " + scene.name + "() {\n  using S = assur::scenes::" + emitted.solver +
-        ";\n  std::array<S::State<" + scalar +
-        ">, S::max_configurations> states;\n  const S::Solution found = S::solve(S::" + "Drivers<" +
-        scalar + ">{}, states);\n  std::printf(\"%d\\n\", found.count);\n" +
-        "  for (int i = 0; i < found.count; ++i) {\n  const auto& s = " +
-        "states[static_cast<std::size_t>(i)];\n" +
-        printing_code(solved(scene.json).plan.mechanism()) + "  }\n}\n";
-    calls += "  " + scene.name + "();\n";
-  }
-  const auto source =
-      directory.write("driver.cpp", includes + functions + "int main() {\n" + calls + "}\n");
-  compile_program(source, root + "/driver", directory);
   Worst worst;
-  if (testing::Test::HasFailure() ||
-      std::system((root + "/driver > " + root + "/printed").c_str()) != 0) {
-    ADD_FAILURE() << "no program to compare";
-    return worst;
-  }
-  std::istringstream printed(read_file(directory.path() / "printed"));
-  for (const LoadedScene& scene : scenes) {
-    SCOPED_TRACE(scene.name);
-    const Solved known = solved(scene.json);
-    std::size_t count = 0;
-    printed >> count;
-    EXPECT_EQ(count, known.configurations().size());
-    if (count != known.configurations().size()) {
-      return worst;
-    }
-    for (const Configuration& configuration : known.configurations()) {
-      const double before = std::max(worst.unbalanced, worst.against_solve);
-      compare(known, configuration, read_forces(printed, known.plan.mechanism()), worst);
-      const double after = std::max(worst.unbalanced, worst.against_solve);
-      EXPECT_FALSE(after > most && after > before) << after;
-    }
-  }
+  for_each_printed(
+      scenes, printed_states(scenes, printing_code, scalar),
+      [&](const Solved& known, const Configuration& configuration, std::istream& printed) {
+        const double before = std::max(worst.unbalanced, worst.against_solve);
+        compare(known, configuration, read_forces(printed, known.plan.mechanism()), worst);
+        const double after = std::max(worst.unbalanced, worst.against_solve);
+        EXPECT_FALSE(after > most && after > before) << after;
+      });
   return worst;
 }
 
@@ -234,7 +181,7 @@ class EmitForcesOfKinds : public testing::TestWithParam<std::size_t> {};
 TEST_P(EmitForcesOfKinds, KeepLinksInEquilibrium) {
   const mechanism::GroupModels& group = mechanism::known_groups()[GetParam()];
   const std::vector<ModelLink> links(group.structure.link_count());
-  std::vector<LoadedScene> scenes;
+  std::vector<NamedScene> scenes;
   unsigned seed = 4711;
   for (const mechanism::GroupModel& model : group.models) {
     for (const std::string& kind : model.rigid ? model.kinds : std::vector<std::string>()) {
@@ -262,7 +209,7 @@ class EmitForcesOfScenes : public DrivenScenes {};
 
 /// Drivers anywhere, laws that read joints, racks, cylinders, pins of many links, slots.
 TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
-  std::vector<LoadedScene> scenes;
+  std::vector<NamedScene> scenes;
   for_each_scene(2, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
     Json json = loaded(made.scene(), seed);
     json["want"] = wanted;
