@@ -48,6 +48,16 @@ Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::Elem
   return {feature.x, feature.y, feature.along};
 }
 
+cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
+                        const FunctionBody& body) {
+  const mechanism::Feature& feature = solver.mechanism().features()[index];
+  const LinkFeature<SceneNumber> place = solver.numbers.feature(index, feature.is_line);
+  const cpp::Expression own = cpp::braces(
+      "Pose<Scalar>", {body.number(place.x), body.number(place.y), body.direction(place.along)});
+  const OptionalExpression link = solver.placed(feature.link);
+  return link ? cpp::call("support::pose_in", {link->member("pose"), own}) : own;
+}
+
 cpp::Expression with_sense(double sense, const cpp::Expression& expression) {
   return sense < 0 ? cpp::negative(expression) : expression;
 }

@@ -16,6 +16,9 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] Pose<SceneNumber> feature_frame(const SolverScene& solver,
                                               const mechanism::ElementaryJoint& at,
                                               mechanism::LinkIndex link);
+/// The pose of a feature; a point has the direction of its link.
+[[nodiscard]] cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
+                                      const FunctionBody& body);
 /// The expression, or its negative.
 [[nodiscard]] cpp::Expression with_sense(double sense, const cpp::Expression& expression);
 [[nodiscard]] cpp::Expression placed_slide(const std::string& member);

@@ -14,6 +14,7 @@
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
+#include "emission/scene/equilibrium_statements.hpp"
 #include "emission/scene/force_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/listing_statements.hpp"
@@ -55,7 +56,6 @@ class SceneEmitter {
   std::vector<cpp::EmittedFile> run(const std::string& options, Interface interface) {
     view_.set("options", options);
     expect_listable(solver_.plan);
-    expect_forces(solver_);
     show_drivers();
     show_variables();
     for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
@@ -252,6 +252,7 @@ class SceneEmitter {
       }
     }
     show("force_finding", force_statements(solver_));
+    view_.set("together_finding", shown(equilibrium_statements(solver_)));
     show_force_members(solver_, view_);
     const cpp::Block moving = show_motions(solver_, view_);
     statements_.insert(statements_.end(), moving.begin(), moving.end());

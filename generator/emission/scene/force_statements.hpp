@@ -9,11 +9,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// Throws MechanismError for forces that emitted solvers do not find.
-void expect_forces(const SolverScene& solver);
-
-/// The statements that fill what a state tells of forces, from what is placed; none where no forces
-/// are wanted.
+/// Statements that fill the efforts and forces of a state group by group, where all groups are
+/// regular; none where no forces are wanted, or constraints are redundant.
 [[nodiscard]] cpp::Block force_statements(const SolverScene& solver);
 
 /// Shows the members of a state that tell of forces.

@@ -115,7 +115,7 @@ void LinkLoads::push(const std::vector<FeatureIndex>& between, const cpp::Expres
       cpp::declared("const Vector<Scalar, 2>", force,
                     cpp::call("support::force_along<Scalar>", {direction(between[line]), effort})));
   add(link_of(other), "add_force", {at, force});
-  add(link_of(between[line]), "add_force", {at, cpp::call("support::opposite", {force})});
+  add(link_of(between[line]), "add_force", {at, opposite(force)});
 }
 
 SceneNumber LinkLoads::number(NumberIndex number) const {
@@ -214,7 +214,7 @@ void LinkLoads::add_spring(const mechanism::Spring& spring) {
   body_.add(cpp::declared("const Vector<Scalar, 2>", pull,
                           cpp::call("support::spring_pull", std::move(given))));
   add(link_of(spring.between[0]), "add_force", {ends[0], pull});
-  add(link_of(spring.between[1]), "add_force", {ends[1], cpp::call("support::opposite", {pull})});
+  add(link_of(spring.between[1]), "add_force", {ends[1], opposite(pull)});
 }
 
 void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
@@ -259,6 +259,14 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
   const cpp::Expression effort = body_.local("effort_of_" + spring.name);
   body_.add(cpp::declared("const Scalar", effort, cpp::sum(std::move(terms))));
   push(between, effort);
+}
+
+void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body) {
+  const cpp::Expression all = body.local("on_all");
+  body.add(cpp::declared({"const LinkLoad", "LinkLoad"}, all, on_all_links));
+  const cpp::Expression force = cpp::braces("", {all.member("x"), all.member("y")});
+  body.add(cpp::assigned(cpp::variable("state").member("ground"),
+                         cpp::braces("", {force, all.member("moment")})));
 }
 
 }  // namespace assur::generator::emission::scene

@@ -9,6 +9,11 @@
 
 namespace assur::generator::emission::scene {
 
+/// The opposite of a force.
+[[nodiscard]] inline cpp::Expression opposite(const cpp::Expression& force) {
+  return cpp::call("support::opposite", {force});
+}
+
 /// What acts on each link of a solver, as variables of one function.
 class LinkLoads {
  public:
@@ -70,5 +75,9 @@ class LinkLoads {
   std::map<mechanism::FeatureIndex, cpp::Expression> places_;
   std::map<mechanism::LinkIndex, cpp::Expression> centres_;
 };
+
+/// Tells the resultant on the ground: by the equilibrium of all links together, the sum of what
+/// acts on each.
+void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body);
 
 }  // namespace assur::generator::emission::scene

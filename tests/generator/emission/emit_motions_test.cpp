@@ -42,7 +42,8 @@ std::vector<std::string> members_of(const Parts& parts) {
 }
 
 /// C++ that prints all that a state `s` tells of motions, and its efforts.
-std::string printing_code(const mechanism::Mechanism& mechanism) {
+std::string printing_code(const Solved& scene) {
+  const mechanism::Mechanism& mechanism = scene.plan.mechanism();
   std::string code;
   const auto links = members_of(mechanism.links());
   for (const mechanism::LinkIndex link : mechanism.links().keys()) {

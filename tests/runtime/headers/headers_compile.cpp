@@ -15,6 +15,7 @@
 #include <assur/support/coordinate_motions.hpp>
 #include <assur/support/displacement.hpp>
 #include <assur/support/equations_of_motion.hpp>
+#include <assur/support/equilibrium.hpp>
 #include <assur/support/link_forces.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/placed_link.hpp>

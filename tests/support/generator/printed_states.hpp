@@ -29,12 +29,12 @@ inline double read_number(std::istream& printed) {
 }
 
 /// Emits a solver for each scene, and runs all in one program: it prints how many configurations
-/// there are of each scene, and what `code_of(mechanism)` prints of every state `s`. The solvers'
+/// there are of each scene, and what `code_of(scene)` prints of every state `s`. The solvers'
 /// struct is `S`, and `head` is in front of the functions.
-inline std::istringstream printed_states(
-    const std::vector<NamedScene>& scenes,
-    const std::function<std::string(const mechanism::Mechanism&)>& code_of,
-    const std::string& scalar = "double", const std::string& head = "") {
+inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
+                                         const std::function<std::string(const Solved&)>& code_of,
+                                         const std::string& scalar = "double",
+                                         const std::string& head = "") {
   const TemporaryDirectory directory;
   const std::string root = directory.path().string();
   std::string includes = "#include <cstdio>\n";
@@ -53,8 +53,7 @@ inline std::istringstream printed_states(
         ">, S::max_configurations> states;\n  const S::Solution found = S::solve(S::Drivers<" +
         scalar + ">{}, states);\n  std::printf(\"%d\\n\", found.count);\n" +
         "  for (int i = 0; i < found.count; ++i) {\n  const auto& s = " +
-        "states[static_cast<std::size_t>(i)];\n" + code_of(solved(scene.json).plan.mechanism()) +
-        "  }\n}\n";
+        "states[static_cast<std::size_t>(i)];\n" + code_of(solved(scene.json)) + "  }\n}\n";
     calls += "  " + scene.name + "();\n";
   }
   const auto source =
