@@ -148,13 +148,6 @@ template <typename Scalar, typename Place>
   return reaction;
 }
 
-/// The configuration of a group, and its regularity.
-template <typename Group, typename Scalar>
-struct SolvedGroup {
-  typename Group::template Configuration<Scalar> q;
-  Status regularity = Status::ok;
-};
-
 /// The forces in the joints of a group under the loads of its links. `is_turned` where the group is
 /// solved in the frame of a link that turns.
 template <typename Group, typename Scalar, bool is_turned = false>

@@ -15,6 +15,13 @@
 
 namespace assur::support {
 
+/// The configuration of a group, and its regularity.
+template <typename Group, typename Scalar>
+struct SolvedGroup {
+  typename Group::template Configuration<Scalar> q;
+  Status regularity = Status::ok;
+};
+
 /// The regularity of a configuration where rounding has displaced what holds the group.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline]] Status regularity_among_displaced(
