@@ -74,7 +74,7 @@ class EquilibriumStatements {
   void call(const std::string& function, std::vector<cpp::Expression> arguments) {
     body_.add(cpp::called(all_.member(function).at(std::move(arguments))));
   }
-  /// The place of a feature's link among those that move; -1 for the ground.
+  /// The number of a feature's link among the moving links; -1 for the ground.
   [[nodiscard]] cpp::Expression place_of(FeatureIndex feature) const {
     const auto found = std::ranges::find(moving_, link_of(feature));
     return cpp::word(found == moving_.end() ? "-1" : std::to_string(found - moving_.begin()));

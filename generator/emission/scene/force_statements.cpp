@@ -32,7 +32,7 @@ struct Reaction {
 cpp::Expression place_word(std::size_t place) { return cpp::word(place); }
 
 /// Writes the function step by step: loads, groups and drivers from the far ends to the ground, and
-/// then what a state tells.
+/// then the members of the state.
 class ForceStatements {
  public:
   explicit ForceStatements(const SolverScene& solver)
@@ -110,7 +110,7 @@ class ForceStatements {
     }
   }
 
-  /// Adds the force of a group's joint to what acts on its links. `second` is the joint's second
+  /// Adds the force of a group's joint to the loads of its links. `second` is the joint's second
   /// link in the model.
   void act(const cpp::Expression& forces, std::size_t joint, mechanism::ElementaryJointIndex index,
            LinkIndex second, const cpp::Expression& origin) {
@@ -131,7 +131,7 @@ class ForceStatements {
     reactions_[index] = reaction;
   }
 
-  /// Finds the effort of a driver, and what the bearing of its joint carries.
+  /// Finds the effort of a driver, and the force in the bearing of its joint.
   void cut(const mechanism::CarriedLink& link) {
     const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
     const std::string& member = solver_.members.drivers[link.driver];
@@ -194,7 +194,7 @@ class ForceStatements {
     return list;
   }
 
-  /// What a state tells of the force in a joint.
+  /// Fills the member for the force in a joint.
   void tell(JointIndex index) {
     const mechanism::Joint& joint = solver_.mechanism().joints()[index];
     const cpp::Expression target = state("forces").member(solver_.members.joints[index]);

@@ -13,7 +13,7 @@ namespace assur::generator::emission::scene {
 /// regular; none where no forces are wanted, or constraints are redundant.
 [[nodiscard]] cpp::Block force_statements(const SolverScene& solver);
 
-/// Shows the members of a state that tell of forces.
+/// Shows the members of a state for efforts and forces.
 void show_force_members(const SolverScene& solver, cpp::View& view);
 
 }  // namespace assur::generator::emission::scene

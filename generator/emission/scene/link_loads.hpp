@@ -1,4 +1,4 @@
-// Turns masses, gravity, loads, springs and dampers into statements that add them to what acts on
+// Turns masses, gravity, loads, springs and dampers into statements that add forces and moments to
 // links.
 #pragma once
 
@@ -27,13 +27,13 @@ class LinkLoads {
 
   /// The variable of a link.
   [[nodiscard]] const cpp::Expression& on(mechanism::LinkIndex link) const { return on_[link]; }
-  /// Whether anything was added to what acts on a link.
+  /// Whether any force or moment was added to a link.
   [[nodiscard]] bool bears(mechanism::LinkIndex link) const { return bears_[link]; }
   /// The sum over links that count as one.
   [[nodiscard]] cpp::Expression together(const std::vector<mechanism::LinkIndex>& links) const;
   /// A variable for the place of a point, or of a line's `through`.
   [[nodiscard]] cpp::Expression place(mechanism::FeatureIndex feature);
-  /// A variable for a point of a link; `name` is what it is called.
+  /// A variable for a point of a link; `name` is the name of the point.
   [[nodiscard]] cpp::Expression place(const std::string& name, mechanism::LinkIndex link,
                                       const SceneNumber& x, const SceneNumber& y);
   /// The direction of a line.
@@ -76,8 +76,8 @@ class LinkLoads {
   std::map<mechanism::LinkIndex, cpp::Expression> centres_;
 };
 
-/// Tells the resultant on the ground: by the equilibrium of all links together, the sum of what
-/// acts on each.
+/// Fills the member for the resultant on the ground: by the equilibrium of all links together, it
+/// is the sum of the loads of all.
 void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body);
 
 }  // namespace assur::generator::emission::scene

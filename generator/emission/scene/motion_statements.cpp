@@ -65,7 +65,7 @@ class MotionStatements {
   [[nodiscard]] LinkIndex link_of(mechanism::FeatureIndex feature) const {
     return solver_.mechanism().features()[feature].link;
   }
-  /// Lists rates behind those that are listed.
+  /// Adds statements that list rates.
   Rated rated(const cpp::Expression& rates, std::size_t numbers) {
     const Rated result{rated_numbers_, numbers};
     rates_.add(cpp::called(cpp::call("support::put_rates<" + std::to_string(result.first) + ">",

@@ -1,4 +1,4 @@
-// Turns the joints of a scene, redundant ones among them, into those whose forces a state tells.
+// Lists the joints of a scene, redundant ones included, for whose forces a state has members.
 #pragma once
 
 #include <assur/mechanism/held_pairs.hpp>
@@ -9,7 +9,7 @@
 
 namespace assur::generator::emission::scene {
 
-/// A joint whose force is told.
+/// A joint for whose force a state has a member.
 struct ToldJoint {
   std::string name, member;
   std::vector<mechanism::LinkIndex> links;  ///< each once, in the order of `between`
