@@ -2,12 +2,14 @@
 // those of `assur solve`, derivatives of its own positions, and consistent with its efforts.
 #include <gtest/gtest.h>
 
+#include <assur/mechanism/held_pairs.hpp>
 #include <assur/text/identifiers.hpp>
 #include <iostream>
 
 #include "generator/mixed_scene.hpp"
 #include "generator/printed_states.hpp"
 #include "mechanism/driven_scene_campaign.hpp"
+#include "mechanism/five_bars.hpp"
 #include "mechanism/loaded_scene.hpp"
 
 namespace assur::test::emit_motions_test {
@@ -32,6 +34,18 @@ void put(const Coefficients& coefficients) {
 }
 )";
 
+/// The joints whose coordinates have coefficients.
+std::vector<mechanism::JointIndex> joints_of(const Solved& scene) {
+  std::vector<mechanism::JointIndex> joints;
+  for (const mechanism::JointIndex index : scene.plan.mechanism().joints().keys()) {
+    const mechanism::Joint& joint = scene.plan.mechanism().joints()[index];
+    if (joint.between.size() == 2 && !mechanism::is_stand_in(joint, scene.plan.redundant())) {
+      joints.push_back(index);
+    }
+  }
+  return joints;
+}
+
 template <typename Parts>
 std::vector<std::string> members_of(const Parts& parts) {
   std::vector<std::string> names;
@@ -55,10 +69,8 @@ std::string printing_code(const Solved& scene) {
     code += "  put(s.coefficients.outputs." + output + ");\n";
   }
   const auto joints = members_of(mechanism.joints());
-  for (const mechanism::JointIndex joint : mechanism.joints().keys()) {
-    if (mechanism.joints()[joint].between.size() == 2) {
-      code += "  put(s.coefficients.joints." + joints[joint.place()] + ");\n";
-    }
+  for (const mechanism::JointIndex joint : joints_of(scene)) {
+    code += "  put(s.coefficients.joints." + joints[joint.place()] + ");\n";
   }
   code += "  put_matrix(s.dynamics.mass_matrix);\n  put_matrix(s.dynamics.bias);\n" +
           std::string("  put_matrix(s.dynamics.load);\n");
@@ -136,10 +148,8 @@ void compare(const Solved& scene, const Configuration& configuration, std::istre
   for (const auto& output : known.outputs) {
     compare(printed, output, size, here);
   }
-  for (const mechanism::JointIndex joint : mechanism.joints().keys()) {
-    if (mechanism.joints()[joint].between.size() == 2) {
-      compare(printed, known.joints[joint], size, here);
-    }
+  for (const mechanism::JointIndex joint : joints_of(scene)) {
+    compare(printed, known.joints[joint], size, here);
   }
   const mechanism::Dynamics dynamics = mechanism::dynamics_of(scene.values, configuration);
   const Eigen::Index count = std::ssize(known.drivers);
@@ -239,6 +249,16 @@ TEST(EmitMotions, FollowLawsWithoutTheRatesThatAreGiven) {
 
 TEST(EmitMotions, AreTheSameInFloatToItsDigits) {
   compare_all({{"two_drivers", two_drivers()}}, 1e-3, "float");
+}
+
+/// All constraints of a parallelogram with three cranks together give its motion.
+TEST(EmitMotions, FollowRedundantConstraints) {
+  Json scene = five_bars(2, 1.5).json();
+  scene["drivers"]["A"]["position"] = 0.7;
+  scene["gravity"] = {0, -9.81};
+  scene["masses"] = {{"coupler", {{"mass", 2}, {"at", {1, 0.5}}, {"inertia", 0.3}}},
+                     {"third", {{"mass", 1}, {"at", {0.5, 0}}}}};
+  compare_all({{"five_bars", scene}});
 }
 
 /// First coefficients against differences of the solver's own positions, and second ones against
