@@ -200,7 +200,7 @@ class EmitMotionsOfScenes : public DrivenScenes {};
 /// Drivers anywhere, laws that read joints, racks, cylinders, pins of many links, slots.
 TEST_P(EmitMotionsOfScenes, AreThoseOfSolve) {
   std::vector<NamedScene> scenes;
-  for_each_scene(2, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
+  for_each_scene(2, 20, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
     scenes.push_back({"scene_" + std::to_string(seed), loaded(made.scene(), seed)});
   });
   compare_all(scenes);
