@@ -88,10 +88,6 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
     scene.request.want = wanted(options.wants);
     want_option = " --want " + text::joined(options.wants, ",");
   }
-  if (const assur::mechanism::Want& want = scene.request.want; want.dynamics || want.coefficients) {
-    throw InputError(file + ": want: solvers give no dynamics or coefficients yet; leave these " +
-                     "out, or give --want with the results that the solver is to give");
-  }
   try {
     add_variables(options.variables, scene);
     std::vector<EmittedFile> emitted = emission::scene::emit_scene(

@@ -208,12 +208,14 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
                   "polish|special_group|wider)")},
       {"all configurations, and branches", std::regex("assembly|batch|tracking")},
       {"whole mechanisms",
-       std::regex("assur|detail/batch/placed_pack|support/"
-                  "(batch_search|closures_on_way|displacement|flat_branch|held_group|link_forces|"
-                  "placed_group|scene_batch|"
-                  "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
-                  "scene_track|shared_search|"
-                  "specialised)")},
+       std::regex(
+           "assur|detail/batch/placed_pack|support/"
+           "(batch_search|closures_on_way|coordinate_motions|displacement|equations_of_motion|"
+           "equilibrium|"
+           "flat_branch|held_group|link_forces|placed_group|scene_batch|"
+           "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
+           "scene_track|shared_search|"
+           "specialised)")},
   };
   return storeys;
 }

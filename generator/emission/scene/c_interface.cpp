@@ -75,7 +75,7 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   solver.set("shows_outputs", has_outputs && (has_vectors || stands(solver, "sensitivity")));
   solver.set("copies_vectors", (has_outputs && has_vectors) ||
                                    (stands(solver, "has_links") && moves) ||
-                                   stands(solver, "has_forces"));
+                                   stands(solver, "has_forces") || stands(solver, "has_dynamics"));
   return {
       {std::filesystem::path(header).replace_extension(".h"), cpp::page("c_header.h", solver)},
       {std::filesystem::path(header).replace_extension(".cpp"), cpp::page("c_source.cpp", solver)}};

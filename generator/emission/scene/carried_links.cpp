@@ -48,6 +48,16 @@ Pose<SceneNumber> feature_frame(const SolverScene& solver, const mechanism::Elem
   return {feature.x, feature.y, feature.along};
 }
 
+cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
+                        const FunctionBody& body) {
+  const mechanism::Feature& feature = solver.mechanism().features()[index];
+  const LinkFeature<SceneNumber> place = solver.numbers.feature(index, feature.is_line);
+  const cpp::Expression own = cpp::braces(
+      "Pose<Scalar>", {body.number(place.x), body.number(place.y), body.direction(place.along)});
+  const OptionalExpression link = solver.placed(feature.link);
+  return link ? cpp::call("support::pose_in", {link->member("pose"), own}) : own;
+}
+
 cpp::Expression with_sense(double sense, const cpp::Expression& expression) {
   return sense < 0 ? cpp::negative(expression) : expression;
 }
@@ -114,6 +124,14 @@ void add_joints_read(const SolverScene& solver, FunctionBody& body,
       add_joint_read(solver, joint, body);
     }
   }
+}
+
+cpp::Block behind_joints_read(const SolverScene& solver, FunctionBody& body) {
+  const cpp::Block all = body.take_from(0);
+  const std::set<std::string> read = body.variables_read(all);
+  add_joints_read(solver, body, [&](const std::string& name) { return read.contains(name); });
+  body.add(all);
+  return body.block();
 }
 
 cpp::Expression driver_position(const SolverScene& solver, mechanism::DriverIndex driver,

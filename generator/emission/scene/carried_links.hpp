@@ -16,6 +16,9 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] Pose<SceneNumber> feature_frame(const SolverScene& solver,
                                               const mechanism::ElementaryJoint& at,
                                               mechanism::LinkIndex link);
+/// The pose of a feature; a point has the direction of its link.
+[[nodiscard]] cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
+                                      const FunctionBody& body);
 /// The expression, or its negative.
 [[nodiscard]] cpp::Expression with_sense(double sense, const cpp::Expression& expression);
 [[nodiscard]] cpp::Expression placed_slide(const std::string& member);
@@ -33,6 +36,9 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, F
 /// Declares the coordinates of all joints that groups place and whose names are read.
 void add_joints_read(const SolverScene& solver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read);
+/// The statements of a function that runs once all links are placed, after the coordinates of
+/// joints that they read.
+[[nodiscard]] cpp::Block behind_joints_read(const SolverScene& solver, FunctionBody& body);
 /// The place to which a driver moves its joint.
 [[nodiscard]] cpp::Expression driver_position(const SolverScene& solver,
                                               mechanism::DriverIndex driver,

@@ -14,9 +14,11 @@
 #include "emission/model/model_view.hpp"
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
+#include "emission/scene/equilibrium_statements.hpp"
 #include "emission/scene/force_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/listing_statements.hpp"
+#include "emission/scene/motion_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
 #include "emission/scene/scene_statements.hpp"
 #include "emission/scene/specialised_numbers.hpp"
@@ -26,21 +28,25 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
+/// Whether an expression is a member of `placed`.
+bool is_placed(const cpp::Expression& part, const std::string& member) {
+  return part.form == cpp::Expression::Form::member && part.text == member &&
+         part.parts[0].text == "placed";
+}
+
 /// Whether an expression is a row of rates that are assigned one by one, or contains a number as a
 /// rate: these rates do not all follow from arguments.
 bool is_own_rate(const cpp::Expression& part) {
   const bool is_row = part.form == cpp::Expression::Form::member && part.text == "row" &&
                       part.parts[0].text == "rates";
-  return is_row || (part.name.text == "Rates" &&
-                    std::ranges::any_of(
-                        part.parts, [](const cpp::Expression& rate) { return rate.is_number(); }));
+  return is_row || is_placed(part, "given_rates") ||
+         (part.name.text == "Rates" &&
+          std::ranges::any_of(part.parts,
+                              [](const cpp::Expression& rate) { return rate.is_number(); }));
 }
 
 /// Whether an expression is `placed.drivers`.
-bool is_placed_drivers(const cpp::Expression& part) {
-  return part.form == cpp::Expression::Form::member && part.text == "drivers" &&
-         part.parts[0].text == "placed";
-}
+bool is_placed_drivers(const cpp::Expression& part) { return is_placed(part, "drivers"); }
 
 /// Fills the view that templates/scene.hpp.mustache shows.
 class SceneEmitter {
@@ -50,7 +56,6 @@ class SceneEmitter {
   std::vector<cpp::EmittedFile> run(const std::string& options, Interface interface) {
     view_.set("options", options);
     expect_listable(solver_.plan);
-    expect_forces(solver_);
     show_drivers();
     show_variables();
     for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
@@ -240,16 +245,20 @@ class SceneEmitter {
     for (const std::string& slide : slides_) {
       place(cpp::alias("LinkSlide"), "slide_" + slide);
     }
-    if (solver_.plan.request().want.forces) {
+    if (solver_.keeps_groups()) {
       for (const mechanism::GroupIndex group : solver_.plan.structure().groups.keys()) {
         place("support::SolvedGroup<" + solver_.group_struct(group) + ", Scalar>",
               solver_.members.solved[group]);
       }
     }
     show("force_finding", force_statements(solver_));
+    view_.set("together_finding", shown(equilibrium_statements(solver_)));
     show_force_members(solver_, view_);
+    const cpp::Block moving = show_motions(solver_, view_);
+    statements_.insert(statements_.end(), moving.begin(), moving.end());
     view_.set("placed", shown(placed));
-    view_.set("keeps_drivers", cpp::any_part(statements_, is_placed_drivers));
+    view_.set("keeps_drivers",
+              solver_.wants_coordinates() || cpp::any_part(statements_, is_placed_drivers));
     view_.set("links", member_list(links));
     view_.set("has_links", !links.empty());
     const cpp::Block limits = limit_statements(solver_);
@@ -268,7 +277,8 @@ class SceneEmitter {
     view_.set("listing", shown(listing_statements(solver_, reported)));
     show_state_members(solver_, !links.empty(), !reported.empty(), view_);
     view_.set("has_own_rates", cpp::any_part(statements_, is_own_rate));
-    view_.set("in_packs", cpp::boolean(redundant.empty() && cpp::serves_packs(statements_)));
+    view_.set("in_packs", cpp::boolean(redundant.empty() && !solver_.wants_coordinates() &&
+                                       cpp::serves_packs(statements_)));
   }
 
   /// For each group the groups that hold it, directly or through others, as a number with one bit

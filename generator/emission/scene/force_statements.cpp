@@ -5,13 +5,13 @@
 #include <assur/text/identifiers.hpp>
 #include <functional>
 #include <map>
-#include <set>
 
 #include "emission/scene/carried_links.hpp"
 #include "emission/scene/force_order.hpp"
 #include "emission/scene/link_loads.hpp"
 #include "emission/scene/specialised_numbers.hpp"
 #include "emission/scene/state_members.hpp"
+#include "emission/scene/told_joints.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -29,14 +29,10 @@ struct Reaction {
   std::function<cpp::Expression(const cpp::Expression&)> couple_about;
 };
 
-cpp::Expression opposite(const cpp::Expression& force) {
-  return cpp::call("support::opposite", {force});
-}
-
 cpp::Expression place_word(std::size_t place) { return cpp::word(place); }
 
 /// Writes the function step by step: loads, groups and drivers from the far ends to the ground, and
-/// then what a state tells.
+/// then the members of the state.
 class ForceStatements {
  public:
   explicit ForceStatements(const SolverScene& solver)
@@ -53,12 +49,7 @@ class ForceStatements {
         tell(joint);
       }
     }
-    // All links are placed: what laws and loads read of joints comes first.
-    const cpp::Block all = body_.take_from(0);
-    const std::set<std::string> read = body_.variables_read(all);
-    add_joints_read(solver_, body_, [&](const std::string& name) { return read.contains(name); });
-    body_.add(all);
-    return body_.block();
+    return behind_joints_read(solver_, body_);
   }
 
  private:
@@ -72,7 +63,6 @@ class ForceStatements {
     return solver_.mechanism().joints()[joint].between;
   }
 
-  /// The resultant on the ground: by the equilibrium of all links together, the sum of all loads.
   void add_ground() {
     std::vector<LinkIndex> links = {solver_.linkage().ground};
     for (const LinkIndex link : solver_.mechanism().links().keys()) {
@@ -80,10 +70,7 @@ class ForceStatements {
         links.push_back(link);
       }
     }
-    const cpp::Expression all = body_.local("on_all");
-    body_.add(cpp::declared({"const LinkLoad", "LinkLoad"}, all, loads_.together(links)));
-    const cpp::Expression force = cpp::braces("", {all.member("x"), all.member("y")});
-    body_.add(cpp::assigned(state("ground"), cpp::braces("", {force, all.member("moment")})));
+    add_ground_resultant(loads_.together(links), body_);
   }
 
   void solve(mechanism::GroupIndex group) {
@@ -123,7 +110,7 @@ class ForceStatements {
     }
   }
 
-  /// Adds the force of a group's joint to what acts on its links. `second` is the joint's second
+  /// Adds the force of a group's joint to the loads of its links. `second` is the joint's second
   /// link in the model.
   void act(const cpp::Expression& forces, std::size_t joint, mechanism::ElementaryJointIndex index,
            LinkIndex second, const cpp::Expression& origin) {
@@ -144,7 +131,7 @@ class ForceStatements {
     reactions_[index] = reaction;
   }
 
-  /// Finds the effort of a driver, and what the bearing of its joint carries.
+  /// Finds the effort of a driver, and the force in the bearing of its joint.
   void cut(const mechanism::CarriedLink& link) {
     const mechanism::ElementaryJoint& at = solver_.joint(link.joint);
     const std::string& member = solver_.members.drivers[link.driver];
@@ -207,7 +194,7 @@ class ForceStatements {
     return list;
   }
 
-  /// What a state tells of the force in a joint.
+  /// Fills the member for the force in a joint.
   void tell(JointIndex index) {
     const mechanism::Joint& joint = solver_.mechanism().joints()[index];
     const cpp::Expression target = state("forces").member(solver_.members.joints[index]);
@@ -277,20 +264,10 @@ class ForceStatements {
 
 }  // namespace
 
-void expect_forces(const SolverScene& solver) {
-  const mechanism::Want& want = solver.plan.request().want;
-  if (!want.forces) {
-    return;
-  }
-  if (!solver.plan.redundant().empty()) {
-    throw mechanism::MechanismError(
-        "want", "an emitted solver gives no forces where constraints are redundant, as those of '" +
-                    solver.plan.redundant().front().name + "'; leave out 'forces', or the joint");
-  }
-}
-
 cpp::Block force_statements(const SolverScene& solver) {
-  return solver.plan.request().want.forces ? ForceStatements(solver).run() : cpp::Block{};
+  return solver.plan.request().want.forces && solver.plan.redundant().empty()
+             ? ForceStatements(solver).run()
+             : cpp::Block{};
 }
 
 void show_force_members(const SolverScene& solver, cpp::View& view) {
@@ -303,23 +280,16 @@ void show_force_members(const SolverScene& solver, cpp::View& view) {
     entry.set("comma", efforts.size() + 1 < described.drivers().size() ? ", " : "");
     efforts.push_back(entry);
   }
-  for (const JointIndex index : described.joints().keys()) {
-    if (!wanted || !solver.tells_force(index)) {
-      continue;
-    }
-    const mechanism::Joint& joint = described.joints()[index];
-    const bool is_pin = joint.between.size() > 2;
-    cpp::View entry("member", solver.members.joints[index]);
+  for (const ToldJoint& joint : wanted ? told_joints(solver) : std::vector<ToldJoint>{}) {
+    cpp::View entry("member", joint.member);
     entry.set("name", cpp::comment_text(joint.name));
-    entry.set("is_pin", is_pin);
-    entry.set("is_slide", joint.type == mechanism::JointType::prismatic);
-    entry.set("is_vector", !is_pin && joint.type != mechanism::JointType::prismatic);
-    entry.set("on",
-              cpp::comment_text(solver.link_name(described.features()[joint.between[1]].link)));
-    cpp::View::List links =
-        member_list(is_pin ? solver.pin_members(index) : std::vector<std::string>{});
+    entry.set("is_pin", joint.is_pin());
+    entry.set("is_slide", !joint.is_pin() && joint.has_moment);
+    entry.set("is_vector", !joint.is_pin() && !joint.has_moment);
+    entry.set("on", cpp::comment_text(solver.link_name(joint.links.back())));
+    cpp::View::List links = member_list(joint.link_members);
     for (cpp::View& link : links) {
-      link.set("joint", solver.members.joints[index]);
+      link.set("joint", joint.member);
     }
     entry.set("links", std::move(links));
     joints.push_back(entry);

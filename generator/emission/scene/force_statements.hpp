@@ -9,14 +9,11 @@
 
 namespace assur::generator::emission::scene {
 
-/// Throws MechanismError for forces that emitted solvers do not find.
-void expect_forces(const SolverScene& solver);
-
-/// The statements that fill what a state tells of forces, from what is placed; none where no forces
-/// are wanted.
+/// Statements that fill the efforts and forces of a state group by group, where all groups are
+/// regular; none where no forces are wanted, or constraints are redundant.
 [[nodiscard]] cpp::Block force_statements(const SolverScene& solver);
 
-/// Shows the members of a state that tell of forces.
+/// Shows the members of a state for efforts and forces.
 void show_force_members(const SolverScene& solver, cpp::View& view);
 
 }  // namespace assur::generator::emission::scene

@@ -16,7 +16,8 @@ cpp::Expression vector(cpp::Expression x, cpp::Expression y) {
 
 }  // namespace
 
-LinkLoads::LinkLoads(const SolverScene& solver, FunctionBody& body) : solver_(solver), body_(body) {
+LinkLoads::LinkLoads(const SolverScene& solver, FunctionBody& body)
+    : solver_(solver), body_(body), bears_(solver.linkage().links.size(), false) {
   for (const LinkIndex link : solver.linkage().links.keys()) {
     on_.add(body.local("on_" + solver.link_name(link)));
     const OptionalExpression placed = solver.placed(link);
@@ -28,6 +29,15 @@ LinkLoads::LinkLoads(const SolverScene& solver, FunctionBody& body) : solver_(so
 
 void LinkLoads::add_all() {
   add_masses();
+  add_loads_and_springs();
+}
+
+void LinkLoads::add_applied() {
+  add_weights();
+  add_loads_and_springs();
+}
+
+void LinkLoads::add_loads_and_springs() {
   for (const mechanism::Load& load : solver_.mechanism().loading().loads) {
     add_load(load);
   }
@@ -72,6 +82,14 @@ cpp::Expression LinkLoads::place(const std::string& name, const mechanism::Place
   return place(name, on.link, number(on.x), number(on.y));
 }
 
+cpp::Expression LinkLoads::centre(const mechanism::Mass& mass) {
+  const LinkIndex link = mass.at.link;
+  if (!centres_.contains(link)) {
+    centres_.emplace(link, place("centre_of_" + solver_.link_name(link), mass.at));
+  }
+  return centres_.at(link);
+}
+
 cpp::Expression LinkLoads::direction(FeatureIndex line) const {
   const OptionalExpression link = solver_.placed(link_of(line));
   const Direction<SceneNumber> along = solver_.numbers.feature(line, true).along;
@@ -97,7 +115,7 @@ void LinkLoads::push(const std::vector<FeatureIndex>& between, const cpp::Expres
       cpp::declared("const Vector<Scalar, 2>", force,
                     cpp::call("support::force_along<Scalar>", {direction(between[line]), effort})));
   add(link_of(other), "add_force", {at, force});
-  add(link_of(between[line]), "add_force", {at, cpp::call("support::opposite", {force})});
+  add(link_of(between[line]), "add_force", {at, opposite(force)});
 }
 
 SceneNumber LinkLoads::number(NumberIndex number) const {
@@ -114,7 +132,37 @@ bool LinkLoads::counts(NumberIndex number) const {
 
 void LinkLoads::add(LinkIndex link, const std::string& function,
                     std::vector<cpp::Expression> arguments) {
+  bears_[link] = true;
   body_.add(cpp::called(on_[link].member(function).at(std::move(arguments))));
+}
+
+cpp::Expression LinkLoads::gravity() {
+  const mechanism::Loading& loading = solver_.mechanism().loading();
+  const cpp::Expression gravity = body_.local("gravity");
+  body_.add(cpp::declared("const Vector<Scalar, 2>", gravity,
+                          vector(value(loading.gravity[0]), value(loading.gravity[1]))));
+  return gravity;
+}
+
+void LinkLoads::add_weight(const mechanism::Mass& mass, const cpp::Expression& gravity) {
+  const cpp::Expression size = value(mass.mass);
+  const auto weight = [&](std::size_t axis) {
+    return cpp::product({size, gravity.at({cpp::word(axis)})});
+  };
+  add(mass.at.link, "add_force", {centre(mass), vector(weight(0), weight(1))});
+}
+
+void LinkLoads::add_weights() {
+  const mechanism::Loading& loading = solver_.mechanism().loading();
+  if (loading.masses.empty() || (!counts(loading.gravity[0]) && !counts(loading.gravity[1]))) {
+    return;
+  }
+  const cpp::Expression pull = gravity();
+  for (const mechanism::Mass& mass : loading.masses) {
+    if (counts(mass.mass)) {
+      add_weight(mass, pull);
+    }
+  }
 }
 
 void LinkLoads::add_masses() {
@@ -122,40 +170,29 @@ void LinkLoads::add_masses() {
   if (loading.masses.empty()) {
     return;
   }
-  const cpp::Expression gravity = body_.local("gravity");
-  body_.add(cpp::declared(
-      "const Vector<Scalar, 2>", gravity,
-      vector(body_.number(number(loading.gravity[0])), body_.number(number(loading.gravity[1])))));
+  const cpp::Expression pull = gravity();
   for (const mechanism::Mass& mass : loading.masses) {
     const LinkIndex link = mass.at.link;
-    if (counts(mass.mass)) {
-      const cpp::Expression size = body_.number(number(mass.mass));
-      const cpp::Expression centre = place("centre_of_" + solver_.link_name(link), mass.at);
-      if (solver_.is_ground(link)) {
-        const auto weight = [&](std::size_t axis) {
-          return cpp::product({size, gravity.at({cpp::word(axis)})});
-        };
-        add(link, "add_force", {centre, vector(weight(0), weight(1))});
-      } else {
-        add(link, "add_mass", {centre, size, gravity});
-      }
+    if (counts(mass.mass) && solver_.is_ground(link)) {
+      add_weight(mass, pull);
+    } else if (counts(mass.mass)) {
+      add(link, "add_mass", {centre(mass), value(mass.mass), pull});
     }
     if (const OptionalExpression placed = solver_.placed(link); placed && counts(mass.inertia)) {
       add(link, "add_couple",
-          {cpp::negative(cpp::product({body_.number(number(mass.inertia)),
-                                       placed->member("rates").at({cpp::word(std::size_t{2}),
-                                                                   cpp::word(std::size_t{1})})}))});
+          {cpp::negative(cpp::product(
+              {value(mass.inertia), placed->member("rates").at({cpp::word(std::size_t{2}),
+                                                                cpp::word(std::size_t{1})})}))});
     }
   }
 }
 
 void LinkLoads::add_load(const mechanism::Load& load) {
   if (load.moment.exists()) {
-    add(load.at.link, "add_couple", {body_.number(number(load.moment))});
+    add(load.at.link, "add_couple", {value(load.moment)});
     return;
   }
-  cpp::Expression force =
-      vector(body_.number(number(load.force_x)), body_.number(number(load.force_y)));
+  cpp::Expression force = vector(value(load.force_x), value(load.force_y));
   if (load.frame.exists()) {
     if (const OptionalExpression frame = solver_.placed(load.frame)) {
       force = cpp::call("support::rotated<Scalar>",
@@ -167,17 +204,17 @@ void LinkLoads::add_load(const mechanism::Load& load) {
 
 void LinkLoads::add_spring(const mechanism::Spring& spring) {
   std::vector<cpp::Expression> given = {place(spring.between[0]), place(spring.between[1]),
-                                        body_.number(number(spring.stiffness))};
+                                        value(spring.stiffness)};
   if (counts(spring.rest) || counts(spring.damping)) {
-    given.push_back(body_.number(number(spring.rest)));
-    given.push_back(body_.number(number(spring.damping)));
+    given.push_back(value(spring.rest));
+    given.push_back(value(spring.damping));
   }
   const cpp::Expression pull = body_.local("pull_of_" + spring.name);
   const std::vector<cpp::Expression> ends = {given[0], given[1]};
   body_.add(cpp::declared("const Vector<Scalar, 2>", pull,
                           cpp::call("support::spring_pull", std::move(given))));
   add(link_of(spring.between[0]), "add_force", {ends[0], pull});
-  add(link_of(spring.between[1]), "add_force", {ends[1], cpp::call("support::opposite", {pull})});
+  add(link_of(spring.between[1]), "add_force", {ends[1], opposite(pull)});
 }
 
 void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
@@ -206,24 +243,30 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
       by_law ? driver_position(solver_, driver, body_) : coordinate.member("position");
   cpp::Expression deflection = position;
   if (counts(spring.rest)) {
-    deflection = cpp::sum({position, cpp::negative(body_.number(number(spring.rest)))});
+    deflection = cpp::sum({position, cpp::negative(value(spring.rest))});
   }
   if (turns && !by_law) {
     deflection = cpp::call(cpp::scalar_only("support::within_half_turn"), {deflection});
   }
   std::vector<cpp::Expression> terms;
   if (counts(spring.stiffness)) {
-    terms.push_back(
-        cpp::negative(cpp::product({body_.number(number(spring.stiffness)), deflection})));
+    terms.push_back(cpp::negative(cpp::product({value(spring.stiffness), deflection})));
   }
   if (counts(spring.damping)) {
-    terms.push_back(
-        cpp::negative(cpp::product({body_.number(number(spring.damping)),
-                                    coordinate.member("rates").at({cpp::word(std::size_t{0})})})));
+    terms.push_back(cpp::negative(cpp::product(
+        {value(spring.damping), coordinate.member("rates").at({cpp::word(std::size_t{0})})})));
   }
   const cpp::Expression effort = body_.local("effort_of_" + spring.name);
   body_.add(cpp::declared("const Scalar", effort, cpp::sum(std::move(terms))));
   push(between, effort);
+}
+
+void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body) {
+  const cpp::Expression all = body.local("on_all");
+  body.add(cpp::declared({"const LinkLoad", "LinkLoad"}, all, on_all_links));
+  const cpp::Expression force = cpp::braces("", {all.member("x"), all.member("y")});
+  body.add(cpp::assigned(cpp::variable("state").member("ground"),
+                         cpp::braces("", {force, all.member("moment")})));
 }
 
 }  // namespace assur::generator::emission::scene

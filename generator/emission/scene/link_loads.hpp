@@ -1,4 +1,4 @@
-// Turns masses, gravity, loads, springs and dampers into statements that add them to what acts on
+// Turns masses, gravity, loads, springs and dampers into statements that add forces and moments to
 // links.
 #pragma once
 
@@ -9,6 +9,11 @@
 
 namespace assur::generator::emission::scene {
 
+/// The opposite of a force.
+[[nodiscard]] inline cpp::Expression opposite(const cpp::Expression& force) {
+  return cpp::call("support::opposite", {force});
+}
+
 /// What acts on each link of a solver, as variables of one function.
 class LinkLoads {
  public:
@@ -17,20 +22,32 @@ class LinkLoads {
 
   /// Adds all that is there before the forces of joints are known.
   void add_all();
+  /// Adds the same without inertia.
+  void add_applied();
 
   /// The variable of a link.
   [[nodiscard]] const cpp::Expression& on(mechanism::LinkIndex link) const { return on_[link]; }
+  /// Whether any force or moment was added to a link.
+  [[nodiscard]] bool bears(mechanism::LinkIndex link) const { return bears_[link]; }
   /// The sum over links that count as one.
   [[nodiscard]] cpp::Expression together(const std::vector<mechanism::LinkIndex>& links) const;
   /// A variable for the place of a point, or of a line's `through`.
   [[nodiscard]] cpp::Expression place(mechanism::FeatureIndex feature);
-  /// A variable for a point of a link; `name` is what it is called.
+  /// A variable for a point of a link; `name` is the name of the point.
   [[nodiscard]] cpp::Expression place(const std::string& name, mechanism::LinkIndex link,
                                       const SceneNumber& x, const SceneNumber& y);
   /// The direction of a line.
   [[nodiscard]] cpp::Expression direction(mechanism::FeatureIndex line) const;
   /// Adds an effort along the coordinate between two features, and against it on the other link.
   void push(const std::vector<mechanism::FeatureIndex>& between, const cpp::Expression& effort);
+  /// A variable for the centre of a mass.
+  [[nodiscard]] cpp::Expression centre(const mechanism::Mass& mass);
+  /// Whether the number is there, and not always zero.
+  [[nodiscard]] bool counts(mechanism::NumberIndex number) const;
+  /// The expression of a number that need not exist.
+  [[nodiscard]] cpp::Expression value(mechanism::NumberIndex number) const {
+    return body_.number(this->number(number));
+  }
 
  private:
   [[nodiscard]] mechanism::LinkIndex link_of(mechanism::FeatureIndex feature) const {
@@ -39,11 +56,14 @@ class LinkLoads {
   [[nodiscard]] cpp::Expression place(const std::string& name, const mechanism::PlaceOnLink& on);
   /// A number that need not exist.
   [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
-  /// Whether the number is there, and not always zero.
-  [[nodiscard]] bool counts(mechanism::NumberIndex number) const;
   void add(mechanism::LinkIndex link, const std::string& function,
            std::vector<cpp::Expression> arguments);
+  /// A variable for the acceleration of gravity.
+  [[nodiscard]] cpp::Expression gravity();
   void add_masses();
+  void add_weights();
+  void add_weight(const mechanism::Mass& mass, const cpp::Expression& gravity);
+  void add_loads_and_springs();
   void add_load(const mechanism::Load& load);
   void add_spring(const mechanism::Spring& spring);
   void add_joint_spring(const mechanism::Spring& spring);
@@ -51,7 +71,13 @@ class LinkLoads {
   const SolverScene& solver_;
   FunctionBody& body_;
   mechanism::Table<mechanism::LinkIndex, cpp::Expression> on_;
+  mechanism::Table<mechanism::LinkIndex, bool> bears_;
   std::map<mechanism::FeatureIndex, cpp::Expression> places_;
+  std::map<mechanism::LinkIndex, cpp::Expression> centres_;
 };
+
+/// Fills the member for the resultant on the ground: by the equilibrium of all links together, it
+/// is the sum of the loads of all.
+void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body);
 
 }  // namespace assur::generator::emission::scene

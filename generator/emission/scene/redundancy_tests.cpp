@@ -5,20 +5,11 @@
 #include <assur/mechanism/held_pairs.hpp>
 #include <cmath>
 
+#include "emission/scene/carried_links.hpp"
+
 namespace assur::generator::emission::scene {
 
 namespace {
-
-/// The pose of a feature; a point has the direction of its link.
-cpp::Expression pose_of(const SolverScene& solver, mechanism::FeatureIndex index,
-                        const FunctionBody& body) {
-  const mechanism::Feature& feature = solver.mechanism().features()[index];
-  const LinkFeature<SceneNumber> place = solver.numbers.feature(index, feature.is_line);
-  const cpp::Expression own = cpp::braces(
-      "Pose<Scalar>", {body.number(place.x), body.number(place.y), body.direction(place.along)});
-  const OptionalExpression link = solver.placed(feature.link);
-  return link ? cpp::call("support::pose_in", {link->member("pose"), own}) : own;
-}
 
 /// Where the features of joints are on their links: where all links stand at the origin, no other
 /// length tells what rounding is. Those that do not change are one place with the largest

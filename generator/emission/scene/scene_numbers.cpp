@@ -55,6 +55,9 @@ SceneNumbers::SceneNumbers(
     symbols_.add(symbol, cpp::exact(values.parameter(parameter)));
     variables_.push_back(symbol);
   }
+  if (const mechanism::Want& want = plan.request().want; want.coefficients || want.dynamics) {
+    given_rates_ = symbol(cpp::variable("placed").member("given_rates"));
+  }
   const bool counts_rates = have_rates_of_parameters(plan);
   const auto has_own_rates = [&](mechanism::ParameterIndex parameter) {
     return counts_rates &&
@@ -167,7 +170,7 @@ void SceneNumbers::set_rates(const Mover& mover) {
 void SceneNumbers::set_rates(const Mover& mover, const GiNaC::ex& formula,
                              mechanism::NumberIndex velocity, mechanism::NumberIndex acceleration) {
   const auto own = [this](mechanism::NumberIndex given, const GiNaC::ex& follows) -> GiNaC::ex {
-    return given.exists() ? number(given).formula() - follows : GiNaC::ex(0);
+    return given.exists() ? given_rates_ * (number(given).formula() - follows) : GiNaC::ex(0);
   };
   own_rates_[mover.velocity] = own(velocity, movers_.rate(formula));
   own_rates_[mover.acceleration] = own(acceleration, movers_.second_rate(formula));

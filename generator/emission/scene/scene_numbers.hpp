@@ -136,6 +136,8 @@ class SceneNumbers {
   std::vector<GiNaC::symbol> variables_;
   GiNaC::exmap deviations_;  ///< their symbols to zero
   GiNaC::exmap own_rates_;   ///< symbols of rates that are given to their formulas
+  /// By which given rates count: 1, or an argument where motions along coordinates leave them out.
+  GiNaC::ex given_rates_ = 1;
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;
   SceneMovers movers_;

@@ -217,7 +217,7 @@ PlacingStatements placing_statements(const SolverScene& solver, mechanism::Group
   std::vector<std::string> slides;
   const std::size_t placed = group.place() + 1;
   add_part(solver, group, body, [&] { add_group(solver, group, body, slides); });
-  if (solver.plan.request().want.forces) {
+  if (solver.keeps_groups()) {
     const cpp::Expression of_group = cpp::variable("group");
     body.add(cpp::assigned(cpp::variable("placed").member(solver.members.solved[group]),
                            cpp::braces("", {of_group.member("q"), of_group.member("regularity")})));

@@ -106,12 +106,15 @@ mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
 
 /// A block, which a driver may move, has a member beside the mechanism's own links.
 SceneMembers scene_members(const mechanism::Mechanism& described,
-                           const mechanism::Structure& structure) {
+                           const mechanism::Structure& structure, const mechanism::Want& want) {
   const mechanism::Linkage& linkage = structure.linkage;
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {"members"});
   // In the emitted struct Placed, slides and other things are members beside the links.
   std::vector<std::string> taken = {"drivers", "members", "order", "parameters", "regularity"};
+  if (want.coefficients || want.dynamics) {
+    taken.emplace_back("given_rates");
+  }
   for (const std::string& member : members.joints) {
     taken.push_back("slide_" + member);
   }
@@ -163,7 +166,7 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
       needs[link] = FrameNeed::everything;
     }
   }
-  if (solver.plan.request().want.loaded()) {
+  if (solver.keeps_groups()) {
     std::ranges::fill(needs, FrameNeed::everything);
   }
   for (const mechanism::Output& output : described.outputs()) {
@@ -191,9 +194,9 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
-/// Loads depend on rates by inertia and dampers.
+/// Loads depend on rates by inertia and dampers; second coefficients are accelerations.
 int order_of(const mechanism::Want& want) {
-  return want.acceleration || want.loaded() ? 2 : want.velocity ? 1 : 0;
+  return want.acceleration || want.loaded() || want.coefficients ? 2 : want.velocity ? 1 : 0;
 }
 
 }  // namespace
@@ -203,7 +206,7 @@ SolverScene::SolverScene(const mechanism::Scene& described)
       values(plan.values()),
       variable(variable_parameters(plan)),
       parameters(modelled_parameters(plan, values, variable)),
-      members(scene_members(plan.mechanism(), plan.structure())),
+      members(scene_members(plan.mechanism(), plan.structure(), plan.request().want)),
       numbers(plan, values, arguments(variable), parameters.columns(), members.drivers,
               members.joints, members.relative),
       needs(needs_of_links(*this)),

@@ -21,7 +21,7 @@ struct SceneMembers {
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
   /// The frames of links whose groups are solved relative to a moving link; empty for others.
   mechanism::Table<mechanism::LinkIndex, std::string> relative;
-  /// The configurations of groups, which are kept where forces are wanted.
+  /// The configurations of groups, where they are kept.
   mechanism::Table<mechanism::GroupIndex, std::string> solved;
 };
 
@@ -89,6 +89,15 @@ struct SolverScene {
   /// Whether the force in a joint is told.
   [[nodiscard]] bool tells_force(mechanism::JointIndex joint) const {
     return plan.request().reported.has(joint) && !plan.is_stand_in(joint);
+  }
+  /// Whether derivatives by the coordinates of drivers are wanted, or needed.
+  [[nodiscard]] bool wants_coordinates() const {
+    const mechanism::Want& want = plan.request().want;
+    return want.coefficients || want.dynamics;
+  }
+  /// Whether the configurations of groups are kept beside their links.
+  [[nodiscard]] bool keeps_groups() const {
+    return plan.request().want.forces || wants_coordinates();
   }
   /// The members for the links at a pin of several, in the order of the joint's `between`.
   [[nodiscard]] std::vector<std::string> pin_members(mechanism::JointIndex pin) const;

@@ -48,12 +48,19 @@ void show_state_members(const SolverScene& solver, bool has_links, bool has_slid
   view.set("motion_members", listed(moving("pose")));
   view.set("slide_members", listed(moving("displacement")));
   view.set("output_members", listed(of_output));
+  if (stands(view, "has_coefficients")) {
+    view.set("coefficient_members", listed({{"links", stands(view, "has_coefficient_links")},
+                                            {"outputs", stands(view, "has_coefficient_outputs")},
+                                            {"joints", stands(view, "has_coefficient_joints")}}));
+  }
   view.set("state_members", listed({{"links", has_links},
                                     {"slides", has_slides},
                                     {"outputs", !solver.mechanism().outputs().empty()},
                                     {"efforts", stands(view, "has_efforts")},
                                     {"forces", stands(view, "has_joint_forces")},
-                                    {"ground", stands(view, "has_forces")}}));
+                                    {"ground", stands(view, "has_forces")},
+                                    {"coefficients", stands(view, "has_coefficients")},
+                                    {"dynamics", stands(view, "has_dynamics")}}));
 }
 
 }  // namespace assur::generator::emission::scene

@@ -1,4 +1,4 @@
-// Turns what a scene asks for into the members that the states of its solver have.
+// Turns the results that a scene wants into the members of its solver's states.
 #pragma once
 
 #include "emission/cpp/page.hpp"

@@ -23,7 +23,8 @@ class CoefficientFinder {
         mechanism_(values.plan().mechanism),
         configuration_(configuration),
         balance_(balance),
-        equations_(balance.matrix().transpose(), balance.threshold()) {}
+        equations_(balance.matrix().transpose(), balance.threshold(),
+                   LinearEquations::OfLinks::columns) {}
 
   [[nodiscard]] KinematicCoefficients first() {
     KinematicCoefficients result;

@@ -125,8 +125,9 @@ Forces forces_of(const Values& values, const Configuration& configuration) {
   const forces::Balance balance(values, configuration);
   const forces::LinkLoads loads = forces::link_loads(values, configuration, balance);
   const Eigen::VectorXd load = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
-  const Eigen::VectorXd unknowns =
-      forces::LinearEquations(balance.matrix(), balance.threshold()).solve(-load);
+  const Eigen::VectorXd unknowns = forces::LinearEquations(balance.matrix(), balance.threshold(),
+                                                           forces::LinearEquations::OfLinks::rows)
+                                       .solve(-load);
   Forces result = forces::ForceReader(values, balance, unknowns).take();
   result.ground = forces::ground_resultant(values.plan().mechanism, balance, loads);
   const bool is_determined =

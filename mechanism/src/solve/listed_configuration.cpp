@@ -77,7 +77,7 @@ void write_configuration(const Placement& placement, Configuration& result) {
     }
   }
   if (!result.rates_known && placed.is_crossing &&
-      (request.want.velocity || request.want.acceleration)) {
+      (request.want.velocity || request.want.acceleration || request.want.loaded())) {
     find_branches(values, placed, result);
   }
   if (!result.derivatives_known && request.sweep) {

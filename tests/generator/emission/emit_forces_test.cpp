@@ -2,126 +2,18 @@
 // those of `assur solve`.
 #include <gtest/gtest.h>
 
-#include <assur/text/identifiers.hpp>
 #include <iostream>
 #include <numeric>
-#include <sstream>
 
 #include "generator/mixed_scene.hpp"
-#include "generator/solver_comparison.hpp"
+#include "generator/printed_forces.hpp"
 #include "mechanism/driven_scene_campaign.hpp"
 #include "mechanism/equilibrium.hpp"
 #include "mechanism/kind_scene.hpp"
 #include "mechanism/loaded_scene.hpp"
-#include "mechanism/scene_maker.hpp"
 
 namespace assur::test::emit_forces_test {
 namespace {
-
-/// A scene by its name, which the files of its solver have.
-struct LoadedScene {
-  std::string name;
-  Json json;
-};
-
-/// C++ that prints every number that a state `s` tells of forces: efforts, the force on each link
-/// of each joint, in order, with a slide's couple, and the resultant on the ground.
-std::string printing_code(const mechanism::Mechanism& mechanism) {
-  const auto names_of = [](const auto& parts) {
-    std::vector<std::string> names;
-    for (const auto& part : parts) {
-      names.push_back(part.name);
-    }
-    return names;
-  };
-  std::string code;
-  const auto print = [&code](const std::string& number) {
-    code += "  std::printf(\"%.17g\\n\", static_cast<double>(" + number + "));\n";
-  };
-  const auto print_vector = [&](const std::string& vector) {
-    print(vector + "(0)");
-    print(vector + "(1)");
-  };
-  const std::vector<std::string> joints =
-      text::member_names(names_of(mechanism.joints()), {"members"});
-  for (const mechanism::Driver& driver : mechanism.drivers()) {
-    print("s.efforts." + joints[driver.joint.place()]);
-  }
-  for (const mechanism::JointIndex index : mechanism.joints().keys()) {
-    const mechanism::Joint& joint = mechanism.joints()[index];
-    const std::string member = "s.forces." + joints[index.place()];
-    if (joint.between.size() > 2) {
-      std::vector<std::string> links;
-      for (const mechanism::FeatureIndex feature : joint.between) {
-        links.push_back(mechanism.links()[mechanism.features()[feature].link].name);
-      }
-      for (const std::string& link : text::member_names(links, {"members"})) {
-        print_vector(member + "." + link);
-      }
-    } else if (joint.type == mechanism::JointType::prismatic) {
-      print_vector(member + ".force");
-      print(member + ".moment");
-    } else {
-      print_vector(member);
-    }
-  }
-  print_vector("s.ground.force");
-  print("s.ground.moment");
-  return code;
-}
-
-/// What the solver told of one configuration.
-mechanism::Forces read_forces(std::istream& printed, const mechanism::Mechanism& mechanism) {
-  const auto number = [&printed] {
-    std::string text;
-    printed >> text;
-    return std::strtod(text.c_str(), nullptr);
-  };
-  const auto vector = [&number] {
-    const double x = number();
-    return Eigen::Vector2d(x, number());
-  };
-  mechanism::Forces forces;
-  for (std::size_t place = 0; place < mechanism.drivers().size(); ++place) {
-    forces.efforts.add(number());
-  }
-  for (const mechanism::Joint& joint : mechanism.joints()) {
-    mechanism::JointForce force{joint.name, {}, false, 0};
-    for (const mechanism::FeatureIndex feature : joint.between) {
-      force.on.emplace_back(mechanism.features()[feature].link, Eigen::Vector2d::Zero());
-    }
-    if (joint.between.size() > 2) {
-      for (auto& [link, part] : force.on) {
-        part = vector();
-      }
-    } else {
-      force.on[1].second = vector();
-      force.on[0].second = -force.on[1].second;
-      force.has_moment = joint.type == mechanism::JointType::prismatic;
-      force.moment = force.has_moment ? number() : 0;
-    }
-    forces.joints.push_back(force);
-  }
-  forces.ground.force = vector();
-  forces.ground.moment = number();
-  return forces;
-}
-
-/// All numbers of some forces, in the order of the joints of a mechanism.
-std::vector<double> numbers_of(const mechanism::Forces& forces,
-                               const mechanism::Mechanism& mechanism) {
-  std::vector<double> numbers(forces.efforts.begin(), forces.efforts.end());
-  for (const mechanism::Joint& joint : mechanism.joints()) {
-    const auto told = std::ranges::find(forces.joints, joint.name, &mechanism::JointForce::joint);
-    for (const auto& [link, force] : told->on) {
-      numbers.insert(numbers.end(), {force.x(), force.y()});
-    }
-    numbers.push_back(told->moment);
-  }
-  numbers.insert(numbers.end(),
-                 {forces.ground.force.x(), forces.ground.force.y(), forces.ground.moment});
-  return numbers;
-}
 
 struct Worst {
   int configurations = 0, left_out = 0;
@@ -153,66 +45,28 @@ void compare(const Solved& scene, const Configuration& configuration, const mech
     }
     worst.unbalanced = largest(worst.unbalanced, left.norm() / unit);
   }
-  const std::vector<double> own = numbers_of(told, mechanism);
-  const std::vector<double> dense =
-      numbers_of(mechanism::forces_of(scene.values, configuration), mechanism);
+  const std::vector<ToldNumber> own = numbers_of(told);
+  const std::vector<ToldNumber> dense =
+      numbers_of(mechanism::forces_of(scene.values, configuration));
   for (std::size_t place = 0; place < own.size(); ++place) {
-    worst.against_solve = largest(worst.against_solve, std::abs(own[place] - dense[place]) / unit);
+    worst.against_solve =
+        largest(worst.against_solve, std::abs(own[place].value - dense[place].value) / unit);
   }
   ++worst.configurations;
 }
 
 /// Emits a solver for each scene, runs them all in one program, and compares what they tell.
-Worst compare_all(const std::vector<LoadedScene>& scenes, double most = 1e-10,
+Worst compare_all(const std::vector<NamedScene>& scenes, double most = 1e-10,
                   const std::string& scalar = "double") {
-  const TemporaryDirectory directory;
-  const std::string root = directory.path().string();
-  std::string includes = "#include <cstdio>\n";
-  std::string functions;
-  std::string calls;
-  for (const LoadedScene& scene : scenes) {
-    const EmittedScene emitted = {directory.write(scene.name + ".json", scene.json.dump()),
-                                  scene.name,
-                                  struct_of(scene.name),
-                                  {}};
-    emit_solver(emitted, directory);
-    includes += "#include <assur/scenes/" + scene.name + ".hpp>\n";
-    functions +=
-        "void " + scene.name + "() {\n  using S = assur::scenes::" + emitted.solver +
-        ";\n  std::array<S::State<" + scalar +
-        ">, S::max_configurations> states;\n  const S::Solution found = S::solve(S::" + "Drivers<" +
-        scalar + ">{}, states);\n  std::printf(\"%d\\n\", found.count);\n" +
-        "  for (int i = 0; i < found.count; ++i) {\n  const auto& s = " +
-        "states[static_cast<std::size_t>(i)];\n" +
-        printing_code(solved(scene.json).plan.mechanism()) + "  }\n}\n";
-    calls += "  " + scene.name + "();\n";
-  }
-  const auto source =
-      directory.write("driver.cpp", includes + functions + "int main() {\n" + calls + "}\n");
-  compile_program(source, root + "/driver", directory);
   Worst worst;
-  if (testing::Test::HasFailure() ||
-      std::system((root + "/driver > " + root + "/printed").c_str()) != 0) {
-    ADD_FAILURE() << "no program to compare";
-    return worst;
-  }
-  std::istringstream printed(read_file(directory.path() / "printed"));
-  for (const LoadedScene& scene : scenes) {
-    SCOPED_TRACE(scene.name);
-    const Solved known = solved(scene.json);
-    std::size_t count = 0;
-    printed >> count;
-    EXPECT_EQ(count, known.configurations().size());
-    if (count != known.configurations().size()) {
-      return worst;
-    }
-    for (const Configuration& configuration : known.configurations()) {
-      const double before = std::max(worst.unbalanced, worst.against_solve);
-      compare(known, configuration, read_forces(printed, known.plan.mechanism()), worst);
-      const double after = std::max(worst.unbalanced, worst.against_solve);
-      EXPECT_FALSE(after > most && after > before) << after;
-    }
-  }
+  for_each_printed(
+      scenes, printed_states(scenes, code_that_prints_forces, scalar),
+      [&](const Solved& known, const Configuration& configuration, std::istream& printed) {
+        const double before = std::max(worst.unbalanced, worst.against_solve);
+        compare(known, configuration, read_forces(printed, known), worst);
+        const double after = std::max(worst.unbalanced, worst.against_solve);
+        EXPECT_FALSE(after > most && after > before) << after;
+      });
   return worst;
 }
 
@@ -234,7 +88,7 @@ class EmitForcesOfKinds : public testing::TestWithParam<std::size_t> {};
 TEST_P(EmitForcesOfKinds, KeepLinksInEquilibrium) {
   const mechanism::GroupModels& group = mechanism::known_groups()[GetParam()];
   const std::vector<ModelLink> links(group.structure.link_count());
-  std::vector<LoadedScene> scenes;
+  std::vector<NamedScene> scenes;
   unsigned seed = 4711;
   for (const mechanism::GroupModel& model : group.models) {
     for (const std::string& kind : model.rigid ? model.kinds : std::vector<std::string>()) {
@@ -262,7 +116,7 @@ class EmitForcesOfScenes : public DrivenScenes {};
 
 /// Drivers anywhere, laws that read joints, racks, cylinders, pins of many links, slots.
 TEST_P(EmitForcesOfScenes, KeepLinksInEquilibrium) {
-  std::vector<LoadedScene> scenes;
+  std::vector<NamedScene> scenes;
   for_each_scene(2, 60, Places::anywhere, [&](const RandomDrivenScene& made, unsigned seed) {
     Json json = loaded(made.scene(), seed);
     json["want"] = wanted;

@@ -270,6 +270,61 @@ TEST(Forces, ThatRedundantJointsShareAreNotTold) {
   }
 }
 
+/// Where a parallelogram lies in one line, nothing balances a load across it: beside this place the
+/// forces along the line grow without bound, and turn the crank in either sense as the branch is.
+/// What a dyad on its coupler bears does not depend on it.
+TEST(Forces, ThatDependOnTheWayToAChangePointAreNotTold) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "D": [4, 0], "N": [6, 4]},
+      "one": {"A": [0, 0], "B": [2, 0]}, "bar": {"B": [0, 0], "C": [4, 0], "M": [2, 1]},
+      "two": {"D": [0, 0], "C": [2, 0]}, "r": {"M": [0, 0], "O": [3, 0]},
+      "s": {"N": [0, 0], "O": [4, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["one.B", "bar.B"]},
+      "C": {"type": "revolute", "between": ["bar.C", "two.C"]},
+      "D": {"type": "revolute", "between": ["ground.D", "two.D"]},
+      "M": {"type": "revolute", "between": ["bar.M", "r.M"]},
+      "N": {"type": "revolute", "between": ["ground.N", "s.N"]},
+      "O": {"type": "revolute", "between": ["r.O", "s.O"]}},
+    "drivers": {"A": {"position": 0}}, "gravity": [0, -9.81],
+    "masses": {"bar": {"mass": 2, "at": [1, 0.5]}, "two": {"mass": 1.5, "at": [0.7, 0.1]},
+      "r": {"mass": 1, "at": [1, 0]}},
+    "want": ["position", "forces"]})");
+  const auto forces_at = [&](double phi) {
+    scene["drivers"]["A"]["position"] = phi;
+    const Solved found = solved(scene);
+    std::vector<mechanism::Forces> all;
+    for (const Configuration& configuration : found.configurations()) {
+      all.push_back(mechanism::forces_of(found.values, configuration));
+    }
+    return all;
+  };
+  const auto force_in = [](const mechanism::Forces& forces, const char* joint) {
+    return std::ranges::find(forces.joints, joint, &mechanism::JointForce::joint)->on[1].second;
+  };
+  const std::vector<mechanism::Forces> beside = forces_at(1e-4);
+  const std::vector<mechanism::Forces> there = forces_at(0);
+  ASSERT_EQ(beside.size(), 4U);
+  ASSERT_EQ(there.size(), 2U);
+  double least = beside[0].efforts[mechanism::DriverIndex(0)];
+  double most = least;
+  for (const mechanism::Forces& forces : beside) {
+    least = std::min(least, forces.efforts[mechanism::DriverIndex(0)]);
+    most = std::max(most, forces.efforts[mechanism::DriverIndex(0)]);
+  }
+  EXPECT_GT(most - least, 50);
+  for (const mechanism::Forces& forces : there) {
+    EXPECT_TRUE(std::isnan(forces.efforts[mechanism::DriverIndex(0)]));
+    EXPECT_FALSE(force_in(forces, "B").allFinite());
+    double nearest = 1;
+    for (const mechanism::Forces& other : beside) {
+      nearest = std::min(nearest, (force_in(forces, "M") - force_in(other, "M")).norm());
+    }
+    EXPECT_LT(nearest, 1e-2);
+    EXPECT_TRUE(force_in(forces, "N").allFinite());
+  }
+}
+
 TEST(Forces, RefuseLoadsThatDoNotFit) {
   const Json scene = example("slider_crank.json");
   const auto message = [&](const char* key, const char* text) {

@@ -12,7 +12,10 @@
 #include <assur/numeric/trigonometric_charts.hpp>
 #include <assur/numeric/trigonometric_roots.hpp>
 #include <assur/support/configuration_order.hpp>
+#include <assur/support/coordinate_motions.hpp>
 #include <assur/support/displacement.hpp>
+#include <assur/support/equations_of_motion.hpp>
+#include <assur/support/equilibrium.hpp>
 #include <assur/support/link_forces.hpp>
 #include <assur/support/placed_group.hpp>
 #include <assur/support/placed_link.hpp>

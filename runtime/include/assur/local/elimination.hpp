@@ -68,43 +68,54 @@ class Pivots {
   Memory<int, MostColumns> rows_;
 };
 
-/// Eliminates `rank` of the first `columns` columns, from all rows but one each, where a unit
-/// remains; the other columns are transformed with them. Returns the last pivot in parts of the
-/// first; zero where no pivot is left.
+/// Eliminates that one of the first `columns` columns which has the largest entry above `least` in
+/// a row without a pivot: from all rows but this one, where a unit remains; the other columns are
+/// transformed with it. Returns the entry; zero where none is above `least`.
+template <typename Scalar, typename Pivots>
+[[nodiscard]] Scalar eliminate_largest(Table<Scalar>& table, int columns, Scalar least,
+                                       Pivots& pivots) {
+  Scalar largest = least;
+  int pivot_row = -1;
+  int pivot_column = -1;
+  for (int row = 0; row < table.rows(); ++row) {
+    for (int column = 0; column < columns && pivots.column_of(row) < 0; ++column) {
+      if (pivots.row_of(column) < 0 && std::abs(table(row, column)) > largest) {
+        largest = std::abs(table(row, column));
+        pivot_row = row;
+        pivot_column = column;
+      }
+    }
+  }
+  if (pivot_row < 0) {
+    return 0;
+  }
+  pivots.add(pivot_row, pivot_column);
+  const Scalar pivot = table(pivot_row, pivot_column);
+  for (int column = 0; column < table.columns(); ++column) {
+    table(pivot_row, column) /= pivot;
+  }
+  for (int row = 0; row < table.rows(); ++row) {
+    const Scalar factor = table(row, pivot_column);
+    for (int column = 0; column < table.columns() && row != pivot_row; ++column) {
+      table(row, column) -= factor * table(pivot_row, column);
+    }
+  }
+  return largest;
+}
+
+/// Eliminates `rank` of the first `columns` columns, one after the other. Returns the last pivot in
+/// parts of the first; zero where no pivot is left.
 template <typename Scalar, typename Pivots>
 [[nodiscard]] Scalar eliminate(Table<Scalar>& table, int columns, int rank, Pivots& pivots) {
   pivots.begin(table.rows(), columns);
   Scalar first = 1;
   Scalar last = 1;
   for (int step = 0; step < rank; ++step) {
-    Scalar largest = 0;
-    int pivot_row = -1;
-    int pivot_column = -1;
-    for (int row = 0; row < table.rows(); ++row) {
-      for (int column = 0; column < columns && pivots.column_of(row) < 0; ++column) {
-        if (pivots.row_of(column) < 0 && std::abs(table(row, column)) > largest) {
-          largest = std::abs(table(row, column));
-          pivot_row = row;
-          pivot_column = column;
-        }
-      }
-    }
-    if (pivot_row < 0) {
+    last = eliminate_largest(table, columns, Scalar(0), pivots);
+    if (last == 0) {
       return 0;
     }
-    first = step == 0 ? largest : first;
-    last = largest;
-    pivots.add(pivot_row, pivot_column);
-    const Scalar pivot = table(pivot_row, pivot_column);
-    for (int column = 0; column < table.columns(); ++column) {
-      table(pivot_row, column) /= pivot;
-    }
-    for (int row = 0; row < table.rows(); ++row) {
-      const Scalar factor = table(row, pivot_column);
-      for (int column = 0; column < table.columns() && row != pivot_row; ++column) {
-        table(row, column) -= factor * table(pivot_row, column);
-      }
-    }
+    first = step == 0 ? last : first;
   }
   return last / first;
 }

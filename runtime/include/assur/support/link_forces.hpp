@@ -2,13 +2,11 @@
 #pragma once
 
 #include <algorithm>
-#include <assur/numeric/entries.hpp>
 #include <assur/support/rigid_motion.hpp>
 #include <assur/support/scene_solve.hpp>
 #include <cmath>
 #include <limits>
 #include <tuple>
-#include <type_traits>
 
 namespace assur::support {
 
@@ -150,13 +148,6 @@ template <typename Scalar, typename Place>
   return reaction;
 }
 
-/// The configuration of a group, and its regularity.
-template <typename Group, typename Scalar>
-struct SolvedGroup {
-  typename Group::template Configuration<Scalar> q;
-  Status regularity = Status::ok;
-};
-
 /// The forces in the joints of a group under the loads of its links. `is_turned` where the group is
 /// solved in the frame of a link that turns.
 template <typename Group, typename Scalar, bool is_turned = false>
@@ -173,16 +164,10 @@ class GroupForces {
     loads_(link, 1) = force(1);
     loads_(link, 2) = load.moment_about(origin) / unit_of<Group, Scalar>;
   }
-  /// Finds the forces; they are NaN where the configuration does not determine them to six digits.
+  /// Finds the forces where the configuration is regular.
   template <typename Held>
   void solve(const Held& held, const SolvedGroup<Group, Scalar>& solved) {
     Group::forces(held.u, solved.q, loads_, forces_);
-    if constexpr (std::is_floating_point_v<Scalar>) {
-      if (solved.regularity != Status::ok &&
-          regularity_of_group<Group, Scalar>(held.u, solved.q) != Status::ok) {
-        numeric::fill(forces_, std::numeric_limits<Scalar>::quiet_NaN());
-      }
-    }
   }
   /// The force of a joint on its second link.
   [[nodiscard]] Vector<Scalar, 2> force(int joint) const {

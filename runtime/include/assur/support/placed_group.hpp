@@ -15,6 +15,13 @@
 
 namespace assur::support {
 
+/// The configuration of a group, and its regularity.
+template <typename Group, typename Scalar>
+struct SolvedGroup {
+  typename Group::template Configuration<Scalar> q;
+  Status regularity = Status::ok;
+};
+
 /// The regularity of a configuration where rounding has displaced what holds the group.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline]] Status regularity_among_displaced(
@@ -75,6 +82,14 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return second_error < Scalar(regular_error<Scalar>) ? regularity : Status::near_singular;
 }
 
+/// Whether nothing that holds a group moves, so that its links stand still even where it is
+/// singular.
+template <typename Group, typename Scalar, int Order, int Parameters>
+[[nodiscard]] bool is_at_rest(const HeldJoints<Group, Scalar, Order, Parameters>& held) {
+  return std::all_of(held.rates.data(), held.rates.data() + Group::input_count * Order,
+                     [](const Scalar& rate) { return rate == Scalar(0); });
+}
+
 /// Whether the joints' coordinates are so long that their rounding exceeds a few of the group's
 /// own.
 template <typename Group, typename Scalar>
@@ -105,7 +120,10 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   place_links(held, placed);
   if constexpr (Order > 0) {
     auto rates = rates_of_unknowns(held, q);
-    if constexpr (Order > 1) {
+    if (!regular && is_at_rest(held)) {
+      numeric::fill(rates.first, Scalar(0));
+      numeric::fill(rates.second, Scalar(0));
+    } else if constexpr (Order > 1) {
       if (!regular || !is_firm(held, q)) {
         placed.regularity =
             regularity_in_motion(held, q, placed.regularity, rates.first, rates.second);

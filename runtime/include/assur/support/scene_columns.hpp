@@ -1,6 +1,7 @@
 // Turns the drivers and states of many instances of an emitted solver into columns of numbers.
 #pragma once
 
+#include <array>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
 #include <cmath>
@@ -41,6 +42,12 @@ template <typename Scalar, int Rows, int Columns, typename Use>
 void visit(Matrix<Scalar, Rows, Columns>& matrix, Use& use, Scalar* /*numbers*/) {
   for (int place = 0; place < Rows * Columns; ++place) {
     use(matrix.data()[place]);
+  }
+}
+template <typename Scalar, typename Part, std::size_t Count, typename Use>
+void visit(std::array<Part, Count>& parts, Use& use, Scalar* numbers) {
+  for (Part& part : parts) {
+    visit(part, use, numbers);
   }
 }
 template <typename Scalar, typename Part, typename Use,
@@ -123,6 +130,10 @@ template <typename Scalar, int Rows, int Columns>
 constexpr std::size_t count(const Matrix<Scalar, Rows, Columns>* /*part*/,
                             const Scalar* /*numbers*/) {
   return static_cast<std::size_t>(Rows) * static_cast<std::size_t>(Columns);
+}
+template <typename Scalar, typename Part, std::size_t Count>
+constexpr std::size_t count(const std::array<Part, Count>* /*parts*/, const Scalar* numbers) {
+  return Count * count(static_cast<const Part*>(nullptr), numbers);
 }
 template <typename Scalar, typename... Members>
 constexpr std::size_t count_all(std::tuple<Members&...>* /*members*/, const Scalar* numbers);

@@ -1,0 +1,201 @@
+// Law: where constraints are redundant or groups singular, an emitted solver tells the forces that
+// `assur solve` tells, and no others.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <numbers>
+
+#include "generator/printed_forces.hpp"
+
+namespace assur::test::emit_special_forces_test {
+namespace {
+
+/// A parallelogram, driven at A, with a crank and a dyad that it does not load, and a dyad that it
+/// carries.
+Json parallelogram(double phi) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "D": [4, 0], "E": [9, 0], "L": [12, 1], "N": [6, 4]},
+      "one": {"A": [0, 0], "B": [2, 0]}, "bar": {"B": [0, 0], "C": [4, 0], "M": [2, 1]},
+      "two": {"D": [0, 0], "C": [2, 0]}, "arm": {"E": [0, 0], "G": [1, 0]},
+      "p": {"G": [0, 0], "K": [2, 0]}, "q": {"K": [0, 0], "L": [2, 0]},
+      "r": {"M": [0, 0], "O": [3, 0]}, "s": {"N": [0, 0], "O": [4, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["one.B", "bar.B"]},
+      "C": {"type": "revolute", "between": ["bar.C", "two.C"]},
+      "D": {"type": "revolute", "between": ["ground.D", "two.D"]},
+      "E": {"type": "revolute", "between": ["ground.E", "arm.E"]},
+      "G": {"type": "revolute", "between": ["arm.G", "p.G"]},
+      "K": {"type": "revolute", "between": ["p.K", "q.K"]},
+      "L": {"type": "revolute", "between": ["ground.L", "q.L"]},
+      "M": {"type": "revolute", "between": ["bar.M", "r.M"]},
+      "N": {"type": "revolute", "between": ["ground.N", "s.N"]},
+      "O": {"type": "revolute", "between": ["r.O", "s.O"]}},
+    "drivers": {"A": {}, "E": {"position": 1}},
+    "gravity": [0, -9.81],
+    "masses": {"one": {"mass": 1, "at": [1, 0], "inertia": 0.2},
+      "bar": {"mass": 2, "at": [1, 0.5], "inertia": 0.3}, "two": {"mass": 1.5, "at": [0.7, 0.1]},
+      "p": {"mass": 1, "at": [1, 0]}, "r": {"mass": 1, "at": [1, 0]}},
+    "loads": {"F": {"at": "bar.C", "force": [3, -2]}, "T": {"on": "s", "moment": 4}},
+    "want": ["position", "forces"]})");
+  scene["drivers"]["A"]["position"] = phi;
+  return scene;
+}
+
+/// A beam on parallel cranks of the length 3, of which all but two are redundant.
+Json cranks(double phi) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "B": [2, 0], "C": [4, 0]},
+      "one": {"A": [0, 0], "D": [3, 0]}, "two": {"B": [0, 0], "E": [3, 0]},
+      "three": {"C": [0, 0], "F": [3, 0]}, "beam": {"D": [0, 0], "E": [2, 0], "F": [4, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["ground.B", "two.B"]},
+      "C": {"type": "revolute", "between": ["ground.C", "three.C"]},
+      "D": {"type": "revolute", "between": ["one.D", "beam.D"]},
+      "E": {"type": "revolute", "between": ["two.E", "beam.E"]},
+      "F": {"type": "revolute", "between": ["three.F", "beam.F"]}},
+    "drivers": {"A": {"velocity": 2, "acceleration": -1}},
+    "gravity": [0, -9.81], "masses": {"beam": {"mass": 2, "at": [1, 1], "inertia": 0.5},
+      "two": {"mass": 1, "at": [1, 0]}},
+    "loads": {"P": {"at": "beam.F", "force": [1, 2]}, "T": {"on": "one", "moment": 4}},
+    "springs": {"K": {"joint": "B", "stiffness": 2, "damping": 0.5}},
+    "want": ["position", "velocity", "forces"]})");
+  scene["drivers"]["A"]["position"] = phi;
+  return scene;
+}
+
+/// A piston in two guides on one line, pushed by a crank.
+Json guides(double phi) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "rail": {"through": [0, 0], "along": [1, 0]},
+        "guide": {"through": [6, 0], "along": [1, 0]}},
+      "crank": {"A": [0, 0], "B": [1, 0]}, "rod": {"B": [0, 0], "C": [3, 0]},
+      "piston": {"C": [0, 0], "shoe": {"through": [0.5, 0], "along": [1, 0]},
+        "stem": {"through": [2, 0], "along": [1, 0]}}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+      "C": {"type": "revolute", "between": ["rod.C", "piston.C"]},
+      "S": {"type": "prismatic", "between": ["ground.rail", "piston.shoe"]},
+      "T": {"type": "prismatic", "between": ["ground.guide", "piston.stem"]}},
+    "drivers": {"A": {"velocity": 2}},
+    "gravity": [0, -9.81], "masses": {"rod": {"mass": 1, "at": [1, 0], "inertia": 0.1},
+      "piston": {"mass": 2}},
+    "loads": {"P": {"at": "piston.C", "force": [-5, 0]}}, "want": ["position", "forces"]})");
+  scene["drivers"]["A"]["position"] = phi;
+  return scene;
+}
+
+struct Compared {
+  int told = 0, unknown = 0;
+  double worst = 0;  ///< difference in parts of the largest number
+};
+
+/// Expects that the same numbers are told, and are equal to the digits that the configuration
+/// keeps.
+Compared compare(const std::vector<NamedScene>& scenes, const std::string& scalar = "double",
+                 double most = 1e-9) {
+  Compared result;
+  for_each_printed(
+      scenes, printed_states(scenes, code_that_prints_forces, scalar),
+      [&](const Solved& known, const Configuration& configuration, std::istream& printed) {
+        const auto told = numbers_of(read_forces(printed, known));
+        const auto solved = numbers_of(mechanism::forces_of(known.values, configuration));
+        double unit = 1;
+        for (const ToldNumber& number : solved) {
+          unit = std::isfinite(number.value) ? std::max(unit, std::abs(number.value)) : unit;
+        }
+        for (std::size_t place = 0; place < told.size(); ++place) {
+          const bool is_known = std::isfinite(solved[place].value);
+          EXPECT_EQ(std::isfinite(told[place].value), is_known)
+              << told[place].of << " " << told[place].value << " " << solved[place].value;
+          ++(is_known ? result.told : result.unknown);
+          if (is_known) {
+            result.worst =
+                largest(result.worst, std::abs(told[place].value - solved[place].value) / unit);
+          }
+        }
+      });
+  std::cout << result.told << " numbers told, " << result.unknown
+            << " not determined; difference at most " << result.worst << "\n";
+  EXPECT_GT(result.told, 0);
+  EXPECT_LT(result.worst, most);
+  return result;
+}
+
+constexpr double pi = std::numbers::pi;
+
+/// At a change point and beside it: with all links in one line, the efforts depend on the branch.
+TEST(EmitSpecialForces, AreThoseOfSolveAtAndBesideAChangePoint) {
+  std::vector<NamedScene> scenes;
+  for (const double phi : is_whole_campaign()
+                              ? std::vector{pi / 2, 0.7, 0.0, 1e-9, 1e-6, 1e-3, pi, -pi / 2}
+                              : std::vector{0.7, 0.0, 1e-6, 1e-3, pi}) {
+    scenes.push_back({"at_" + std::to_string(scenes.size()), parallelogram(phi)});
+  }
+  EXPECT_GT(compare(scenes).unknown, 0);
+}
+
+/// Without loads on the singular group, no force grows beside it, and more is determined.
+TEST(EmitSpecialForces, AreThoseOfSolveWhereTheSingularGroupIsNotLoaded) {
+  Json scene = parallelogram(0);
+  scene["masses"].erase("bar");
+  scene["masses"].erase("two");
+  scene["masses"].erase("r");
+  scene["loads"] = {{"T", {{"on", "one"}, {"moment", 4}}}};
+  EXPECT_GT(compare({{"unloaded", scene}}).unknown, 0);
+}
+
+TEST(EmitSpecialForces, OfRedundantConstraintsAreThoseOfSolve) {
+  std::vector<NamedScene> scenes;
+  for (const double phi : is_whole_campaign() ? std::vector{0.5, pi / 2, 1e-3, 2.0, pi / 3}
+                                              : std::vector{0.5, pi / 2}) {
+    scenes.push_back({"cranks_" + std::to_string(scenes.size()), cranks(phi)});
+    scenes.push_back({"guides_" + std::to_string(scenes.size()), guides(phi)});
+  }
+  EXPECT_GT(compare(scenes).unknown, 0);
+}
+
+TEST(EmitSpecialForces, OfRedundantConstraintsAreToldInFloat) {
+  EXPECT_GT(compare({{"guides", guides(1)}}, "float", 1e-4).unknown, 0);
+}
+
+/// A tolerance allows constraints that do not quite hold: directions below it do not count.
+TEST(EmitSpecialForces, OfRedundantConstraintsWithAToleranceAreThoseOfSolve) {
+  Json scene = cranks(0.5);
+  scene["redundancy"] = {{"tolerance", 0.01}};
+  EXPECT_GT(compare({{"tolerant", scene}}).unknown, 0);
+}
+
+/// Rates are not known at the change point, so that no force of the parallelogram is, while those
+/// of the other group are the same wherever the parallelogram stands.
+TEST(EmitSpecialForces, OfOtherGroupsAreToldWhereRatesAreNotKnown) {
+  std::vector<NamedScene> scenes;
+  for (const double phi : {0.0, 0.7}) {
+    Json scene = parallelogram(phi);
+    scene["drivers"]["A"]["velocity"] = 1;
+    scene["drivers"]["E"]["velocity"] = 1;
+    scenes.push_back({"moving_" + std::to_string(scenes.size()), scene});
+  }
+  std::vector<std::vector<ToldNumber>> first;  // configuration of each scene
+  for_each_printed(
+      scenes, printed_states(scenes, code_that_prints_forces),
+      [&](const Solved& known, const Configuration& configuration, std::istream& printed) {
+        const auto told = numbers_of(read_forces(printed, known));
+        if (&configuration == &known.configurations().front()) {
+          first.push_back(told);
+        }
+      });
+  ASSERT_EQ(first.size(), 2U);
+  for (std::size_t place = 0; place < first[0].size(); ++place) {
+    const std::string& of = first[0][place].of;
+    const bool is_other = of == "E" || of == "G" || of == "K" || of == "L";
+    if (is_other || (of == "effort" && place == 1)) {
+      EXPECT_NEAR(first[0][place].value, first[1][place].value, 1e-12) << of;
+    } else if (of == "A" || of == "B" || of == "C" || of == "D") {
+      EXPECT_TRUE(std::isnan(first[0][place].value) || first[0][place].value == 0) << of;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assur::test::emit_special_forces_test
