@@ -20,12 +20,15 @@ class LinearEquations {
   /// The solution for each column of b; NaN where an unknown is not determined, or where it depends
   /// on an entry of b that is not finite.
   [[nodiscard]] Eigen::MatrixXd solve(Eigen::MatrixXd rhs) const;
+  /// One solution, also of the unknowns that are not determined, where the equations have one for
+  /// every b; otherwise the same as `solve`.
+  [[nodiscard]] Eigen::MatrixXd some_solution(const Eigen::MatrixXd& rhs) const;
 
- private:
   /// The least part of a unit vector of the null space that counts as a response to it. The space
   /// is known to within rounding divided by the threshold of rank, 1e-9.
   static constexpr double response = 1e-7;
 
+ private:
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;
   Eigen::VectorXd
       movable_;  ///< the size of each unknown's row of the null space; empty without one
