@@ -87,10 +87,14 @@ class LoadCollector {
     const MovingNumber stiffness = links_.size(spring.stiffness);
     const MovingNumber damping = links_.size(spring.damping);
     const MovingNumber rest = links_.size(spring.rest);
-    // Where the ends coincide, the spring has no direction; with the length 0 it needs none.
+    // Where the ends coincide to within the rounding of places, the spring has no direction; with
+    // the length 0 it needs none.
+    constexpr double rounding_of_places = 1e-13;
     MovingPlace pull = stiffness * apart;
     if ((stiffness.matters() && rest.matters()) || damping.matters()) {
-      const MovingNumber length = sqrt(apart.x * apart.x + apart.y * apart.y);
+      const MovingNumber square = apart.x * apart.x + apart.y * apart.y;
+      const bool has_direction = apart.value().norm() > rounding_of_places * balance_.size();
+      const MovingNumber length = sqrt(has_direction ? square : MovingNumber());
       const MovingPlace along{apart.x / length, apart.y / length};
       pull = pull - stiffness * rest * along;
       if (damping.matters()) {
