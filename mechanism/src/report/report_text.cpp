@@ -245,7 +245,9 @@ std::string forces_text(const Configuration& configuration, const Report& report
       text += table_row(columns[row].name(), cells);
     }
   };
-  add_table("forces", {}, {forces_of(report.values, configuration)});
+  const Forces forces = forces_of(report.values, configuration);
+  add_table("forces", {}, {forces});
+  text += forces.reason.empty() ? "" : "    not determined: " + forces.reason + "\n";
   if (wants_force_sensitivities(plan)) {
     const std::vector<Forces> sensitivities = force_sensitivities(report.values, configuration);
     const Spread& spread = report.values.spread();
