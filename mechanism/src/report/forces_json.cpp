@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 
 namespace assur::mechanism::report {
 
@@ -42,7 +42,7 @@ struct Deviations {
   Forces worst_case, rss;
 
   Deviations(const Report& report, const Configuration& configuration) {
-    if (wants_force_sensitivities(report.plan)) {
+    if (forces::wants_force_sensitivities(report.plan)) {
       std::vector<Forces> all = force_sensitivities(report.values, configuration);
       worst_case = mechanism::worst_case(all, report.values.spread());
       rss = root_sum_square(all, report.values.spread());

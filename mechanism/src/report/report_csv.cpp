@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -100,8 +100,8 @@ std::vector<double> told_forces(const Plan& plan, const Values& values,
     return {};
   }
   std::vector<double> numbers =
-      force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
-  const std::vector<double> deviations = force_deviations(plan, values, configuration);
+      forces::force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
+  const std::vector<double> deviations = forces::force_deviations(plan, values, configuration);
   numbers.insert(numbers.end(), deviations.begin(), deviations.end());
   return numbers;
 }
@@ -114,8 +114,8 @@ std::vector<double> told_forces(const Plan& plan, const SweepRecord& record) {
     return told_forces(plan, plan.values({{mechanism.parameters()[swept].name, record.parameter}}),
                        *record.state);
   }
-  const std::size_t parts = wants_force_sensitivities(plan) ? 3 : 1;
-  return std::vector<double>(parts * force_columns(plan).size(),
+  const std::size_t parts = forces::wants_force_sensitivities(plan) ? 3 : 1;
+  return std::vector<double>(parts * forces::force_columns(plan).size(),
                              std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -157,13 +157,13 @@ std::string csv_header(const Plan& plan) {
     add(want.sensitivity && request.covariance, output.name,
         {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
-  const std::vector<report::ForceColumn> forces = report::force_columns(plan);
-  for (const report::ForceColumn& column : forces) {
+  const std::vector<forces::ForceColumn> forces = forces::force_columns(plan);
+  for (const forces::ForceColumn& column : forces) {
     cells.push_back(column.name());
   }
   for (const char* deviation : {"worst_case_", "rss_"}) {
-    for (const report::ForceColumn& column : forces) {
-      add(report::wants_force_sensitivities(plan), column.of, {deviation + column.part});
+    for (const forces::ForceColumn& column : forces) {
+      add(forces::wants_force_sensitivities(plan), column.of, {deviation + column.part});
     }
   }
   add(true, "solution", {"regularity", "residual"});

@@ -43,13 +43,16 @@ double distance(const Configuration& one, const Configuration& other) {
   return most;
 }
 
-/// The forces of the configuration next to another one.
-Eigen::VectorXd forces_near(const Solved& scene, const Configuration& configuration) {
-  const auto& all = scene.configurations();
+/// The forces of the configuration next to another one, with one parameter moved.
+Eigen::VectorXd forces_near(const Plan& plan, const std::string& parameter, double value,
+                            const Configuration& configuration) {
+  const Values values = plan.values({{parameter, value}});
+  const Solution solution = plan.solve(values);
+  const auto& all = solution.configurations;
   const auto nearest = std::ranges::min_element(
       all, {}, [&](const Configuration& one) { return distance(one, configuration); });
   return nearest == all.end() ? Eigen::VectorXd()
-                              : numbers_of(mechanism::forces_of(scene.values, *nearest));
+                              : numbers_of(mechanism::forces_of(values, *nearest));
 }
 
 struct Largest {
@@ -81,8 +84,8 @@ void check(const Json& json, const std::vector<std::string>& parameters, Largest
       bool is_found = true;
       const auto difference = best_richardson<Eigen::VectorXd>(
           [&](double offset) {
-            Eigen::VectorXd there =
-                forces_near(solved(json, {setting(json, name, offset)}), configuration);
+            Eigen::VectorXd there = forces_near(
+                scene.plan, name, scene.values.parameter(index) + offset, configuration);
             is_found = is_found && there.size() == here.size();
             return is_found ? there : here;
           },

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace assur::mechanism::report {
+namespace assur::mechanism::forces {
 
 /// A number of the forces: `A.effort`, `C.fx`, `P.rod.fx`.
 struct ForceColumn {
@@ -29,4 +29,4 @@ struct ForceColumn {
 [[nodiscard]] std::vector<double> force_deviations(const Plan& plan, const Values& values,
                                                    const Configuration& configuration);
 
-}  // namespace assur::mechanism::report
+}  // namespace assur::mechanism::forces

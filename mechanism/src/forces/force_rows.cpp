@@ -1,8 +1,8 @@
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 
 #include <algorithm>
 
-namespace assur::mechanism::report {
+namespace assur::mechanism::forces {
 
 namespace {
 
@@ -125,4 +125,4 @@ std::vector<double> force_deviations(const Plan& plan, const Values& values,
   return numbers;
 }
 
-}  // namespace assur::mechanism::report
+}  // namespace assur::mechanism::forces
