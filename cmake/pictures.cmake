@@ -9,6 +9,7 @@ endfunction()
 
 draw(quintero_2011_rrp_rrr ${OUTPUT}/drawing_all.svg)
 draw(excavator_arm ${OUTPUT}/drawing_one.svg --nearest)
+draw(crane ${OUTPUT}/forces_arrows.svg --nearest)
 draw(jansen_leg ${OUTPUT}/drawing_moving.svg --moving --configuration 2)
 
 # Nine scenes, each in one configuration, three in a row: pictures inside a picture, at their size.

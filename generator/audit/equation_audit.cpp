@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "audit/map_of_efforts.hpp"
 #include "closures/extent.hpp"
 #include "closures/formula_text.hpp"
 
@@ -59,14 +60,15 @@ Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
 
 DerivedEntry derived_entry(closures::ClosureSystem& system, const PrintedMatrix& matrix,
                            std::size_t place) {
-  const std::string& row = matrix.rows[place / matrix.columns.size()];
-  const std::string& column = matrix.columns[place % matrix.columns.size()];
+  const std::size_t down = place / matrix.width();
+  const std::size_t across = place % matrix.width();
+  const std::string& row = matrix.rows[matrix.is_transposed ? across : down];
+  const std::string& column = matrix.columns[matrix.is_transposed ? down : across];
   const closures::AuditSymbol& by = *system.symbol_named(column);
   const GiNaC::ex* closure = system.closure_named(row);
   const std::optional<GiNaC::ex> named = system.meaning_of(row);
-  const std::string item = "(" + std::to_string(place / matrix.columns.size() + 1) + "," +
-                           std::to_string(place % matrix.columns.size() + 1) + ") " +
-                           (closure == nullptr ? "D " : "d ") + row + "/" +
+  const std::string item = "(" + std::to_string(down + 1) + "," + std::to_string(across + 1) +
+                           ") " + (closure == nullptr ? "D " : "d ") + row + "/" +
                            (closure == nullptr ? "D " : "d ") + column;
   if (closure != nullptr) {
     return {item, system.partial(*closure, by)};
@@ -109,21 +111,21 @@ std::vector<Finding> audit_matrix(closures::ClosurePoints& points, const Printed
   for (std::size_t place = 0; place < matrix.entries.size(); ++place) {
     const PrintedEntry& entry = matrix.entries[place];
     findings.push_back(audit_entry(
-        points, matrix, place / matrix.columns.size(), place % matrix.columns.size(),
+        points, matrix, place / matrix.width(), place % matrix.width(),
         {entry.text.empty() ? "0" : entry.text.text, entry.text.place}, [&]() -> GiNaC::ex {
           return entry.text.empty() ? GiNaC::ex(0)
                  : entry.value      ? entry.value()
                                     : closures::read_formula(entry.text, points.system());
         }));
   }
+  explain_map_of_efforts(points, matrix, findings);
   return findings;
 }
 
 Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame, std::size_t row,
                     std::size_t column, const Printed& printed,
                     const std::function<GiNaC::ex()>& read) {
-  const auto [item, derived] =
-      derived_entry(points.system(), frame, row * frame.columns.size() + column);
+  const auto [item, derived] = derived_entry(points.system(), frame, row * frame.width() + column);
   try {
     const GiNaC::ex expression = read();
     return {item,

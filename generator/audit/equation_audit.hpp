@@ -22,10 +22,17 @@ struct PrintedEntry {
 };
 
 /// A printed matrix: rows are closures, or quantities that depend on them; columns are symbols.
+/// The map of efforts is the transpose of that of velocities: its entry (i, j) is the derivative of
+/// the quantity j by the symbol i.
 struct PrintedMatrix {
   std::vector<std::string> rows;  ///< names, or formulas such as `rate(x)`
   std::vector<std::string> columns;
-  std::vector<PrintedEntry> entries;  ///< row by row
+  std::vector<PrintedEntry> entries;  ///< row by row, as they are printed
+  bool is_transposed = false;
+
+  /// The numbers of rows and columns that are printed.
+  [[nodiscard]] std::size_t height() const { return (is_transposed ? columns : rows).size(); }
+  [[nodiscard]] std::size_t width() const { return (is_transposed ? rows : columns).size(); }
 };
 
 /// What an entry of a matrix should be, and how a report names it.

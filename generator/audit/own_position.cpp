@@ -71,7 +71,7 @@ std::pair<std::string, std::vector<PlacedText>> derivative_parts(const PlacedTex
 }  // namespace
 
 OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText& rows,
-                                    const closures::ClosureSystem& system) {
+                                    bool is_transposed, const closures::ClosureSystem& system) {
   OwnDerivatives own;
   const auto add = [&](const std::string& item, const std::string& meaning,
                        const OwnDerivative& entry) {
@@ -83,7 +83,6 @@ OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText&
   if (!columns.empty()) {
     const std::vector<PlacedText> names = closures::words(rows);
     const std::vector<PlacedText> parameters = closures::words(columns);
-    own.expected.size = {names.size(), parameters.size()};
     for (std::size_t row = 0; row < names.size(); ++row) {
       if (!text::is_identifier(names[row].text)) {
         throw FormulaError("expected the name of a component of the position", names[row].place);
@@ -91,13 +90,19 @@ OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText&
       if (component(names[row].text, own.components) != row) {
         throw FormulaError("'" + names[row].text + "' occurs twice", names[row].place);
       }
-      for (std::size_t column = 0; column < parameters.size(); ++column) {
-        const std::string& by = parameters[column].text;
-        add("(" + std::to_string(row + 1) + "," + std::to_string(column + 1) + ") d " +
-                names[row].text + "/d " + by,
-            "D(" + names[row].text + ", " + by + ")",
-            {row, &parameter(parameters[column], system), 1});
-      }
+    }
+    own.expected.size = {names.size(), parameters.size()};
+    if (is_transposed) {
+      std::swap(own.expected.size.rows, own.expected.size.columns);
+    }
+    for (std::size_t place = 0; place < names.size() * parameters.size(); ++place) {
+      const std::size_t down = place / own.expected.size.columns;
+      const std::size_t across = place % own.expected.size.columns;
+      const std::size_t row = is_transposed ? across : down;
+      const PlacedText& by = parameters[is_transposed ? down : across];
+      add("(" + std::to_string(down + 1) + "," + std::to_string(across + 1) + ") d " +
+              names[row].text + "/d " + by.text,
+          "D(" + names[row].text + ", " + by.text + ")", {row, &parameter(by, system), 1});
     }
     return own;
   }

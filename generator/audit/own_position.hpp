@@ -19,11 +19,12 @@ struct OwnDerivatives {
   ExpectedMatrix expected;  ///< its expressions are symbols of their own
 };
 
-/// Reads `of NAMES by PARAMETERS`, or `of rate(NAME), rate2(NAME), D(NAME, PARAMETER), ...`. The
-/// names are those of the components of the position, in the order in which they occur first.
-/// Throws FormulaError.
+/// Reads `of NAMES by PARAMETERS`, also transposed, or `of rate(NAME), rate2(NAME), D(NAME,
+/// PARAMETER), ...`. The names are those of the components of the position, in the order in which
+/// they occur first. Throws FormulaError.
 [[nodiscard]] OwnDerivatives read_own_derivatives(const closures::PlacedText& columns,
                                                   const closures::PlacedText& rows,
+                                                  bool is_transposed,
                                                   const closures::ClosureSystem& system);
 
 /// Complex steps, where the position of the program takes complex numbers and they confirm the

@@ -97,8 +97,9 @@ void Auditor::read_printed_closure(const closures::PlacedText& label, closures::
 PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
   const auto [head, columns] = cut_at_word(rest, "by");
   closures::PlacedText rows = head;
+  const bool is_transposed = closures::take_keyword(rows, "transpose");
   if (!closures::take_keyword(rows, "of") || columns.empty()) {
-    reader_.fail(rest.place, "expected 'of ROWS by COLUMNS'");
+    reader_.fail(rest.place, "expected 'of ROWS by COLUMNS' or 'transpose of ROWS by COLUMNS'");
   }
   if (rows.empty()) {
     reader_.fail(rows.place, "the names are missing");
@@ -107,7 +108,8 @@ PrintedMatrix Auditor::matrix_frame(const closures::PlacedText& rest) {
       rows_in(rows, reader_.system(),
               [&](const closures::PlacedText& name) { return reader_.known_names(name, false); }),
       reader_.known_names(columns, true),
-      {}};
+      {},
+      is_transposed};
   if (matrix.rows.size() * matrix.columns.size() > most_entries) {
     reader_.fail(rest.place, "the matrix has more than " + std::to_string(most_entries) +
                                  " entries; divide it");
@@ -120,21 +122,21 @@ void Auditor::read_printed_matrix(const closures::Statement& statement,
                                   const closures::PlacedText& label,
                                   const closures::PlacedText& rest) {
   PrintedMatrix matrix = matrix_frame(rest);
-  if (statement.rows.size() != matrix.rows.size()) {
-    reader_.fail(statement.head.place, "expected " + text::with_noun(matrix.rows.size(), "row") +
+  if (statement.rows.size() != matrix.height()) {
+    reader_.fail(statement.head.place, "expected " + text::with_noun(matrix.height(), "row") +
                                            ", found " + std::to_string(statement.rows.size()));
   }
   for (const closures::PlacedText& row : statement.rows) {
     const std::vector<closures::PlacedText> entries = closures::split(row, ',');
-    if (entries.size() != matrix.columns.size()) {
-      reader_.fail(row.place, "expected " + text::with_noun(matrix.columns.size(), "entry") +
-                                  ", found " + std::to_string(entries.size()));
+    if (entries.size() != matrix.width()) {
+      reader_.fail(row.place, "expected " + text::with_noun(matrix.width(), "entry") + ", found " +
+                                  std::to_string(entries.size()));
     }
     for (const closures::PlacedText& entry : entries) {
       matrix.entries.push_back({entry, {}});
     }
   }
-  answer("matrix " + label.text, label.place, matrix.columns.size(), audit_matrix(points_, matrix));
+  answer("matrix " + label.text, label.place, matrix.width(), audit_matrix(points_, matrix));
 }
 
 void Auditor::read_printed_code(const closures::PlacedText& label, closures::PlacedText rest) {
@@ -159,8 +161,7 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
     reader_.fail(file.place, "C++ (.cpp, .hpp, ...) and MATLAB (.m) are read, and '" + ending +
                                  "' is neither" + code::by_running);
   }
-  const code::AuditedMatrix audited{array.text, matrix.rows.size(), matrix.columns.size(),
-                                    ending == ".c"};
+  const code::AuditedMatrix audited{array.text, matrix.height(), matrix.width(), ending == ".c"};
   try {
     for (const code::CodeEntry& entry :
          matlab ? code::read_matlab_matrix(source, audited, reader_.system())
@@ -177,12 +178,12 @@ void Auditor::read_printed_code(const closures::PlacedText& label, closures::Pla
       finding.note = "nothing is assigned to it, so it counts as zero";
     }
   }
-  answer("code " + label.text + " (" + file.text + ")", label.place, matrix.columns.size(),
+  answer("code " + label.text + " (" + file.text + ")", label.place, matrix.width(),
          std::move(findings));
   statements_.back().file = path;
 }
 
-/// `of ROWS by COLUMNS`, or `of FORMULA, FORMULA, ...`.
+/// `[transpose] of ROWS by COLUMNS`, or `of FORMULA, FORMULA, ...`.
 ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
   ExpectedMatrix expected;
   closures::PlacedText formulas = frame;
@@ -202,7 +203,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
     return expected;
   }
   const PrintedMatrix matrix = matrix_frame(frame);
-  expected.size = {matrix.rows.size(), matrix.columns.size()};
+  expected.size = {matrix.height(), matrix.width()};
   expected.on_closures = !reader_.system().closures().empty();
   for (std::size_t place = 0; place < matrix.rows.size() * matrix.columns.size(); ++place) {
     const DerivedEntry entry = derived_entry(reader_.system(), matrix, place);
@@ -212,14 +213,16 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
   return expected;
 }
 
-/// `of NAMES by PARAMETERS`, or `of rate(NAME), ...`, where the names are those of a position.
+/// `[transpose] of NAMES by PARAMETERS`, or `of rate(NAME), ...`, where the names are those of a
+/// position.
 OwnDerivatives Auditor::own_derivatives(const closures::PlacedText& frame) const {
   auto [rows, columns] = cut_at_word(frame, "by");
+  const bool is_transposed = !columns.empty() && closures::take_keyword(rows, "transpose");
   if (!closures::take_keyword(rows, "of") || rows.empty()) {
     reader_.fail(frame.place,
                  "expected 'of NAMES by PARAMETERS' or 'of rate(NAME), ...' before 'against'");
   }
-  return read_own_derivatives(columns, rows, reader_.system());
+  return read_own_derivatives(columns, rows, is_transposed, reader_.system());
 }
 
 void Auditor::read_printed_run(const closures::Statement& statement,

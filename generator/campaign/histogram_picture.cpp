@@ -166,10 +166,10 @@ std::string histogram_picture(const SampleSummary& summary) {
       summary.description().text_of("name") + ": " + text::with_noun(summary.count(), "sample"));
   double top = head;
   for (const SampledOutput& output : summary.outputs()) {
-    for (const std::size_t axis : {0U, 1U}) {
+    for (std::size_t axis = 0; axis < output.axes(); ++axis) {
       if (output.statistics.count() > 0) {
         body += Panel(output, axis, static_cast<double>(axis) * panel_width, top)
-                    .svg(output.name + (axis == 0 ? ".x" : ".y"));
+                    .svg(output.name_of(axis));
       }
     }
     top += panel_height;

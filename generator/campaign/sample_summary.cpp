@@ -19,6 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t columns_before_outputs = 2;
 constexpr std::size_t bars_of_json = 64;
 constexpr std::size_t bars_of_text = 16;
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 std::string padded(const std::string& text, std::size_t width) {
   return text.size() < width ? std::string(width - text.size(), ' ') + text : text;
@@ -41,6 +42,7 @@ struct Row {
   const char* text;
   const char* json;
   std::function<double(const SampledOutput&, Eigen::Index)> number;
+  bool of_points = false;  ///< whether forces do not have it, as it needs second derivatives
 };
 
 /// The number, or NaN if it is of fewer than `least` samples.
@@ -61,7 +63,8 @@ const std::vector<Row>& rows() {
          return known(one, one.statistics.mean_shift()(axis));
        }},
       {"  by second derivatives", "mean_shift_second_order",
-       [](const SampledOutput& one, Eigen::Index axis) { return predicted(one, axis).mean_shift; }},
+       [](const SampledOutput& one, Eigen::Index axis) { return predicted(one, axis).mean_shift; },
+       true},
       {"deviation", "deviation",
        [](const SampledOutput& one, Eigen::Index axis) {
          return known(one, std::sqrt(one.statistics.covariance()(axis, axis)), 2);
@@ -109,18 +112,25 @@ std::string output_text(const SampledOutput& output) {
   std::string text =
       "\n" + output.name +
       std::string(std::max<std::size_t>(26, output.name.size()) - output.name.size(), ' ') +
-      padded("x", width) + padded("y", width) + "\n";
+      (output.is_point ? padded("x", width) + padded("y", width) : "") + "\n";
   for (const Row& row : rows()) {
-    text += "  " + std::string(row.text) + std::string(24 - std::string(row.text).size(), ' ') +
-            padded(shown(row.number(output, 0)), width) +
-            padded(shown(row.number(output, 1)), width) + "\n";
+    if (!output.is_point && row.of_points) {
+      continue;
+    }
+    text += "  " + std::string(row.text) + std::string(24 - std::string(row.text).size(), ' ');
+    for (std::size_t axis = 0; axis < output.axes(); ++axis) {
+      text += padded(shown(row.number(output, static_cast<Eigen::Index>(axis))), width);
+    }
+    text += "\n";
   }
-  text += "  covariance of x and y   " +
-          padded(shown(known(output, output.statistics.covariance()(0, 1), 2)), width) +
-          padded(shown(output.covariance), width) + "  (by first derivatives)\n";
-  for (const std::size_t axis : {0U, 1U}) {
+  if (output.is_point) {
+    text += "  covariance of x and y   " +
+            padded(shown(known(output, output.statistics.covariance()(0, 1), 2)), width) +
+            padded(shown(output.covariance), width) + "  (by first derivatives)\n";
+  }
+  for (std::size_t axis = 0; axis < output.axes(); ++axis) {
     if (output.statistics.count() > 0) {
-      text += "  " + output.name + "." + axis_name(axis) + " - nominal, from        samples\n" +
+      text += "  " + output.name_of(axis) + " - nominal, from        samples\n" +
               histogram_text(output.statistics.histogram(axis), output.predicted[axis].nominal);
     }
   }
@@ -133,6 +143,17 @@ Json histogram_json(const mechanism::Histogram& histogram, double nominal) {
     bars.push_back({{"from", bar.from - nominal}, {"to", bar.to - nominal}, {"count", bar.count}});
   }
   return bars;
+}
+
+void add_force(const SampledOutput& force, Json& entry) {
+  for (const Row& row : rows()) {
+    if (!row.of_points) {
+      entry[row.json] = json_number(row.number(force, 0));
+    }
+  }
+  entry["histogram"] = force.statistics.count() > 0 ? histogram_json(force.statistics.histogram(0),
+                                                                     force.predicted[0].nominal)
+                                                    : Json::array();
 }
 
 }  // namespace
@@ -149,22 +170,31 @@ SampleSummary::SampleSummary(Description description, const std::string& where)
   const std::vector<double> rss = description_.numbers_of("rss");
   const std::vector<double> covariance = description_.numbers_of("covariance");
   const std::vector<double> mean_shift = description_.numbers_of("mean_shift");
+  const std::size_t points = covariance.size() / 3;
   for (const auto* list : {&nominal, &worst_case, &rss, &mean_shift}) {
-    if (list->size() != numbers || covariance.size() != numbers / 2 * 3) {
+    if (list->size() != numbers || covariance.size() != 3 * points || 2 * points > numbers) {
       throw text::InputError(where +
                              ": it is not a table of a sample: numbers of its outputs are missing");
     }
   }
-  for (std::size_t output = 0; output < numbers / 2; ++output) {
+  for (std::size_t output = 0; output < points; ++output) {
     const std::string& column = description_.columns[columns_before_outputs + 2 * output].name;
     const std::size_t x = 2 * output;
     const std::size_t y = x + 1;
     outputs_.push_back(
         {column.substr(0, column.rfind('.')),
+         true,
          {{{nominal[x], worst_case[x], rss[x], covariance[3 * output], mean_shift[x]},
            {nominal[y], worst_case[y], rss[y], covariance[3 * output + 1], mean_shift[y]}}},
          covariance[3 * output + 2],
          mechanism::PointStatistics({nominal[x], nominal[y]})});
+  }
+  for (std::size_t force = 2 * points; force < numbers; ++force) {
+    outputs_.push_back({description_.columns[columns_before_outputs + force].name,
+                        false,
+                        {{{nominal[force], worst_case[force], rss[force], none, none}, {}}},
+                        none,
+                        mechanism::PointStatistics({nominal[force], 0})});
   }
 }
 
@@ -175,11 +205,13 @@ void SampleSummary::add(const std::vector<double>& rows) {
     if (counts_[outcome]++ == 0) {
       first_[outcome] = static_cast<std::uint64_t>(rows[at]);
     }
-    for (std::size_t output = 0; output < outputs_.size(); ++output) {
-      const double* position = &rows[at + columns_before_outputs + 2 * output];
-      if (std::isfinite(position[0]) && std::isfinite(position[1])) {
-        outputs_[output].statistics.add({position[0], position[1]});
+    const double* number = &rows[at + columns_before_outputs];
+    for (SampledOutput& output : outputs_) {
+      const Eigen::Vector2d numbers(number[0], output.is_point ? number[1] : 0);
+      if (numbers.allFinite() && std::isfinite(output.predicted[0].nominal)) {
+        output.statistics.add(numbers);
       }
+      number += output.axes();
     }
   }
 }
@@ -188,9 +220,7 @@ std::uint64_t SampleSummary::count() const {
   return std::accumulate(counts_.begin(), counts_.end(), std::uint64_t{0});
 }
 
-void describe_nominal(const std::vector<mechanism::NominalPoint>& points,
-                      Description& description) {
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+void describe_nominal(const mechanism::Sampling& sampling, Description& description) {
   const Eigen::Vector2d unknown(none, none);
   std::vector<double> nominal;
   std::vector<double> worst_case;
@@ -200,13 +230,19 @@ void describe_nominal(const std::vector<mechanism::NominalPoint>& points,
   const auto add = [](std::vector<double>& numbers, const Eigen::Vector2d& point) {
     numbers.insert(numbers.end(), {point.x(), point.y()});
   };
-  for (const mechanism::NominalPoint& point : points) {
+  for (const mechanism::NominalPoint& point : sampling.nominal()) {
     add(nominal, point.position);
     add(worst_case, point.worst_case.value_or(unknown));
     add(rss, point.rss.value_or(unknown));
     add(mean_shift, point.spread ? point.spread->mean_shift : unknown);
     add(covariance, point.spread ? Eigen::Vector2d(point.spread->covariance.diagonal()) : unknown);
     covariance.push_back(point.spread ? point.spread->covariance(0, 1) : none);
+  }
+  for (const mechanism::NominalForce& force : sampling.nominal_forces()) {
+    nominal.push_back(force.number);
+    worst_case.push_back(force.worst_case);
+    rss.push_back(force.rss);
+    mean_shift.push_back(none);
   }
   description.add("nominal", nominal);
   description.add("worst_case", worst_case);
@@ -250,6 +286,10 @@ std::string sample_json(const SampleSummary& summary) {
   }
   root["outputs"] = Json::object();
   for (const SampledOutput& output : summary.outputs()) {
+    if (!output.is_point) {
+      add_force(output, root["forces"][output.name]);
+      continue;
+    }
     Json& entry = root["outputs"][output.name];
     for (const Row& row : rows()) {
       entry[row.json] = {json_number(row.number(output, 0)), json_number(row.number(output, 1))};

@@ -17,11 +17,18 @@ struct FirstOrder {
   double variance, mean_shift;  ///< of first and of second order
 };
 
+/// The two coordinates of an output, or the one number of a force.
 struct SampledOutput {
   std::string name;
+  bool is_point;
   std::array<FirstOrder, 2> predicted;
   double covariance;  ///< of the two coordinates, of first order
   mechanism::PointStatistics statistics;
+
+  [[nodiscard]] std::size_t axes() const { return is_point ? 2 : 1; }
+  [[nodiscard]] std::string name_of(std::size_t axis) const {
+    return name + (!is_point ? "" : axis == 0 ? ".x" : ".y");
+  }
 };
 
 class SampleSummary {
@@ -49,7 +56,7 @@ class SampleSummary {
 };
 
 /// Adds nominal values and predictions to a sample's description; see docs/guide/campaigns.md.
-void describe_nominal(const std::vector<mechanism::NominalPoint>& points, Description& description);
+void describe_nominal(const mechanism::Sampling& sampling, Description& description);
 
 /// The summary for people, and as JSON.
 [[nodiscard]] std::string sample_text(const SampleSummary& summary);

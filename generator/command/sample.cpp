@@ -73,7 +73,7 @@ void sample(const SampleOptions& options, CampaignScene& scene) {
                   : request.reference.empty() ? "configuration 1"
                                               : "the configuration of the reference");
   description.add("tolerances", tolerances_of(mechanism, sampling.deviations()));
-  campaign::describe_nominal(sampling.nominal(), description);
+  campaign::describe_nominal(sampling, description);
   campaign::SampleSummary summary(description, options.scene);
   files.drawing = [&summary] { return campaign::histogram_picture(summary); };
   if (!compute(options, files, campaign, description,

@@ -27,13 +27,20 @@ std::string setting(const std::string& name, double value) {
   return name + text.data();
 }
 
+/// An example with the results that all examples are tested for, whatever it wants itself.
+mechanism::Scene with_derivatives(mechanism::Scene scene) {
+  scene.request.want.velocity = scene.request.want.acceleration = true;
+  scene.request.want.sensitivity = true;
+  return scene;
+}
+
 /// An example at one value of its swept parameter.
 struct Position {
   Plan plan;
   Values values;
 
   Position(const std::string& file, const std::vector<std::string>& settings)
-      : plan(mechanism::read_scene(file, settings)), values(plan.values()) {}
+      : plan(with_derivatives(mechanism::read_scene(file, settings))), values(plan.values()) {}
 
   [[nodiscard]] const mechanism::Mechanism& mechanism() const { return plan.mechanism(); }
   [[nodiscard]] Solution solution() const { return plan.solve(values); }

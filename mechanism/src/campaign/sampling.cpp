@@ -5,12 +5,20 @@
 #include <memory>
 
 #include "counter_random.hpp"
+#include "forces/force_rows.hpp"
 #include "outcome.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::campaign {
 
 namespace {
+
+/// The request reduced to positions, and to forces with the rates that these need.
+Request positions_and_forces(const Request& request) {
+  Request result = positions_alone(request);
+  result.want.forces = result.want.velocity = result.want.acceleration = request.want.forces;
+  return result;
+}
 
 /// The parameters that deviate and those that depend on them, each behind those in its formula.
 std::vector<Deviation> changing_parameters(const Values& values) {
@@ -38,7 +46,7 @@ constexpr std::size_t most_with_spread = 200;
 /// The request of the nominal solution: sensitivities, and the variances of what is sampled.
 Request nominal_request(const Request& request, const std::vector<Deviation>& deviations,
                         Mechanism& mechanism) {
-  Request result = positions_alone(request);
+  Request result = positions_and_forces(request);
   result.want.sensitivity = true;
   if (mechanism.parameters().size() > most_with_spread) {
     return result;
@@ -80,6 +88,17 @@ Solution nominal_solution(const Plan& plan, std::size_t branch) {
   return solution;
 }
 
+/// The numbers of the wanted forces; NaN where there is no configuration, or where its rates are
+/// not known.
+std::vector<double> force_numbers_or_none(const Plan& plan, const Values& values,
+                                          const Configuration* configuration) {
+  const std::size_t count = forces::force_columns(plan).size();
+  if (count == 0 || configuration == nullptr || !configuration->rates_known) {
+    return std::vector<double>(count, none);
+  }
+  return forces::force_numbers(plan, forces_of(values, *configuration));
+}
+
 std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& configuration) {
   const Values values = plan.values();
   std::vector<NominalPoint> points;
@@ -98,12 +117,28 @@ std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& 
   return points;
 }
 
-/// The request of the samples: positions, near to a configuration. Links that drivers place stand
-/// alike in all configurations of a sample and so cannot distinguish them; if there are no others,
-/// they are named because a reference must name some.
+std::vector<NominalForce> nominal_forces(const Plan& plan, const Configuration& configuration) {
+  std::vector<NominalForce> result;
+  const std::vector<forces::ForceColumn> columns = forces::force_columns(plan);
+  if (columns.empty()) {
+    return result;
+  }
+  const Values values = plan.values();
+  const std::vector<double> numbers = force_numbers_or_none(plan, values, &configuration);
+  const std::vector<double> deviations = forces::force_deviations(plan, values, configuration);
+  for (std::size_t place = 0; place < columns.size(); ++place) {
+    result.push_back({columns[place].name(), numbers[place], deviations[place],
+                      deviations[columns.size() + place]});
+  }
+  return result;
+}
+
+/// The request of the samples: positions and wanted forces, near to a configuration. Links that
+/// drivers place stand alike in all configurations of a sample and so cannot distinguish them; if
+/// there are no others, they are named because a reference must name some.
 Request sample_request(const Request& request, const Plan& plan, const Configuration& nominal,
                        Mechanism& mechanism) {
-  Request result = positions_alone(request);
+  Request result = positions_and_forces(request);
   result.reference.clear();
   const Table<LinkIndex, bool> by_drivers = plan.structure().placed_by_drivers();
   for (const bool wants_driven : {false, true}) {
@@ -191,6 +226,8 @@ class Sampling::Worker {
     }
     rows.insert(rows.end(), {static_cast<double>(sample), static_cast<double>(outcome)});
     campaign::add_outputs(sampling_->plan_->mechanism(), found, rows);
+    std::ranges::copy(campaign::force_numbers_or_none(*sampling_->plan_, values_, found),
+                      std::back_inserter(rows));
   }
 
  private:
@@ -222,6 +259,7 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
   const Plan nominal_plan(extended, at_nominal);
   const Solution nominal = campaign::nominal_solution(nominal_plan, branch);
   nominal_ = campaign::nominal_points(nominal_plan, nominal.configurations.front());
+  forces_ = campaign::nominal_forces(nominal_plan, nominal.configurations.front());
   extended = mechanism;
   const Request near_nominal =
       campaign::sample_request(request, nominal_plan, nominal.configurations.front(), extended);
@@ -236,6 +274,9 @@ Campaign Sampling::campaign() const {
                 std::uint64_t sample, std::vector<double>& rows) { worker->add_row(sample, rows); };
       }};
   campaign::add_output_columns(plan_->mechanism(), campaign.columns);
+  for (const forces::ForceColumn& column : forces::force_columns(*plan_)) {
+    campaign.columns.push_back({column.name(), Column::Kind::real});
+  }
   return campaign;
 }
 

@@ -198,7 +198,13 @@ LinkIndex Mechanism::add_drawn_link(const std::string& name) {
 Feature Mechanism::on_link(const std::string& name, const std::string& part) const {
   const std::size_t dot = name.find('.');
   if (dot == std::string::npos) {
-    throw MechanismError(part, "expected 'link.feature', found " + text::in_quotes(name));
+    const auto meant = std::ranges::find(features_, name, &Feature::name);
+    throw MechanismError(
+        part, "expected 'link.feature', found " + text::in_quotes(name) +
+                  (meant == features_.end()
+                       ? ""
+                       : " (did you mean " +
+                             text::in_quotes(links_[meant->link].name + "." + name) + "?)"));
   }
   const std::string link_name = name.substr(0, dot);
   Feature feature;

@@ -3,6 +3,7 @@
 #include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/plan.hpp>
 
+#include "draw/force_arrows.hpp"
 #include "draw/symbols.hpp"
 #include "draw/ways.hpp"
 
@@ -90,7 +91,9 @@ Drawing drawing_of(const Mechanism& mechanism, const Request& request,
   Request positions = request;
   positions.want = {true, false, false, false};
   positions.covariance.reset();
-  const Plan plan(mechanism, positions);
+  Request wanted = positions;
+  wanted.want.forces = wanted.want.velocity = wanted.want.acceleration = request.want.forces;
+  const Plan plan(mechanism, wanted);
   const Values values = plan.values();
   const draw::Chosen chosen = draw::chosen_of(plan, values, choice);
   Drawing drawing;
@@ -131,6 +134,10 @@ Drawing drawing_of(const Mechanism& mechanism, const Request& request,
           position(anchor, mechanism, frames, poses[place], ways.reaches[place], size));
     }
     drawing.stances.push_back(std::move(stance));
+  }
+  if (wanted.want.forces && numbers.size() == 1) {
+    const std::size_t place = chosen.drawn.front().second;
+    draw::add_forces(plan, values, chosen.solution.configurations[place], size, drawing);
   }
   return drawing;
 }

@@ -52,6 +52,10 @@ std::string colours_of_style(const char* Colour::*shade) {
   return text;
 }
 
+std::string style_of_forces(const char* Colour::*shade) {
+  return std::string(".force{stroke-width:1.7;stroke:") + colours[colour_of_forces].*shade + "}\n";
+}
+
 std::string group_of(int configuration, const std::string& more, const std::string& inside) {
   const std::string colour = configuration < 1 ? "" : std::to_string(colour_of(configuration));
   return "<g class=\"c" + colour + more + "\">\n" + inside + "</g>\n";
@@ -91,6 +95,17 @@ std::string marks(const Drawing& drawing, const Picture& picture) {
           mark_element(mark.event, picture.at(point),
                        " at " + drawing.parameter + " = " + text::short_number(mark.parameter, 6));
     }
+  }
+  return text;
+}
+
+std::string forces(const Drawing& drawing, const Picture& picture) {
+  std::string text;
+  for (const ForceArrow& force : drawing.forces) {
+    text += arrow_element(
+        picture.at(force.at), picture.at(force.at + drawing.length_of_force * force.force),
+        force.joint + " on " + force.link + ": " + text::short_number(force.force.x(), 6) + ", " +
+            text::short_number(force.force.y(), 6));
   }
   return text;
 }
@@ -164,6 +179,10 @@ Obstacles obstacles_of(const Drawing& drawing, const Picture& picture) {
     add_lines(places(trace.points), false,
               trace.configuration == emphasised.configuration ? 0.8 : 0.1, obstacles);
   }
+  for (const ForceArrow& force : drawing.forces) {
+    add_lines(places({force.at, force.at + drawing.length_of_force * force.force}), false, 4,
+              obstacles);
+  }
   for (const Mark& mark : drawing.marks) {
     for (const Vector2d& point : places(mark.points)) {
       obstacles.boxes.push_back(box_about(point, 4, 4, 4));
@@ -221,7 +240,9 @@ std::string drawing_svg(const Drawing& drawing) {
       exact(picture.x) + "\" data-y=\"" + exact(picture.y) + "\" data-scale=\"" +
       exact(picture.scale) + "\">\n<title>" + text::escaped_for_xml(drawing.title) +
       "</title>\n<style>\n" + style + colours_of_style(&Colour::light) +
+      (drawing.forces.empty() ? "" : style_of_forces(&Colour::light)) +
       "@media (prefers-color-scheme:dark){\n" + colours_of_style(&Colour::dark) +
+      (drawing.forces.empty() ? "" : style_of_forces(&Colour::dark)) +
       ".light{opacity:.65}\n}\n</style>\n<rect class=\"paper\" width=\"320\" height=\"" + height +
       "\"/>\n";
   text +=
@@ -240,6 +261,7 @@ std::string drawing_svg(const Drawing& drawing) {
   text += group_of(emphasised.configuration, "",
                    traces(drawing, picture, emphasised.configuration) + links(drawing, picture));
   text += marks(drawing, picture);
+  text += forces(drawing, picture);
   text += labels(drawing, picture);
   text += legend_elements(drawing, picture);
   return text + "</svg>\n";

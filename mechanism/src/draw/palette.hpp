@@ -21,6 +21,7 @@ inline constexpr std::array<Colour, 6> colours = {{{"#0072b2", "#5b9dff"},
                                                    {"#56b4e9", "#93dcff"}}};
 inline constexpr std::array<const char*, 4> dashes = {"", "4 2", "1.2 1.8", "6 2 1.2 2"};
 
+inline constexpr std::size_t colour_of_forces = 3;  ///< as on pages
 inline constexpr Colour ink = {"#1b1f24", "#e6e8ea"};
 inline constexpr Colour muted = {"#6b7280", "#9aa4b0"};
 inline constexpr Colour paper = {"#ffffff", "#15181c"};

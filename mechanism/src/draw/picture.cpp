@@ -30,6 +30,9 @@ Picture picture_of(const Drawing& drawing, double legend) {
   for (const Trace& trace : drawing.traces) {
     include(trace.points);
   }
+  for (const ForceArrow& force : drawing.forces) {
+    include({force.at + drawing.length_of_force * force.force});
+  }
   const Eigen::Vector2d size = highest - lowest;
   const double room = Picture::width - 2 * edge;
   double scale = std::min(room / size.x(), tallest / size.y());

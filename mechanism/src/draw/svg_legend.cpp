@@ -108,9 +108,24 @@ std::string legend_of_marks(const Drawing& drawing, Rows& rows) {
   return text;
 }
 
+/// The arrow of a round force.
+std::string scale_of_forces(const Drawing& drawing, double scale, Rows& rows) {
+  const double pace = scale * drawing.length_of_force;
+  if (drawing.forces.empty() || !(pace > 0)) {
+    return "";
+  }
+  constexpr double longest_arrow = 60;
+  const double force = round_length(longest_arrow / pace);
+  const std::string words = "force " + text::short_number(force, 6);
+  const Vector2d from = rows.take(pace * force + text_width(words) + 14);
+  const Vector2d to = from + Vector2d(pace * force, 0);
+  return arrow_element(from, to, "") + text_at(to + Vector2d(4, 0), words);
+}
+
 std::string entries(const Drawing& drawing, double scale, Rows& rows) {
   std::string text = scale_bar(drawing, scale, rows);
   text += configurations(drawing, rows);
+  text += scale_of_forces(drawing, scale, rows);
   return text + legend_of_marks(drawing, rows);
 }
 
@@ -143,6 +158,21 @@ std::string mark_element(const std::string& event, const Vector2d& at, const std
          "\"" +
          (title.empty() ? "/>"
                         : "><title>" + text::escaped_for_xml(words + title) + "</title></path>") +
+         "\n";
+}
+
+std::string arrow_element(const Vector2d& from, const Vector2d& to, const std::string& title) {
+  constexpr double shortest = 1;
+  constexpr double head = 6;
+  const double length = (to - from).norm();
+  if (!(length >= shortest)) {
+    return "";
+  }
+  const Vector2d along = (to - from) / length * std::min(head, length);
+  const Vector2d across = 0.35 * Vector2d(-along.y(), along.x());
+  return "<path class=\"force\" d=\"M" + pair(from) + " " + pair(to) + "M" +
+         pair(to - along + across) + " " + pair(to) + " " + pair(to - along - across) + "\"" +
+         (title.empty() ? "/>" : "><title>" + text::escaped_for_xml(title) + "</title></path>") +
          "\n";
 }
 

@@ -1,7 +1,6 @@
 #include "balance.hpp"
 
 #include <algorithm>
-#include <assur/support/rigid_motion.hpp>
 #include <optional>
 
 #include "plan/plan_data.hpp"
@@ -12,24 +11,23 @@ namespace {
 
 using Eigen::Vector2d;
 
-Vector2d place_of(const Frame& frame) { return {frame.pose.x, frame.pose.y}; }
+Vector2d place_of(const MovingPose& pose) { return {pose.x.value(), pose.y.value()}; }
 
 }  // namespace
 
 Balance::Balance(const Values& values, const Configuration& configuration)
     : values_(values),
       mechanism_(values.plan().mechanism),
-      configuration_(configuration),
-      coordinates_(values, configuration),
+      links_(values, configuration),
       pivots_(mechanism_.links().size(), Vector2d::Zero()),
       row_of_(mechanism_.links().size(), -1) {
   list_pairs();
   find_pivots();
-  Eigen::Index rows = 0;
+  rows_ = 0;
   for (const LinkIndex link : mechanism_.links().keys()) {
     if (link != mechanism_.ground()) {
-      row_of_[link] = rows;
-      rows += 3;
+      row_of_[link] = rows_;
+      rows_ += 3;
     }
   }
   for (std::size_t index = 0; index < pairs_.size(); ++index) {
@@ -37,28 +35,36 @@ Balance::Balance(const Values& values, const Configuration& configuration)
     for (const int coordinate : {0, 1, 2}) {
       if (pair.holds[static_cast<std::size_t>(coordinate)]) {
         const bool is_driven = pair.driver.exists() && pair.driven == coordinate;
-        Reaction unit = along(pair.first, pair.second, coordinate);
-        unit.couple *= unit_of(coordinate);
-        held_.push_back({index, coordinate, is_driven ? pair.driver : DriverIndex(), unit});
+        held_.push_back({index, coordinate, is_driven ? pair.driver : DriverIndex()});
       }
     }
   }
-  matrix_.resize(rows, std::ssize(held_));
-  for (Eigen::Index column = 0; column < matrix_.cols(); ++column) {
-    const HeldCoordinate& held = held_[static_cast<std::size_t>(column)];
-    matrix_.col(column) = rows_of(held.unit);
-    if (!held.driver.exists()) {
+  here_ = equilibrium(links_, true);
+}
+
+Equilibrium Balance::equilibrium(const MovingLinks& links, bool with_laws) const {
+  Equilibrium result;
+  result.matrix.setZero(rows_, std::ssize(held_));
+  result.derivative.setZero(rows_, std::ssize(held_));
+  for (std::size_t place = 0; place < held_.size(); ++place) {
+    const auto column = static_cast<Eigen::Index>(place);
+    const HeldCoordinate& held = held_[place];
+    const HeldPair& pair = pairs_[held.pair];
+    const MovingNumber unit(unit_of(held.coordinate));
+    Reaction reaction = links.along(pair.first, pair.second, held.coordinate);
+    reaction.couple = unit * reaction.couple;
+    add(reaction, MovingNumber(1), column, result);
+    result.units.push_back(reaction);
+    if (!with_laws || !held.driver.exists()) {
       continue;
     }
-    const std::vector<JointIndex> read = coordinates_.joints_of(held.driver);
-    const Dual law = read.empty() ? Dual() : coordinates_.law(held.driver);
-    for (std::size_t place = 0; place < read.size() && law.derivatives().size() > 0; ++place) {
-      const CoordinatePair pair = coordinates_.pair_of(read[place]);
-      matrix_.col(column) -= unit_of(held.coordinate) *
-                             law.derivatives()(static_cast<Eigen::Index>(place)) *
-                             rows_of(along(pair.first, pair.second, pair.coordinate));
+    for (const JointIndex joint : links.coordinates().joints_of(held.driver)) {
+      const CoordinatePair read = links.coordinates().pair_of(joint);
+      add(links.along(read.first, read.second, read.coordinate),
+          -unit * links.law_slope(held.driver, joint), column, result);
     }
   }
+  return result;
 }
 
 void Balance::list_pairs() {
@@ -84,7 +90,7 @@ void Balance::find_pivots() {
     for (const HeldPair& pair : pairs_) {
       for (const FeatureIndex feature : {pair.first, pair.second}) {
         const LinkIndex link = mechanism_.features()[feature].link;
-        const Vector2d at = place_of(placed(pair.second));
+        const Vector2d at = place_of(links_.placed(pair.second));
         if (!found[link]) {
           pivots_[link] = at;
           found[link] = true;
@@ -98,38 +104,27 @@ void Balance::find_pivots() {
   size_ = longest > 0 ? longest : 1;
 }
 
-Frame Balance::placed(FeatureIndex feature) const {
-  return composed(configuration_.links[mechanism_.features()[feature].link],
-                  values_.frame(feature));
-}
-
-Reaction Balance::along(FeatureIndex first, FeatureIndex second, int coordinate) const {
-  const auto& features = mechanism_.features();
-  const auto& [c, s] = placed(first).pose.direction;
-  const Vector2d force = coordinate == 0   ? Vector2d(c, s)
-                         : coordinate == 1 ? Vector2d(-s, c)
-                                           : Vector2d::Zero();
-  return {features[second].link, features[first].link, place_of(placed(second)), force,
-          coordinate == 2 ? 1.0 : 0.0};
-}
-
-Eigen::VectorXd Balance::rows_of(const Reaction& reaction) const {
-  Eigen::VectorXd rows = Eigen::VectorXd::Zero(matrix_.rows());
-  const auto add = [&](LinkIndex link, double sense) {
-    if (row_of_[link] >= 0) {
-      const double moment =
-          reaction.couple + moment_of(reaction.at - pivots_[link], reaction.force);
-      rows.segment<2>(row_of_[link]) += sense * reaction.force;
-      rows(row_of_[link] + 2) += sense * moment / size_;
+void Balance::add(const Reaction& reaction, const MovingNumber& factor, Eigen::Index column,
+                  Equilibrium& to) const {
+  for (const auto& [link, sense] : {std::pair(reaction.on, 1.0), std::pair(reaction.from, -1.0)}) {
+    const Eigen::Index row = row_of_[link];
+    if (row < 0) {
+      continue;
     }
-  };
-  add(reaction.on, 1);
-  add(reaction.from, -1);
-  return rows;
+    const Vector2d& pivot = pivots_[link];
+    const MovingPlace force = (sense * factor) * reaction.force;
+    const MovingNumber moment = sense * factor * reaction.couple +
+                                (reaction.at.x - MovingNumber(pivot.x())) * force.y -
+                                (reaction.at.y - MovingNumber(pivot.y())) * force.x;
+    to.matrix.block<2, 1>(row, column) += force.value();
+    to.matrix(row + 2, column) += moment.value() / size_;
+    to.derivative.block<2, 1>(row, column) += force.derivative();
+    to.derivative(row + 2, column) += moment.derivative() / size_;
+  }
 }
 
 Eigen::VectorXd Balance::rows_of(const Table<LinkIndex, Wrench>& wrenches) const {
-  Eigen::VectorXd rows = Eigen::VectorXd::Zero(matrix_.rows());
+  Eigen::VectorXd rows = Eigen::VectorXd::Zero(rows_);
   for (const LinkIndex link : wrenches.keys()) {
     if (row_of_[link] >= 0) {
       rows.segment<2>(row_of_[link]) = wrenches[link].force;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "determined.hpp"
-#include "joint_coordinates.hpp"
+#include "moving_links.hpp"
 
 namespace assur::mechanism::forces {
 
@@ -17,19 +17,18 @@ namespace assur::mechanism::forces {
   return arm.x() * force.y() - arm.y() * force.x();
 }
 
-/// A force and a couple on a link, at a place, and the opposite ones on another link there.
-struct Reaction {
-  LinkIndex on, from;
-  Eigen::Vector2d at, force;
-  double couple;
-};
-
 /// One unknown of the equilibrium: what holds a coordinate of a pair of features.
 struct HeldCoordinate {
   std::size_t pair;
   int coordinate;      ///< 0 or 1: along the x- or y-axis of the first feature; 2: the angle
   DriverIndex driver;  ///< that prescribes the coordinate; does not exist where a bearing holds it
-  Reaction unit;       ///< of the unknown one
+};
+
+/// The equilibrium for links that follow a parameter.
+struct Equilibrium {
+  std::vector<Reaction> units;  ///< of each unknown
+  Eigen::MatrixXd matrix;
+  Eigen::MatrixXd derivative;  ///< by the parameter
 };
 
 /// A x + w = 0: three rows for each link that moves, the force and, divided by the size, the moment
@@ -41,12 +40,15 @@ class Balance {
   /// Both must outlive it.
   Balance(const Values& values, const Configuration& configuration);
 
-  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return matrix_; }
+  [[nodiscard]] const Eigen::MatrixXd& matrix() const { return here_.matrix; }
+  /// The unit of each unknown.
+  [[nodiscard]] const std::vector<Reaction>& units() const { return here_.units; }
   [[nodiscard]] const std::vector<HeldPair>& pairs() const { return pairs_; }
   /// The name of the joint to which a pair belongs.
   [[nodiscard]] const std::string& joint_of(std::size_t pair) const { return names_[pair]; }
   [[nodiscard]] const std::vector<HeldCoordinate>& held() const { return held_; }
-  [[nodiscard]] const JointCoordinates& coordinates() const { return coordinates_; }
+  [[nodiscard]] const MovingLinks& links() const { return links_; }
+  [[nodiscard]] const JointCoordinates& coordinates() const { return links_.coordinates(); }
   [[nodiscard]] double size() const { return size_; }
   /// Below which part of the largest factor a direction of A counts as null.
   [[nodiscard]] double threshold() const;
@@ -54,10 +56,10 @@ class Balance {
   [[nodiscard]] const Table<LinkIndex, Eigen::Vector2d>& pivots() const { return pivots_; }
   /// The first of the three rows of a link; -1 for the ground.
   [[nodiscard]] Eigen::Index row_of(LinkIndex link) const { return row_of_[link]; }
-  /// A unit along the coordinate of a pair of features: an angle in radians, or a length.
-  [[nodiscard]] Reaction along(FeatureIndex first, FeatureIndex second, int coordinate) const;
-  /// The rows of a reaction in the equilibrium.
-  [[nodiscard]] Eigen::VectorXd rows_of(const Reaction& reaction) const;
+  /// The unknown's unit in which couples count: the size.
+  [[nodiscard]] double unit_of(int coordinate) const { return coordinate == 2 ? size_ : 1; }
+  /// The equilibrium of these links; without laws, drivers act at their own joints alone.
+  [[nodiscard]] Equilibrium equilibrium(const MovingLinks& links, bool with_laws) const;
   /// The rows of wrenches on all links, each about the link's pivot.
   [[nodiscard]] Eigen::VectorXd rows_of(const Table<LinkIndex, Wrench>& wrenches) const;
   /// Why something is not determined.
@@ -66,20 +68,21 @@ class Balance {
  private:
   void list_pairs();
   void find_pivots();
-  [[nodiscard]] Frame placed(FeatureIndex feature) const;
-  [[nodiscard]] double unit_of(int coordinate) const { return coordinate == 2 ? size_ : 1; }
+  /// Adds a reaction, times a factor, to a column of an equilibrium.
+  void add(const Reaction& reaction, const MovingNumber& factor, Eigen::Index column,
+           Equilibrium& to) const;
 
   const Values& values_;
   const Mechanism& mechanism_;
-  const Configuration& configuration_;
-  JointCoordinates coordinates_;
+  MovingLinks links_;
   std::vector<HeldPair> pairs_;
   std::vector<std::string> names_;
   std::vector<HeldCoordinate> held_;
   Table<LinkIndex, Eigen::Vector2d> pivots_;
   Table<LinkIndex, Eigen::Index> row_of_;
+  Eigen::Index rows_ = 0;
   double size_ = 1;
-  Eigen::MatrixXd matrix_;
+  Equilibrium here_;
 };
 
 }  // namespace assur::mechanism::forces

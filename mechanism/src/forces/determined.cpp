@@ -76,4 +76,10 @@ Eigen::MatrixXd LinearEquations::solve(const Eigen::MatrixXd& rhs) const {
   return result;
 }
 
+Eigen::MatrixXd LinearEquations::some_solution(const Eigen::MatrixXd& rhs) const {
+  return factors_.rank() == factors_.rows() && rhs.allFinite()
+             ? Eigen::MatrixXd(factors_.solve(rhs))
+             : solve(rhs);
+}
+
 }  // namespace assur::mechanism::forces

@@ -23,6 +23,13 @@ class LinearEquations {
   }
   /// The solution for each column of b; NaN where an unknown is not determined.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
+  /// One solution, also of the unknowns that are not determined, where the equations have one for
+  /// every b; otherwise the same as `solve`.
+  [[nodiscard]] Eigen::MatrixXd some_solution(const Eigen::MatrixXd& rhs) const;
+
+  /// The least part of a unit vector of the null space that counts as a response to it. The space
+  /// is known to within rounding divided by the threshold of rank, 1e-9.
+  static constexpr double response = 1e-7;
 
  private:
   using Equations = Eigen::Array<bool, Eigen::Dynamic, 1>;
@@ -33,10 +40,6 @@ class LinearEquations {
                                               const Eigen::VectorXd& rhs) const;
   /// Whether an equation has, or beside M may have, an unknown that the null space moves.
   [[nodiscard]] bool has_movable(Eigen::Index row) const;
-
-  /// The least part of a unit vector of the null space that counts as a response to it. The space
-  /// is known to within rounding divided by the threshold of rank, 1e-9.
-  static constexpr double response = 1e-7;
 
   Eigen::MatrixXd matrix_;
   double threshold_;

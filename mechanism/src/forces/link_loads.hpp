@@ -4,6 +4,7 @@
 #include <assur/mechanism/forces.hpp>
 
 #include "balance.hpp"
+#include "moving_links.hpp"
 
 namespace assur::mechanism::forces {
 
@@ -11,6 +12,11 @@ namespace assur::mechanism::forces {
 struct LinkLoads {
   Table<LinkIndex, Wrench> applied;  ///< of gravity, loads, springs and dampers
   Table<LinkIndex, Wrench> inertia;  ///< -m a and -I alpha, at the centre of mass
+};
+
+/// The same wrenches, and their derivatives by the parameter that the links follow.
+struct MovingLoads {
+  LinkLoads values, derivatives;
 };
 
 /// The centre of mass of a link, in the frame of the ground.
@@ -25,6 +31,8 @@ struct MassCentre {
                                                    const Configuration& configuration);
 
 /// A load or spring that has no direction, or whose numbers are not known, is NaN.
+[[nodiscard]] MovingLoads moving_loads(const Mechanism& mechanism, const MovingLinks& links,
+                                       const Balance& balance);
 [[nodiscard]] LinkLoads link_loads(const Values& values, const Configuration& configuration,
                                    const Balance& balance);
 

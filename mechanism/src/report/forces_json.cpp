@@ -3,6 +3,9 @@
 #include <assur/mechanism/forces.hpp>
 #include <assur/mechanism/reported_parts.hpp>
 #include <cmath>
+#include <utility>
+
+#include "forces/force_rows.hpp"
 
 namespace assur::mechanism::report {
 
@@ -17,44 +20,91 @@ Json vector_json(const Eigen::Vector2d& vector) {
 
 Json number_json(double number) { return std::isfinite(number) ? Json(number + 0.0) : Json(); }
 
-void add_joint_force(const JointForce& force, const Report& report, const std::string& reason,
-                     Json& entry) {
-  const auto& links = report.plan.mechanism().links();
+/// What a joint transmits: a force, or one on each link of a pin of more than two; and a couple.
+Json joint_json(const JointForce& force, const Mechanism& mechanism) {
+  Json entry;
   if (force.on.size() > 2) {
     for (const auto& [link, part] : force.on) {
-      entry["forces"][links[link].name] = vector_json(part);
+      entry["forces"][mechanism.links()[link].name] = vector_json(part);
     }
   } else {
     entry["force"] = vector_json(force.on.back().second);
-    entry["on"] = links[force.on.back().first].name;
   }
   if (force.has_moment) {
     entry["moment"] = number_json(force.moment);
   }
-  if (!force.is_determined()) {
-    entry["reason"] = reason;
-  }
+  return entry;
 }
+
+/// Derivatives by each parameter, worst case and rss of forces; nothing where they are not wanted.
+struct Deviations {
+  std::vector<std::pair<std::string, Forces>> sensitivities;
+  Forces worst_case, rss;
+
+  Deviations(const Report& report, const Configuration& configuration) {
+    if (forces::wants_force_sensitivities(report.plan)) {
+      std::vector<Forces> all = force_sensitivities(report.values, configuration);
+      worst_case = mechanism::worst_case(all, report.values.spread());
+      rss = root_sum_square(all, report.values.spread());
+      const auto& parameters = report.plan.mechanism().parameters();
+      for (const ParameterIndex parameter : parameters.keys()) {
+        sensitivities.emplace_back(parameters[parameter].name, std::move(all[parameter.place()]));
+      }
+    }
+  }
+
+  /// Adds them for a part of the forces, which `told` gives.
+  template <typename Told>
+  void add(const Told& told, Json& entry) const {
+    if (sensitivities.empty()) {
+      return;
+    }
+    for (const auto& [parameter, forces] : sensitivities) {
+      entry["sensitivity"][parameter] = told(forces);
+    }
+    entry["worst_case"] = told(worst_case);
+    entry["rss"] = told(rss);
+  }
+};
 
 void add_all_forces(const Report& report, const Configuration& configuration, Json& entry) {
   const Mechanism& mechanism = report.plan.mechanism();
   const Forces forces = forces_of(report.values, configuration);
-  for (const JointForce& force : forces.joints) {
+  const Deviations deviations(report, configuration);
+  const auto add = [&](const auto& told, bool is_determined, Json& part) {
+    part.update(told(forces));
+    if (!is_determined) {
+      part["reason"] = forces.reason;
+    }
+    deviations.add(told, part);
+  };
+  for (std::size_t place = 0; place < forces.joints.size(); ++place) {
+    const JointForce& force = forces.joints[place];
     const JointIndex joint = index_of(mechanism.joints(), force.joint);
     if (!joint.exists() || report.plan.request().reported.has(joint)) {
-      add_joint_force(force, report, forces.reason, entry["joints"][force.joint]);
+      Json& part = entry["joints"][force.joint];
+      if (force.on.size() == 2) {
+        part["on"] = mechanism.links()[force.on.back().first].name;
+      }
+      add([&](const Forces& of) { return joint_json(of.joints[place], mechanism); },
+          force.is_determined(), part);
     }
   }
   entry["drivers"] = Json::object();
   for (const DriverIndex driver : mechanism.drivers().keys()) {
-    Json& told = entry["drivers"][mechanism.joints()[mechanism.drivers()[driver].joint].name];
-    told["effort"] = number_json(forces.efforts[driver]);
-    if (!std::isfinite(forces.efforts[driver])) {
-      told["reason"] = forces.reason;
-    }
+    add(
+        [&](const Forces& of) {
+          return Json{{"effort", number_json(of.efforts[driver])}};
+        },
+        std::isfinite(forces.efforts[driver]),
+        entry["drivers"][mechanism.joints()[mechanism.drivers()[driver].joint].name]);
   }
-  entry["ground"] = {{"force", vector_json(forces.ground.force)},
-                     {"moment", number_json(forces.ground.moment)}};
+  add(
+      [](const Forces& of) {
+        return Json{{"force", vector_json(of.ground.force)},
+                    {"moment", number_json(of.ground.moment)}};
+      },
+      true, entry["ground"]);
 }
 
 template <typename Numbers>

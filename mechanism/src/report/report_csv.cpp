@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -105,12 +105,18 @@ void add_cells(const Plan& plan, const Spread& spread, const Configuration& conf
   add_number(configuration.residual, row);
 }
 
-/// The numbers of forces of a configuration; unknown rates make those unknown that inertia loads.
+/// The numbers of forces of a configuration, and their deviations by tolerances; unknown rates make
+/// those unknown that inertia loads.
 std::vector<double> told_forces(const Plan& plan, const Values& values,
                                 const Configuration& configuration) {
-  return plan.request().want.forces
-             ? force_numbers(plan, values, without_unknown(plan, configuration))
-             : std::vector<double>();
+  if (!plan.request().want.forces) {
+    return {};
+  }
+  std::vector<double> numbers =
+      forces::force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
+  const std::vector<double> deviations = forces::force_deviations(plan, values, configuration);
+  numbers.insert(numbers.end(), deviations.begin(), deviations.end());
+  return numbers;
 }
 
 /// The same at a row of a sweep. The forces at an event are between two steps, and not told.
@@ -121,7 +127,9 @@ std::vector<double> told_forces(const Plan& plan, const SweepRecord& record) {
     return told_forces(plan, plan.values({{mechanism.parameters()[swept].name, record.parameter}}),
                        *record.state);
   }
-  return std::vector<double>(force_columns(plan).size(), std::numeric_limits<double>::quiet_NaN());
+  const std::size_t parts = forces::wants_force_sensitivities(plan) ? 3 : 1;
+  return std::vector<double>(parts * forces::force_columns(plan).size(),
+                             std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -162,8 +170,14 @@ std::string csv_header(const Plan& plan) {
     add(want.sensitivity && request.covariance, output.name,
         {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
-  for (const std::string& column : report::force_columns(plan)) {
-    cells.push_back(column);
+  const std::vector<forces::ForceColumn> forces = forces::force_columns(plan);
+  for (const forces::ForceColumn& column : forces) {
+    cells.push_back(column.name());
+  }
+  for (const char* deviation : {"worst_case_", "rss_"}) {
+    for (const forces::ForceColumn& column : forces) {
+      add(forces::wants_force_sensitivities(plan), column.of, {deviation + column.part});
+    }
   }
   add(true, "solution", {"regularity", "residual"});
   if (request.sweep) {

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "drawn_configuration.hpp"
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -200,13 +200,65 @@ std::string tables_text(const Configuration& configuration, const Report& report
   return text;
 }
 
-/// The table of wanted forces, one number a row, under the names of the columns of CSV.
+/// The numbers of forces, with those within the rounding of the largest one of their kind printed
+/// as zero. A couple is as uncertain as the largest force at the largest distance.
+std::vector<double> shown_forces(const std::vector<forces::ForceColumn>& columns,
+                                 std::vector<double> numbers, double distance) {
+  double force = 0;
+  double couple = 0;
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    if (std::isfinite(numbers[row])) {
+      double& largest = columns[row].is_couple ? couple : force;
+      largest = std::max(largest, std::abs(numbers[row]));
+    }
+  }
+  couple = std::max(couple, force * distance);
+  for (std::size_t row = 0; row < numbers.size(); ++row) {
+    const double largest = columns[row].is_couple ? couple : force;
+    numbers[row] = std::abs(numbers[row]) <= rounding * largest ? 0 : numbers[row];
+  }
+  return numbers;
+}
+
+/// The table of wanted forces, one number a row, under the names of the columns of CSV; with
+/// sensitivities, a table of deviations, and one for each parameter.
 std::string forces_text(const Configuration& configuration, const Report& report) {
-  const std::vector<std::string> names = force_columns(report.plan);
-  const std::vector<double> numbers = force_numbers(report.plan, report.values, configuration);
-  std::string text = names.empty() ? "" : "  forces\n";
-  for (std::size_t row = 0; row < names.size(); ++row) {
-    text += table_row(names[row], {numbers[row]});
+  const Plan& plan = report.plan;
+  const std::vector<forces::ForceColumn> columns = forces::force_columns(plan);
+  if (columns.empty()) {
+    return "";
+  }
+  const double distance = Sizes(configuration, report.values.spread()).positions.length;
+  std::string text;
+  const auto add_table = [&](const std::string& title, const std::vector<std::string>& head,
+                             const std::vector<Forces>& all) {
+    text += "  " + title + "\n" + (head.empty() ? "" : table_head(head));
+    std::vector<std::vector<double>> numbers;
+    for (const Forces& forces : all) {
+      numbers.push_back(shown_forces(columns, forces::force_numbers(plan, forces), distance));
+    }
+    for (std::size_t row = 0; row < columns.size(); ++row) {
+      std::vector<double> cells;
+      for (const std::vector<double>& one : numbers) {
+        cells.push_back(one[row]);
+      }
+      text += table_row(columns[row].name(), cells);
+    }
+  };
+  const Forces forces = forces_of(report.values, configuration);
+  add_table("forces", {}, {forces});
+  text += forces.reason.empty() ? "" : "    not determined: " + forces.reason + "\n";
+  if (forces::wants_force_sensitivities(plan)) {
+    const std::vector<Forces> sensitivities = force_sensitivities(report.values, configuration);
+    const Spread& spread = report.values.spread();
+    for (const ParameterIndex parameter : plan.mechanism().parameters().keys()) {
+      add_table("forces, d/d" + plan.mechanism().parameters()[parameter].name, {},
+                {sensitivities[parameter.place()]});
+    }
+    if (!spread.tolerances.isZero(0)) {
+      add_table("forces, by tolerances", {"worst case", "rss"},
+                {worst_case(sensitivities, spread), root_sum_square(sensitivities, spread)});
+    }
   }
   return text;
 }

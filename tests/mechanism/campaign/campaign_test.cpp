@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <assur/mechanism/campaign.hpp>
+#include <assur/mechanism/forces.hpp>
 #include <assur/mechanism/sample_statistics.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <cmath>
@@ -163,6 +164,37 @@ TEST(Sampling, OfALinearOutputAgreesWithFirstOrder) {
   EXPECT_LT(std::abs(std::sqrt(statistics.covariance()(0, 0)) - deviation),
             5 * deviation / std::sqrt(2.0 * count));
   EXPECT_EQ(statistics.covariance()(1, 1), 0);
+}
+
+/// Every sample has the forces of its own configuration. The crane's are linear in the payload, so
+/// that none deviates by more than the worst case.
+TEST(Sampling, HasTheForcesOfEachSample) {
+  const Scene scene = example("crane");
+  constexpr std::uint64_t count = 500;
+  const Sampling sampling(scene.mechanism, scene.request, 0, 3, count);
+  const Campaign campaign = sampling.campaign();
+  const Rows rows = rows_of(campaign);
+  const auto effort_at = static_cast<std::size_t>(
+      std::ranges::find(campaign.columns, "cylinder.effort", &Column::name) -
+      campaign.columns.begin());
+  ASSERT_LT(effort_at, campaign.columns.size());
+  const NominalForce& nominal = sampling.nominal_forces().front();
+  EXPECT_EQ(nominal.name, "cylinder.effort");
+  double most = 0;
+  for (std::size_t sample = 0; sample < count; ++sample) {
+    const double effort = rows[sample * campaign.columns.size() + effort_at];
+    most = std::max(most, std::abs(effort - nominal.number));
+    if (sample % 50 == 0) {
+      const Plan plan(scene);
+      const Values values = plan.values({{"payload", sampling.parameters_of(sample)[0]}});
+      const Solution solution = plan.solve(values);
+      const auto& raised = solution.configurations[plan.nearest(values, solution)->configuration];
+      EXPECT_DOUBLE_EQ(effort, forces_of(values, raised).efforts[DriverIndex(0)]);
+    }
+  }
+  EXPECT_LE(most, nominal.worst_case * (1 + 1e-12));
+  EXPECT_GT(most, 0.97 * nominal.worst_case);
+  EXPECT_EQ(nominal.worst_case, nominal.rss);
 }
 
 /// The configuration that is turned least from the nominal one, by the sum of squares over links.

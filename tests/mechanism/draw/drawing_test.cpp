@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <assur/mechanism/drawing.hpp>
+#include <assur/mechanism/forces.hpp>
 #include <assur/mechanism/plan.hpp>
+#include <assur/mechanism/scene_file.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <iostream>
@@ -232,6 +234,47 @@ TEST(DrawingBesideItsSweep, HasWaysWithoutConfigurations) {
     EXPECT_EQ(trace.configuration, 0);
   }
   EXPECT_NO_THROW(Picture{drawing});
+}
+
+/// Arrows begin in the pins and are as long as the forces say, by the arrow of the legend.
+TEST(DrawingOfForces, IsToScale) {
+  const mechanism::Scene scene = mechanism::read_scene(ASSUR_EXAMPLES "/four_bar_torque.json");
+  const Drawing all = drawing_of(scene.mechanism, scene.request);
+  EXPECT_TRUE(all.forces.empty());
+  const Drawing drawing = drawing_of(scene.mechanism, scene.request, {0, true});
+  const Picture picture(drawing);
+  const Plan plan(scene);
+  const auto values = plan.values();
+  const mechanism::Solution solution = plan.solve(values);
+  const auto& configuration =
+      solution.configurations[plan.nearest(values, solution)->configuration];
+  const auto pins = pins_of(plan, values, configuration);
+  const std::regex numbers("M(.+),(.+) (.+),(.+)M.*");
+  std::vector<Eigen::Vector2d> foot, arrow;
+  std::vector<std::string> titles;
+  for (const XmlElement* element : picture.elements) {
+    std::smatch found;
+    const std::string path = element->attribute("class") == "force" ? element->attribute("d") : "";
+    if (std::regex_match(path, found, numbers)) {
+      const auto number = [&](std::size_t place) { return std::stod(found[place].str()); };
+      foot.push_back(picture.in_scene(number(1), number(2)));
+      arrow.push_back(picture.in_scene(number(3), number(4)) - foot.back());
+      titles.push_back(element->children.empty() ? "" : element->children[0].text);
+    }
+  }
+  const mechanism::Forces forces = forces_of(values, configuration);
+  ASSERT_EQ(arrow.size(), forces.joints.size() + 1);
+  ASSERT_NE(picture.text.find(">force 20<"), std::string::npos);
+  const double scale = arrow.back().x() / 20;
+  double worst = 0;
+  for (std::size_t place = 0; place < forces.joints.size(); ++place) {
+    const mechanism::JointForce& force = forces.joints[place];
+    EXPECT_EQ(titles[place].find(force.joint + " on "), 0U) << titles[place];
+    worst = largest(worst, (arrow[place] / scale - force.on.back().second).norm());
+    EXPECT_LT((foot[place] - pins.at(force.joint)).norm(), 0.01 / picture.number("data-scale"));
+  }
+  std::cout << "forces read off the picture are wrong by " << worst << " of 31\n";
+  EXPECT_LT(worst, 0.02);  // the picture has two decimals, the longest arrow 60 units
 }
 
 }  // namespace

@@ -341,6 +341,25 @@ TEST(Forces, RefuseLoadsThatDoNotFit) {
   EXPECT_NE(message_of(press).find("is a line"), std::string::npos);
   EXPECT_NE(message("loads", R"({"F": {"at": "B", "force": [1, 0]}})").find("loads.F.at"),
             std::string::npos);
+  Json negative = scene;  // a formula is negative at its values
+  negative["masses"] = Json::parse(R"({"crank": {"mass": "crank - 1e6"}})");
+  const Solved found = solved(negative);
+  EXPECT_THROW((void)mechanism::forces_of(found.values, found.configurations()[0]),
+               mechanism::MechanismError);
+  EXPECT_NE(message("masses", R"({"crank": {"mass": 1, "inertia": -1}})")
+                .find("masses.crank.inertia: the number is negative"),
+            std::string::npos);
+  EXPECT_NE(message("loads", R"({"F": {"on": "crnk", "moment": 1}})")
+                .find("loads.F.on: no link named 'crnk' (did you mean 'crank'?)"),
+            std::string::npos);
+  // A load at a pin acts on one of its links.
+  Json crane = example("crane.json");
+  crane["loads"]["hook"]["at"] = "P";
+  EXPECT_NE(message_of(crane).find("loads.hook.at: expected 'link.feature', found 'P'"),
+            std::string::npos);
+  crane["loads"]["hook"]["at"] = "A";
+  EXPECT_NE(message_of(crane).find("found 'A' (did you mean '"), std::string::npos)
+      << message_of(crane);
   EXPECT_NE(message("springs", R"({"K": {"between": ["rod.B", "rod.C"]}})")
                 .find("both ends are on the same link"),
             std::string::npos);

@@ -62,9 +62,17 @@ struct NominalPoint {
   std::optional<PointSpread> spread;
 };
 
-/// Outputs under random deviations within the tolerances. Sample k takes its deviations from a
-/// generator that is a function of the seed, k and the parameter's place. Each parameter is the
-/// value of its formula for the deviating other parameters, plus a deviation of its own, uniform in
+/// A number of the wanted forces at the nominal values, with the deviations that derivatives there
+/// predict; NaN where one is not known.
+struct NominalForce {
+  std::string name;  ///< `A.effort`, `C.fx`
+  double number, worst_case, rss;
+};
+
+/// Outputs, and forces where they are wanted, under random deviations within the tolerances. Sample
+/// k takes its deviations from a generator that is a function of the seed, k and the parameter's
+/// place. Each parameter is the value of its formula for the deviating other parameters, plus a
+/// deviation of its own, uniform in
 /// (-t, t). The sample takes the configuration that is nearest to the nominal one, by the angles of
 /// the links that no driver places.
 class Sampling {
@@ -76,9 +84,11 @@ class Sampling {
   Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
            std::uint64_t seed, std::uint64_t count);
 
-  /// The columns `sample`, `outcome` and the coordinates of the outputs, `P.x`.
+  /// The columns `sample`, `outcome`, the coordinates of the outputs, `P.x`, and the numbers of the
+  /// wanted forces, `A.effort`.
   [[nodiscard]] Campaign campaign() const;
   [[nodiscard]] const std::vector<NominalPoint>& nominal() const { return nominal_; }
+  [[nodiscard]] const std::vector<NominalForce>& nominal_forces() const { return forces_; }
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
   /// The values of the deviating parameters in a sample, in the order of `deviations()`.
   [[nodiscard]] std::vector<double> parameters_of(std::uint64_t sample) const;
@@ -93,7 +103,10 @@ class Sampling {
   /// after the parameters that its formula reads.
   std::vector<Deviation> changing_;
   std::vector<NominalPoint> nominal_;
-  std::optional<Plan> plan_;  ///< of positions alone, with the nominal configuration as reference
+  std::vector<NominalForce> forces_;
+  /// Of positions, and of forces where they are wanted, with the nominal configuration as
+  /// reference.
+  std::optional<Plan> plan_;
   std::uint64_t seed_, count_;
 };
 

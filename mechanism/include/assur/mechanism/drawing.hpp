@@ -53,6 +53,13 @@ struct Mark {
   std::vector<Eigen::Vector2d> points;  ///< where the outputs are
 };
 
+/// What a joint transmits to one of its links.
+struct ForceArrow {
+  std::string joint, link;
+  Eigen::Vector2d at;
+  Eigen::Vector2d force;
+};
+
 /// A mechanism as plain data. Lengths are in the scene's unit.
 struct Drawing {
   std::string title;      ///< the mechanism's name
@@ -64,6 +71,9 @@ struct Drawing {
   std::size_t left_out = 0;    ///< configurations that are not drawn
   std::vector<Trace> traces;
   std::vector<Mark> marks;
+  /// The forces in the joints of the only stance; empty where several are drawn or none are wanted.
+  std::vector<ForceArrow> forces;
+  double length_of_force = 0;  ///< the length of the arrow of the force 1
   /// The emphasised stance from moment to moment, round and round; empty where it stands still.
   std::vector<Stance> motion;
   double seconds = 0;  ///< for one round
@@ -80,8 +90,9 @@ inline constexpr std::size_t most_drawn = 24;
 
 /// Solves the mechanism at its own values and draws its configurations, with the paths of the
 /// outputs over the request's sweep. Where all are drawn, the one nearest to the request's
-/// reference is emphasised, or else the first. Throws MechanismError where there is no
-/// configuration, or none of that number, and as `Plan` and `sweep` do.
+/// reference is emphasised, or else the first. Where one is drawn and forces are wanted, it has
+/// those of its joints. Throws MechanismError where there is no configuration, or none of that
+/// number, and as `Plan` and `sweep` do.
 [[nodiscard]] Drawing drawing_of(const Mechanism& mechanism, const Request& request,
                                  const DrawingChoice& choice = {});
 

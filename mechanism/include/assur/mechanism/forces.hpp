@@ -66,8 +66,18 @@ struct KinematicCoefficients {
 
 /// Each of the following throws MechanismError for a load that has no value.
 [[nodiscard]] Forces forces_of(const Values& values, const Configuration& configuration);
+/// The derivatives of all numbers of the forces by each parameter of the mechanism, the drivers
+/// held at their laws; NaN where they are not known.
+[[nodiscard]] std::vector<Forces> force_sensitivities(const Values& values,
+                                                      const Configuration& configuration);
 [[nodiscard]] Dynamics dynamics_of(const Values& values, const Configuration& configuration);
 [[nodiscard]] KinematicCoefficients coefficients_of(const Values& values,
                                                     const Configuration& configuration);
+
+/// For each number of the forces the sum of |derivative| x tolerance, and the root of the sum of
+/// (derivative x tolerance)^2. Both throw MechanismError for a mechanism without parameters.
+[[nodiscard]] Forces worst_case(const std::vector<Forces>& sensitivities, const Spread& spread);
+[[nodiscard]] Forces root_sum_square(const std::vector<Forces>& sensitivities,
+                                     const Spread& spread);
 
 }  // namespace assur::mechanism

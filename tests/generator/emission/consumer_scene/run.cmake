@@ -42,6 +42,13 @@ if(NOT output MATCHES "settled")
   message(FATAL_ERROR "the lengths do not settle:\n${output}")
 endif()
 
+# The power that goes into the transmissions of the robots' legs comes out of them.
+run(${CMAKE_COMMAND} -S ${SOURCE}/../../../../examples/robot -B ${WORK}/robot
+  -DCMAKE_CXX_COMPILER=${QUICK_COMPILER} -DCMAKE_PREFIX_PATH=${WORK}/install)
+run(${CMAKE_COMMAND} --build ${WORK}/robot)
+run(${WORK}/robot/leg_forces)
+run(${WORK}/robot/transmission)
+
 # A generator by name goes before the target, as cross-compiling needs it.
 file(WRITE ${WORK}/host/assur "#!/bin/sh\necho host >> ${WORK}/host/calls\nexec ${WORK}/install/bin/assur \"$@\"\n")
 file(CHMOD ${WORK}/host/assur PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)

@@ -1,9 +1,8 @@
-#include "force_rows.hpp"
+#include "forces/force_rows.hpp"
 
 #include <algorithm>
-#include <assur/mechanism/forces.hpp>
 
-namespace assur::mechanism::report {
+namespace assur::mechanism::forces {
 
 namespace {
 
@@ -59,14 +58,15 @@ bool has_moment(const Plan& plan, const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> force_columns(const Plan& plan) {
-  std::vector<std::string> columns;
+std::vector<ForceColumn> force_columns(const Plan& plan) {
+  std::vector<ForceColumn> columns;
   if (!plan.request().want.forces) {
     return columns;
   }
   const Mechanism& mechanism = plan.mechanism();
   for (const Driver& driver : mechanism.drivers()) {
-    columns.push_back(mechanism.joints()[driver.joint].name + ".effort");
+    const Joint& joint = mechanism.joints()[driver.joint];
+    columns.push_back({joint.name, "effort", joint.type == JointType::revolute});
   }
   for (const std::string& joint : told_joints(plan)) {
     const std::vector<LinkIndex> links = links_at(plan, joint);
@@ -74,26 +74,20 @@ std::vector<std::string> force_columns(const Plan& plan) {
       if (links.size() > 2 || link == links.back()) {
         const std::string of =
             joint + (links.size() > 2 ? "." + mechanism.links()[link].name : std::string());
-        columns.push_back(of + ".fx");
-        columns.push_back(of + ".fy");
+        columns.push_back({of, "fx"});
+        columns.push_back({of, "fy"});
       }
     }
     if (has_moment(plan, joint)) {
-      columns.push_back(joint + ".moment");
+      columns.push_back({joint, "moment", true});
     }
   }
-  columns.insert(columns.end(), {"ground.fx", "ground.fy", "ground.moment"});
+  columns.insert(columns.end(), {{"ground", "fx"}, {"ground", "fy"}, {"ground", "moment", true}});
   return columns;
 }
 
-std::vector<double> force_numbers(const Plan& plan, const Values& values,
-                                  const Configuration& configuration) {
-  std::vector<double> numbers;
-  if (!plan.request().want.forces) {
-    return numbers;
-  }
-  const Forces forces = forces_of(values, configuration);
-  numbers.assign(forces.efforts.begin(), forces.efforts.end());
+std::vector<double> force_numbers(const Plan& plan, const Forces& forces) {
+  std::vector<double> numbers(forces.efforts.begin(), forces.efforts.end());
   const auto add = [&](const Eigen::Vector2d& vector) {
     numbers.insert(numbers.end(), {vector.x(), vector.y()});
   };
@@ -113,4 +107,22 @@ std::vector<double> force_numbers(const Plan& plan, const Values& values,
   return numbers;
 }
 
-}  // namespace assur::mechanism::report
+bool wants_force_sensitivities(const Plan& plan) {
+  return plan.request().want.forces && plan.request().want.sensitivity &&
+         plan.mechanism().parameters().size() > 0;
+}
+
+std::vector<double> force_deviations(const Plan& plan, const Values& values,
+                                     const Configuration& configuration) {
+  std::vector<double> numbers;
+  if (wants_force_sensitivities(plan)) {
+    const std::vector<Forces> sensitivities = force_sensitivities(values, configuration);
+    numbers = force_numbers(plan, worst_case(sensitivities, values.spread()));
+    const std::vector<double> rss =
+        force_numbers(plan, root_sum_square(sensitivities, values.spread()));
+    numbers.insert(numbers.end(), rss.begin(), rss.end());
+  }
+  return numbers;
+}
+
+}  // namespace assur::mechanism::forces
