@@ -26,7 +26,7 @@ double number_of(const std::string& name, const py::handle& value) {
   }
   if (py::isinstance<py::array>(value) && py::reinterpret_borrow<py::array>(value).ndim() > 0) {
     throw ShapeError(name + ": expected a number, not an array of shape " + shape_of(value) +
-                     "; Plan.solve_batch takes arrays");
+                     "; Plan.solve_batch and Plan.sweep take arrays");
   }
   const double number = PyFloat_AsDouble(value.ptr());
   if (PyErr_Occurred() != nullptr) {
@@ -160,6 +160,15 @@ std::vector<std::pair<std::string, double>> numbers_of(const mechanism::Mechanis
     numbers.emplace_back(name, number_of(name, value));
   }
   return numbers;
+}
+
+bool has_arrays(const Given& given) {
+  return std::ranges::any_of(given, [](const auto& one) {
+    const py::object& value = one.second;
+    return py::isinstance<py::array>(value)
+               ? py::reinterpret_borrow<py::array>(value).ndim() > 0
+               : PySequence_Check(value.ptr()) != 0 && PyUnicode_Check(value.ptr()) == 0;
+  });
 }
 
 Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given) {

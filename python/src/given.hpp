@@ -37,6 +37,9 @@ using Given = std::vector<std::pair<std::string, py::object>>;
 [[nodiscard]] std::vector<std::pair<std::string, double>> numbers_of(
     const mechanism::Mechanism& mechanism, const Given& given);
 
+/// Whether some parameter has an array, or another sequence of values, rather than a number.
+[[nodiscard]] bool has_arrays(const Given& given);
+
 /// Parameters, and `count` values for each of them. Rows are read without the interpreter's lock,
 /// so they come from plain memory, which the arrays only keep alive.
 struct Columns {

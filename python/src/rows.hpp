@@ -19,6 +19,8 @@ class Rows {
   /// Makes room for a number of rows.
   void reserve(std::size_t rows);
   void add(const mechanism::Configuration& configuration, const mechanism::Spread& spread);
+  /// Adds a row in which no number is known.
+  void add_gap();
 
   [[nodiscard]] std::size_t count() const { return regular_.size(); }
   [[nodiscard]] const Layout& layout() const { return *layout_; }

@@ -10,7 +10,7 @@
 #include "drawing.hpp"
 #include "errors.hpp"
 #include "long_call.hpp"
-#include "solved_scene.hpp"
+#include "results.hpp"
 
 namespace assur::python {
 
@@ -18,12 +18,6 @@ namespace {
 
 using mechanism::Family;
 using mechanism::Nearest;
-
-/// A row of a solution.
-struct SolvedConfiguration : RowsView {
-  SharedSolution solution;
-  std::size_t place;
-};
 
 /// A family, and the names of its links.
 struct SolvedFamily {

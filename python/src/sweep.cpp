@@ -9,37 +9,16 @@
 #include "errors.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
-#include "plan.hpp"
+#include "swept_rows.hpp"
 
 namespace assur::python {
 
 namespace {
 
-/// Rows of one branch, or events, in the order of the sweep.
-struct SweptRows : RowsView {
-  std::vector<std::int32_t> step, configuration;
-  std::vector<double> parameter;
-  std::vector<std::string> event;
-};
-
-struct Branch : SweptRows {
-  int number = 0;
-  std::optional<double> ends_at;
-};
-
-struct Events : SweptRows {};
-
-struct SweptScene {
-  std::map<int, std::shared_ptr<Branch>> branches;
-  std::shared_ptr<Branch> unassigned;
-  std::shared_ptr<Events> events;
-  std::string parameter;
-};
-
 /// Collects what a sweep reports.
 class Collector {
  public:
-  explicit Collector(const PlannedScene& planned) : planned_(planned) {
+  explicit Collector(const SharedPlan& planned) : planned_(planned) {
     result_.events = empty<Events>();
     result_.unassigned = empty<Branch>();
   }
@@ -52,8 +31,8 @@ class Collector {
   }
   /// What was collected; branches are in the order of their numbers.
   [[nodiscard]] SweptScene result() && {
-    const auto& sweep = planned_.plan.request().sweep;
-    result_.parameter = planned_.plan.mechanism().parameters()[sweep->parameter].name;
+    const auto& sweep = planned_->plan.request().sweep;
+    result_.parameter = planned_->plan.mechanism().parameters()[sweep->parameter].name;
     return std::move(result_);
   }
 
@@ -61,7 +40,8 @@ class Collector {
   template <typename Kind>
   [[nodiscard]] std::shared_ptr<Kind> empty() {
     auto rows = std::make_shared<Kind>();
-    growing_.push_back(std::make_shared<Rows>(planned_.plan, planned_.layout));
+    growing_.push_back(std::make_shared<Rows>(planned_->plan, planned_->layout));
+    rows->planned = planned_;
     rows->rows = growing_.back();
     rows_of_[rows.get()] = growing_.back().get();
     return rows;
@@ -94,7 +74,7 @@ class Collector {
     }
   }
 
-  const PlannedScene& planned_;
+  const SharedPlan& planned_;
   SweptScene result_;
   std::vector<std::shared_ptr<Rows>> growing_;
   std::map<const SweptRows*, Rows*> rows_of_;
@@ -111,27 +91,33 @@ void expect_others(const PlannedScene& planned, const Replaced& replaced) {
   }
 }
 
-SweptScene swept(const PlannedScene& planned, const py::object& values,
-                 const py::kwargs& keywords) {
-  const auto replaced = numbers_of(planned.plan.mechanism(), given(values, keywords));
+SweptScene swept(const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
+  const Given all = given(values, keywords);
+  if (has_arrays(all)) {
+    return swept_through_items(planned, all);
+  }
+  const auto replaced = numbers_of(planned->plan.mechanism(), all);
   Collector collector(planned);
   LongCall call;
-  in_scene(planned.scene->file, [&] {
-    expect_others(planned, replaced);
-    mechanism::sweep(planned.plan, planned.plan.values(replaced), collector.observer(call));
+  in_scene(planned->scene->file, [&] {
+    expect_others(*planned, replaced);
+    mechanism::sweep(planned->plan, planned->plan.values(replaced), collector.observer(call));
   });
   return std::move(collector).result();
 }
 
-std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, const py::object& of) {
+std::shared_ptr<Branch> swept_branch(const SharedPlan& planned, const py::object& of,
+                                     const py::object& values, const py::kwargs& keywords) {
   const int number = place_number(of, "number");
+  const auto replaced = numbers_of(planned->plan.mechanism(), given(values, keywords));
   Collector collector(planned);
   std::optional<double> end;
   {
     LongCall call;
-    end = in_scene(planned.scene->file, [&] {
-      return mechanism::sweep_branch(planned.plan, static_cast<std::size_t>(number),
-                                     collector.observer(call));
+    end = in_scene(planned->scene->file, [&] {
+      expect_others(*planned, replaced);
+      return mechanism::sweep_branch(planned->plan, planned->plan.values(replaced),
+                                     static_cast<std::size_t>(number), collector.observer(call));
     });
   }
   SweptScene result = std::move(collector).result();
@@ -206,8 +192,13 @@ void add_sweep(py::module_& module, PlanClass& plan) {
            "sweep(self, values=None, /, **parameters)\n--\n\n"
            "Returns every branch of the scene's sweep, as a Sweep, with other parameters at the "
            "given\n"
-           "values (see solve).\n\n"
-           "Raises SceneError if the scene has no sweep, and as solve does. Ctrl-C ends it.")
+           "values (see solve). With arrays of one shape (items,), as solve_batch takes them, the\n"
+           "branches go through the items instead: these are the steps, any parameters may change "
+           "from\n"
+           "one to the next, Sweep.parameter is 'item', and events are not located.\n\n"
+           "Raises SceneError if the scene has no sweep and no array is given, and as solve does. "
+           "Ctrl-C\n"
+           "ends it.")
       .def(
           "nearest_branch", nearest_branch,
           "nearest_branch(self)\n--\n\n"
@@ -217,12 +208,13 @@ void add_sweep(py::module_& module, PlanClass& plan) {
           "through\n"
           "the drawn configuration.\n\n"
           "Raises SceneError if the scene has no reference or no sweep.")
-      .def("sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
-           "sweep_branch(self, number, /)\n--\n\n"
+      .def("sweep_branch", swept_branch, ByPlace("number "), ByPlace("values ") = py::none(),
+           py::pos_only(),
+           "sweep_branch(self, number, values=None, /, **parameters)\n--\n\n"
            "Returns one branch alone, as a Branch, which takes the memory of its own rows only: "
            "the\n"
            "branch with a number at the first step, or for 0 the one nearest to the scene's\n"
-           "reference.\n\n"
+           "reference. Other parameters have the given values (see solve).\n\n"
            "Raises SceneError if there is no such branch, and as sweep does. Ctrl-C ends it.");
 }
 
