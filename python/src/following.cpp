@@ -47,10 +47,7 @@ std::optional<Following> following_given(const PlannedScene& planned, py::kwargs
   const py::object branch = taken(keywords, "branch");
   const py::object nearest = taken(keywords, "nearest");
   const py::object from = taken(keywords, "from_");
-  if (!nearest.is_none() && PyBool_Check(nearest.ptr()) == 0) {
-    throw ShapeError("nearest: expected True or False, not " + type_of(nearest));
-  }
-  const bool is_nearest = nearest.ptr() == Py_True;
+  const bool is_nearest = !nearest.is_none() && truth(nearest, "nearest");
   if ((branch.is_none() ? 0 : 1) + (is_nearest ? 1 : 0) + (from.is_none() ? 0 : 1) > 1) {
     throw ShapeError("branch, nearest, from_: give one of them");
   }

@@ -108,6 +108,13 @@ int place_number(const py::handle& value, const std::string& what) {
   return static_cast<int>(number);
 }
 
+bool truth(const py::handle& value, const std::string& what) {
+  if (PyBool_Check(value.ptr()) == 0) {
+    throw ShapeError(what + ": expected True or False, not " + type_of(value));
+  }
+  return value.ptr() == Py_True;
+}
+
 Given given(const py::object& mapping, const py::kwargs& keywords) {
   Given all;
   const auto add = [&all](const py::handle& key, const py::handle& value) {

@@ -22,6 +22,9 @@ namespace assur::python {
 /// The same where the library counts by int.
 [[nodiscard]] int place_number(const py::handle& value, const std::string& what);
 
+/// True or False. Throws ShapeError for any other value.
+[[nodiscard]] bool truth(const py::handle& value, const std::string& what);
+
 /// An argument that is given by its place; its name ends in a space, which the name of no parameter
 /// does, so that no keyword can name it.
 using ByPlace = py::arg;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <assur/mechanism/continuation.hpp>
+#include <assur/text/counts.hpp>
 #include <cstdint>
 
 #include "arrays.hpp"
@@ -10,7 +11,9 @@
 #include "following.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
+#include "pickling.hpp"
 #include "results.hpp"
+#include "tables.hpp"
 
 namespace assur::python {
 
@@ -263,11 +266,12 @@ std::string reason_of_item(const SolvedBatch& batch, const py::object& of) {
 }  // namespace
 
 void add_solve_batch(py::module_& module, PlanClass& plan) {
-  py::class_<SolvedBatch, RowsView, std::shared_ptr<SolvedBatch>>(
+  py::class_<SolvedBatch, RowsView, std::shared_ptr<SolvedBatch>> batches(
       module, "Batch",
       "The configurations of many items, each of which is a set of values. The first axis of the\n"
       "arrays of links, joints and outputs has a row for each configuration of each item, item by\n"
-      "item; of a batch that follows a branch, one row for each item.")
+      "item; of a batch that follows a branch, one row for each item.");
+  batches
       .def_property_readonly("status", all_of(&SolvedBatch::status),
                              "Array of shape (items,): the Status of each item.")
       .def_property_readonly(
@@ -297,6 +301,39 @@ void add_solve_batch(py::module_& module, PlanClass& plan) {
       .def(
           "__len__", [](const SolvedBatch& batch) { return batch.status.size(); },
           "The number of items.");
+  batches
+      .def(py::pickle(
+          [](const SolvedBatch& batch) {
+            return py::make_tuple(
+                batch.planned, rows_state(batch), bytes_of(batch.status), bytes_of(batch.gap),
+                bytes_of(batch.item), bytes_of(batch.configuration), bytes_of(batch.offsets),
+                batch.reasons,
+                batch.last ? py::object(py::make_tuple(batch.last->replaced, batch.last->number))
+                           : py::none());
+          },
+          [](const py::tuple& state) {
+            auto batch = std::make_shared<SolvedBatch>();
+            batch->planned = state[0].cast<SharedPlan>();
+            batch->rows = rows_in(*batch->planned, state[1]);
+            batch->status = numbers_in<std::uint8_t>(state[2]);
+            batch->gap = numbers_in<std::uint8_t>(state[3]);
+            batch->item = numbers_in<std::int64_t>(state[4]);
+            batch->configuration = numbers_in<std::int64_t>(state[5]);
+            batch->offsets = numbers_in<std::int64_t>(state[6]);
+            batch->reasons = state[7].cast<std::map<std::int64_t, std::string>>();
+            if (!state[8].is_none()) {
+              const auto last = state[8].cast<py::tuple>();
+              batch->last = Place{last[0].cast<Replaced>(), last[1].cast<std::size_t>()};
+            }
+            return batch;
+          }))
+      .def("to_frame", frame_of, frame_doc)
+      .def("__repr__", [](const SolvedBatch& batch) {
+        return "<assur.Batch: " + text::with_noun(batch.status.size(), "item") + ", " +
+               text::with_noun(batch.item.size(), "row") + ", " +
+               text::with_noun(static_cast<std::size_t>(std::ranges::count(batch.gap, 1)), "gap") +
+               ">";
+      });
   plan.def(
       "solve_batch", solve_batch, ByPlace("values ") = py::none(), py::pos_only(),
       "solve_batch(self, values=None, /, *, branch=None, nearest=False, from_=None, "

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <assur/mechanism/sweep.hpp>
+#include <assur/text/counts.hpp>
 #include <cstdint>
 #include <map>
 
@@ -9,7 +10,9 @@
 #include "errors.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
+#include "pickling.hpp"
 #include "swept_rows.hpp"
+#include "tables.hpp"
 
 namespace assur::python {
 
@@ -152,8 +155,26 @@ py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& modul
           "the last step that is not beyond it.")
       .def_property_readonly("parameter", all_of<Kind>(&SweptRows::parameter),
                              "Array of shape (rows,): the value of the swept parameter.")
+      .def("to_frame", frame_of, frame_doc)
       .def(
           "__len__", [](const Kind& rows) { return rows.step.size(); }, "The number of rows.");
+}
+
+/// What branches and events store: rows, steps, configurations, values of the parameter.
+py::tuple swept_state(const SweptRows& rows) {
+  return py::make_tuple(rows.planned, rows_state(rows), bytes_of(rows.step),
+                        bytes_of(rows.configuration), bytes_of(rows.parameter));
+}
+
+template <typename Kind>
+std::shared_ptr<Kind> swept_in(const py::tuple& state) {
+  auto rows = std::make_shared<Kind>();
+  rows->planned = state[0].cast<SharedPlan>();
+  rows->rows = rows_in(*rows->planned, state[1]);
+  rows->step = numbers_in<std::int32_t>(state[2]);
+  rows->configuration = numbers_in<std::int32_t>(state[3]);
+  rows->parameter = numbers_in<double>(state[4]);
+  return rows;
 }
 
 void bind_rows(py::module_& module) {
@@ -167,6 +188,21 @@ void bind_rows(py::module_& module) {
           "configuration", all_of<Branch>(&SweptRows::configuration),
           "Array of shape (rows,): the number of the configuration at its step;\n"
           "zero where that is not known.")
+      .def("__repr__",
+           [](const Branch& branch) {
+             return "<assur.Branch " + std::to_string(branch.number) + ": " +
+                    text::with_noun(branch.step.size(), "row") + ">";
+           })
+      .def(py::pickle(
+          [](const Branch& branch) {
+            return py::make_tuple(swept_state(branch), branch.number, branch.ends_at);
+          },
+          [](const py::tuple& state) {
+            auto branch = swept_in<Branch>(state[0].cast<py::tuple>());
+            branch->number = state[1].cast<int>();
+            branch->ends_at = state[2].cast<std::optional<double>>();
+            return branch;
+          }))
       .def_readonly("ends_at", &Branch::ends_at,
                     "float or None: the value of the parameter at which sweep_branch cannot follow "
                     "the branch\n"
@@ -174,7 +210,22 @@ void bind_rows(py::module_& module) {
   swept_class<Events>(module, "Events", "The events of a sweep, one row per event.")
       .def_property_readonly(
           "event", [](const Events& events) { return py::tuple(py::cast(events.event)); },
-          "tuple of str: each event with the numbers of its branches, such as `fold 1 2`.");
+          "tuple of str: each event with the numbers of its branches, such as `fold 1 2`.")
+      .def("__repr__",
+           [](const Events& events) {
+             std::string text;
+             for (const std::string& event : events.event) {
+               text += (text.empty() ? ": " : ", ") + event;
+             }
+             return "<assur.Events" + text + ">";
+           })
+      .def(py::pickle(
+          [](const Events& events) { return py::make_tuple(swept_state(events), events.event); },
+          [](const py::tuple& state) {
+            auto events = swept_in<Events>(state[0].cast<py::tuple>());
+            events->event = state[1].cast<std::vector<std::string>>();
+            return events;
+          }));
 }
 
 }  // namespace
@@ -187,7 +238,25 @@ void add_sweep(py::module_& module, PlanClass& plan) {
                     "dict of Branch: the branches by their numbers, from 1.")
       .def_readonly("unassigned", &SweptScene::unassigned,
                     "Branch: the configurations that belong to no branch.")
-      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and other events.");
+      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and other events.")
+      .def("to_frame", frame_of, frame_doc)
+      .def("__repr__",
+           [](const SweptScene& sweep) {
+             return "<assur.Sweep over " + sweep.parameter + ": " +
+                    std::to_string(sweep.branches.size()) +
+                    (sweep.branches.size() == 1 ? " branch" : " branches") + ", " +
+                    text::with_noun(sweep.events->event.size(), "event") + ">";
+           })
+      .def(py::pickle(
+          [](const SweptScene& sweep) {
+            return py::make_tuple(sweep.branches, sweep.unassigned, sweep.events, sweep.parameter);
+          },
+          [](const py::tuple& state) {
+            return SweptScene{state[0].cast<std::map<int, std::shared_ptr<Branch>>>(),
+                              state[1].cast<std::shared_ptr<Branch>>(),
+                              state[2].cast<std::shared_ptr<Events>>(),
+                              state[3].cast<std::string>()};
+          }));
   plan.def("sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
            "sweep(self, values=None, /, **parameters)\n--\n\n"
            "Returns every branch of the scene's sweep, as a Sweep, with other parameters at the "
