@@ -26,6 +26,7 @@ import assur
 assert pathlib.Path(assur.__file__).is_relative_to(sys.prefix), assur.__file__
 assert importlib.metadata.version('assur') == assur.__version__
 assert (pathlib.Path(assur.__file__).parent / 'py.typed').exists()
+import assur.tables
 print(len(assur.Plan(assur.read_scene(sys.argv[1])).solve()))
 ")
 set(scene ${SOURCE}/examples/four_bar_coupler_curve.json)
