@@ -1,14 +1,19 @@
 """Law: the package answers in a browser what the command answers.
 
-browser_test.py FOLDER ASSUR CHROMIUM SOURCE"""
+browser_test.py FOLDER ASSUR SOURCE"""
 
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
 
-folder, assur, chromium, source = sys.argv[1:]
+folder, assur, source = sys.argv[1:]
+chromium = shutil.which("chromium")
+if chromium is None:
+    print("chromium is not installed")
+    sys.exit(77)
 sys.path.insert(0, str(pathlib.Path(source) / "tests/command"))
 from browser import Browser  # noqa: E402
 
