@@ -17,7 +17,8 @@ from setuptools.command.build_ext import build_ext
 from setuptools.errors import ExecError
 
 SOURCE = pathlib.Path(__file__).resolve().parent
-# CMake's folder is in the source tree, so that a second build compiles only what has changed.
+# CMake's folder is in the source tree, so that a second build compiles only what has changed. What
+# CMake has found is found anew: an earlier build may have had another environment.
 FOLDER = SOURCE / f"build-{sys.implementation.cache_tag}"
 SETTINGS = {"ASSUR_BUILD_GENERATOR": "OFF", "ASSUR_BUILD_MECHANISM": "ON",
             "ASSUR_BUILD_TESTS": "OFF", "ASSUR_PYTHON": "ON", "Python3_EXECUTABLE": sys.executable}
@@ -56,7 +57,7 @@ class CMakeBuild(build_ext):
         except ImportError:
             pass  # CMake looks where the system has it
         configured = subprocess.run(
-            ["cmake", "--preset", "release", "-B", FOLDER,
+            ["cmake", "--fresh", "--preset", "release", "-B", FOLDER,
              *(f"-D{name}={value}" for name, value in settings.items()),
              *shlex.split(os.environ.get("CMAKE_ARGS", ""))],
             cwd=SOURCE, capture_output=True, text=True, check=False)
