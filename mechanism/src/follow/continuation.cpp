@@ -7,9 +7,8 @@
 #include "solve/longest_on_links.hpp"
 #include "straight_way.hpp"
 
-namespace assur::mechanism {
+namespace assur::mechanism::follow {
 
-namespace follow {
 namespace {
 
 /// The shortest step that is judged by itself, as a part of the way between two sets: a sweep along
@@ -32,7 +31,10 @@ Plan plan_for(Mechanism mechanism, Request request, const std::vector<ParameterI
 }
 
 }  // namespace
-}  // namespace follow
+
+}  // namespace assur::mechanism::follow
+
+namespace assur::mechanism {
 
 /// Holds the set where the branches are, `here_`, and the last one that was solved, `next_`. Once
 /// the branches are taken there, the two change places before another is solved.
@@ -259,8 +261,6 @@ Continuation::Continuation(const Mechanism& mechanism, const Request& request,
     : follower_(std::make_unique<Follower>(mechanism, request, std::move(changing))) {}
 
 Continuation::~Continuation() = default;
-Continuation::Continuation(Continuation&&) noexcept = default;
-Continuation& Continuation::operator=(Continuation&&) noexcept = default;
 
 const Plan& Continuation::plan() const { return follower_->plan(); }
 const Solution& Continuation::solve(const Values& values) { return follower_->solve(values); }

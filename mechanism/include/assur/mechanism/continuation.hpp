@@ -32,8 +32,8 @@ class Continuation {
   Continuation(const Mechanism& mechanism, const Request& request,
                std::vector<ParameterIndex> changing);
   ~Continuation();
-  Continuation(Continuation&&) noexcept;
-  Continuation& operator=(Continuation&&) noexcept;
+  Continuation(const Continuation&) = delete;
+  Continuation& operator=(const Continuation&) = delete;
 
   /// The plan of which the values are. It solves what the request wants, and carries the
   /// derivatives that following takes.
