@@ -1,14 +1,15 @@
 # Turns a scene file into a library target that holds the scene's solver, generated at build time.
 #
 #   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...] [WANT <result>...]
-#                    [INTERFACE c])
+#                    [INTERFACE c|c-float])
 #
 # makes <target>, to link and then include <assur/scenes/NAME.hpp>; NAME is the scene's file name
 # without extension, with `_` for all but letters and digits. The parameters after VARIABLE stay
 # arguments of the solver, beside those that the scene makes so; `all` stands for all. The results
 # after WANT (position, velocity, acceleration, sensitivity, forces) are given instead of what the
 # scene wants. With INTERFACE c <target> is a static library, to link from C too and then include
-# <assur/scenes/NAME.h>; the project needs the language CXX for it. The files are written anew when
+# <assur/scenes/NAME.h>, whose numbers are double, or float with c-float; the implementation is in
+# C++, so find_package(assur) enables that language in a project of C alone. The files are written anew when
 # the scene or the generator changes. The generator is the target assur::assur or, where that runs
 # on another machine than the one that builds, the program ASSUR_GENERATOR_EXECUTABLE. For a machine
 # without an operating system Eigen's checks at run time are left out (EIGEN_NO_DEBUG), because they
@@ -20,13 +21,17 @@ function(assur_add_solver target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "SCENE;INTERFACE" "VARIABLE;WANT")
   if(NOT arg_SCENE OR arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "assur_add_solver: expected assur_add_solver(<target> SCENE <file.json> "
-      "[VARIABLE <parameter>...] [WANT <result>...] [INTERFACE c])")
+      "[VARIABLE <parameter>...] [WANT <result>...] [INTERFACE c|c-float])")
   endif()
-  if(arg_INTERFACE AND NOT arg_INTERFACE MATCHES "^(c|cpp)$")
+  if(arg_INTERFACE AND NOT arg_INTERFACE MATCHES "^(c|c-float|cpp)$")
     message(FATAL_ERROR "assur_add_solver: ${target}: no interface '${arg_INTERFACE}'; the "
-      "interfaces are c and cpp")
+      "interfaces are c, c-float and cpp")
   endif()
-  if(arg_INTERFACE STREQUAL "c" AND NOT CMAKE_CXX_COMPILER_LOADED)
+  set(is_c FALSE)
+  if(arg_INTERFACE MATCHES "^c(-float)?$")
+    set(is_c TRUE)
+  endif()
+  if(is_c AND NOT CMAKE_CXX_COMPILER_LOADED)
     message(FATAL_ERROR "assur_add_solver: ${target}: the C interface is implemented in C++; add "
       "CXX to the languages of project()")
   endif()
@@ -72,8 +77,8 @@ function(assur_add_solver target)
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_solver)
   set(stem_of_files ${directory}/assur/scenes/${name})
   set(files ${stem_of_files}.hpp)
-  if(arg_INTERFACE STREQUAL "c")
-    list(APPEND options --interface c)
+  if(is_c)
+    list(APPEND options --interface ${arg_INTERFACE})
     list(APPEND files ${stem_of_files}.h ${stem_of_files}.cpp)
   endif()
   add_custom_command(OUTPUT ${files}
@@ -81,7 +86,7 @@ function(assur_add_solver target)
     DEPENDS ${scene} ${generator_dependency} VERBATIM
     COMMENT "Generating the solver of ${stem}")
   add_custom_target(${target}_header DEPENDS ${files})
-  if(arg_INTERFACE STREQUAL "c")
+  if(is_c)
     add_library(${target} STATIC ${stem_of_files}.cpp)
     set(reach PUBLIC)
   else()

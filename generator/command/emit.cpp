@@ -79,8 +79,12 @@ assur::mechanism::Want wanted(const std::vector<std::string>& words) {
   return want;
 }
 
-std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
+emission::scene::Interface interface_named(const std::string& name) {
   using emission::scene::Interface;
+  return name == "c" ? Interface::c : name == "c-float" ? Interface::c_float : Interface::cpp;
+}
+
+std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
   const std::string& file = options.scene;
   assur::mechanism::Scene scene = assur::mechanism::read_scene(file);
   std::string want_option;
@@ -90,8 +94,8 @@ std::vector<EmittedFile> emitted_scene(const EmitOptions& options) {
   }
   try {
     add_variables(options.variables, scene);
-    std::vector<EmittedFile> emitted = emission::scene::emit_scene(
-        scene, want_option, options.interface == "c" ? Interface::c : Interface::cpp);
+    std::vector<EmittedFile> emitted =
+        emission::scene::emit_scene(scene, want_option, interface_named(options.interface));
     warn_of_idle_links(scene);
     for (const std::string& warning : emission::scene::scene_warnings(scene)) {
       remarks() << "warning: " << file << ": " << warning << '\n';

@@ -14,7 +14,7 @@ struct EmitOptions {
   std::vector<std::string> variables;  ///< of the scene's parameters
   std::vector<std::string> wants;      ///< instead of the scene's; empty: the scene's
   std::vector<std::string> with;       ///< what a model's header holds beside its own functions
-  std::string interface = "cpp";       ///< cpp or c
+  std::string interface = "cpp";       ///< cpp, c or c-float
   std::string closures;
   std::string output;
   bool check = false;

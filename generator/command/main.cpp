@@ -181,10 +181,11 @@ int run(int argc, char** argv) {
       ->needs(model)
       ->check(one_of({"forces"}));
   command
-      ->add_option(
-          "--interface", emit.interface,
-          "with --scene: c writes a C header and its\nimplementation beside the C++ header")
-      ->check(one_of({"cpp", "c"}))
+      ->add_option("--interface", emit.interface,
+                   "with --scene: c writes a C header and its\nimplementation beside the C++ "
+                   "header, c-float "
+                   "the\nsame with numbers of type float")
+      ->check(one_of({"cpp", "c", "c-float"}))
       ->capture_default_str();
   command->add_option("--group", emit.group, "the group that --model refers to")
       ->check(one_of(group_names()))

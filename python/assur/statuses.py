@@ -19,11 +19,13 @@ class Status(_Word):
     OK: there are configurations; there may be families beside them.
     NO_ASSEMBLY: the links cannot reach, or every configuration is beyond the limits of a joint.
     DEGENERATE: there are families only, since a group moves freely or is inconsistent.
+    REFUSED: the values cannot be solved; only in a batch that follows a branch.
     """
 
     OK = 0
     NO_ASSEMBLY = 1
     DEGENERATE = 2
+    REFUSED = 3
 
 
 class Outcome(_Word):

@@ -14,5 +14,7 @@ void bind_parts(py::module_& module);
 void bind_solution(py::module_& module);
 void bind_plan(py::module_& module);
 void bind_sample(py::module_& module);
+/// Has every function that was bound refuse other arguments in one line.
+void refuse_plainly(const py::module_& module);
 
 }  // namespace assur::python

@@ -26,7 +26,7 @@ double number_of(const std::string& name, const py::handle& value) {
   }
   if (py::isinstance<py::array>(value) && py::reinterpret_borrow<py::array>(value).ndim() > 0) {
     throw ShapeError(name + ": expected a number, not an array of shape " + shape_of(value) +
-                     "; Plan.solve_batch takes arrays");
+                     "; Plan.solve_batch and Plan.sweep take arrays");
   }
   const double number = PyFloat_AsDouble(value.ptr());
   if (PyErr_Occurred() != nullptr) {
@@ -108,6 +108,13 @@ int place_number(const py::handle& value, const std::string& what) {
   return static_cast<int>(number);
 }
 
+bool truth(const py::handle& value, const std::string& what) {
+  if (PyBool_Check(value.ptr()) == 0) {
+    throw ShapeError(what + ": expected True or False, not " + type_of(value));
+  }
+  return value.ptr() == Py_True;
+}
+
 Given given(const py::object& mapping, const py::kwargs& keywords) {
   Given all;
   const auto add = [&all](const py::handle& key, const py::handle& value) {
@@ -160,6 +167,15 @@ std::vector<std::pair<std::string, double>> numbers_of(const mechanism::Mechanis
     numbers.emplace_back(name, number_of(name, value));
   }
   return numbers;
+}
+
+bool has_arrays(const Given& given) {
+  return std::ranges::any_of(given, [](const auto& one) {
+    const py::object& value = one.second;
+    return py::isinstance<py::array>(value)
+               ? py::reinterpret_borrow<py::array>(value).ndim() > 0
+               : PySequence_Check(value.ptr()) != 0 && PyUnicode_Check(value.ptr()) == 0;
+  });
 }
 
 Columns columns_of(const mechanism::Mechanism& mechanism, const Given& given) {

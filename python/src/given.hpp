@@ -22,6 +22,9 @@ namespace assur::python {
 /// The same where the library counts by int.
 [[nodiscard]] int place_number(const py::handle& value, const std::string& what);
 
+/// True or False. Throws ShapeError for any other value.
+[[nodiscard]] bool truth(const py::handle& value, const std::string& what);
+
 /// An argument that is given by its place; its name ends in a space, which the name of no parameter
 /// does, so that no keyword can name it.
 using ByPlace = py::arg;
@@ -36,6 +39,9 @@ using Given = std::vector<std::pair<std::string, py::object>>;
 /// A number for each of some parameters. Throws UnknownName, and ShapeError for what is no number.
 [[nodiscard]] std::vector<std::pair<std::string, double>> numbers_of(
     const mechanism::Mechanism& mechanism, const Given& given);
+
+/// Whether some parameter has an array, or another sequence of values, rather than a number.
+[[nodiscard]] bool has_arrays(const Given& given);
 
 /// Parameters, and `count` values for each of them. Rows are read without the interpreter's lock,
 /// so they come from plain memory, which the arrays only keep alive.

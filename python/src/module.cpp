@@ -24,6 +24,7 @@ PYBIND11_MODULE(_assur, module) {
   bind_solution(module);
   bind_plan(module);
   bind_sample(module);
+  refuse_plainly(module);
 }
 
 }  // namespace

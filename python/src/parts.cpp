@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "given.hpp"
 
 namespace assur::python {
 
@@ -96,16 +97,36 @@ void bind_kind(py::module_& module, const Names& names) {
         field.name, [index](const py::object& self) { return field_of<Part>(self, index); },
         doc_of(field).c_str());
   }
+  state.def("__repr__", [kind = std::string(names.state)](const PartState<Part>& of) {
+    const Section& section = of.of.rows->layout().template section<Part>();
+    std::string text;
+    for (std::size_t index = 0; index < section.offsets.size(); ++index) {
+      if (section.offsets[index] != Section::none) {
+        text += (text.empty() ? " " : ", ") + std::string(fields<Part>()[index].name);
+      }
+    }
+    return "<assur." + kind + " " + section.names[of.place] + ":" + text + ">";
+  });
   const char* const what = names.what;
   py::class_<All>(module, names.states, names.states_doc)
       .def(
           "__getitem__",
-          [what](const All& all, const std::string& name) { return part_named(all, name, what); },
+          [what](const All& all, const py::object& name) {
+            return part_named(all, utf8_of(name, "the name"), what);
+          },
           "__getitem__(self, name, /)\n--\n\nThe state of the part with this name. Raises "
           "UnknownName if there is none.")
       .def(
           "__len__", [](const All& all) { return section_of(all).names.size(); },
           "The number of names.")
+      .def("__repr__",
+           [kind = std::string(names.states)](const All& all) {
+             std::string text;
+             for (const std::string& name : section_of(all).names) {
+               text += (text.empty() ? " " : ", ") + name;
+             }
+             return "<assur." + kind + ":" + text + ">";
+           })
       .def(
           "__iter__", [](const All& all) { return py::iter(py::cast(section_of(all).names)); },
           "Iterates over the names, in the scene's order.")

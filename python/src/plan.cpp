@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <assur/text/counts.hpp>
+
 #include "bindings.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
@@ -170,6 +172,17 @@ void bind_plan(py::module_& module) {
           "values and keywords: see solve. Raises SceneError if the scene has no reference, and "
           "as\n"
           "solve does.");
+  plan.def(py::pickle([](const PlannedScene& planned) { return py::make_tuple(planned.scene); },
+                      [](const py::tuple& state) {
+                        return std::make_shared<PlannedScene>(state[0].cast<SharedScene>());
+                      }))
+      .def("__repr__", [](const PlannedScene& planned) {
+        return "<assur.Plan of " + planned.scene->file + ": " +
+               text::with_noun(planned.plan.structure().groups.size(), "group") + ", at most " +
+               py::cast<std::string>(py::str(
+                   py::float_(planned.plan.most_configurations()).attr("__format__")("g"))) +
+               " configurations>";
+      });
   add_solve_batch(module, plan);
   add_sweep(module, plan);
 }

@@ -19,6 +19,10 @@ struct ReadScene : mechanism::Scene {
 };
 using SharedScene = std::shared_ptr<ReadScene>;
 
+/// Reads a scene from text; errors name the file. Settings are those of parse_scene.
+[[nodiscard]] SharedScene scene_of(const std::string& text, const std::string& file,
+                                   const std::vector<std::string>& settings);
+
 /// The scene that a caller gives. Throws TypeError for anything else.
 [[nodiscard]] SharedScene scene_given(const pybind11::handle& value);
 

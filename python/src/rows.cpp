@@ -8,10 +8,15 @@ void Rows::reserve(std::size_t rows) {
 }
 
 void Rows::add(const mechanism::Configuration& configuration, const mechanism::Spread& spread) {
-  const std::size_t end = numbers_.size();
-  numbers_.resize(end + layout_->width(), std::numeric_limits<double>::quiet_NaN());
-  layout_->write(plan_, configuration, spread, numbers_.data() + end);
-  regular_.push_back(configuration.regularity == Status::ok ? 1 : 0);
+  add_gap();
+  layout_->write(plan_, configuration, spread,
+                 numbers_.data() + numbers_.size() - layout_->width());
+  regular_.back() = configuration.regularity == Status::ok ? 1 : 0;
+}
+
+void Rows::add_gap() {
+  numbers_.resize(numbers_.size() + layout_->width(), std::numeric_limits<double>::quiet_NaN());
+  regular_.push_back(0);
 }
 
 }  // namespace assur::python

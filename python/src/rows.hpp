@@ -16,9 +16,19 @@ class Rows {
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout)
       : plan_(std::move(plan)), layout_(std::move(layout)) {}
 
+  /// Rows that were read from `numbers` and `regularities`.
+  Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout, std::vector<double> numbers,
+       std::vector<unsigned char> regular)
+      : plan_(std::move(plan)),
+        layout_(std::move(layout)),
+        numbers_(std::move(numbers)),
+        regular_(std::move(regular)) {}
+
   /// Makes room for a number of rows.
   void reserve(std::size_t rows);
   void add(const mechanism::Configuration& configuration, const mechanism::Spread& spread);
+  /// Adds a row in which no number is known.
+  void add_gap();
 
   [[nodiscard]] std::size_t count() const { return regular_.size(); }
   [[nodiscard]] const Layout& layout() const { return *layout_; }
@@ -27,6 +37,8 @@ class Rows {
   }
   /// One byte for each row, 1 where it is regular.
   [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
+  [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
+  [[nodiscard]] const std::vector<unsigned char>& regularities() const { return regular_; }
 
  private:
   mechanism::Plan plan_;

@@ -2,8 +2,12 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <assur/mechanism/campaign.hpp>
+#include <assur/text/counts.hpp>
+#include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <thread>
 
 #include "arrays.hpp"
@@ -11,7 +15,9 @@
 #include "errors.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
+#include "pickling.hpp"
 #include "plan.hpp"
+#include "tables.hpp"
 
 namespace assur::python {
 
@@ -22,8 +28,21 @@ using mechanism::Sampling;
 
 constexpr std::size_t columns_before_outputs = 2;  // the sample, and its outcome
 
-/// Rows of a campaign, and what it was made of.
+/// What a campaign is made of.
+struct SampleOrder {
+  SharedScene scene;
+  std::size_t branch;
+  std::uint64_t seed, count;
+  mechanism::DeviationLaw law;
+
+  [[nodiscard]] Sampling sampling() const {
+    return {scene->mechanism, scene->request, branch, seed, count, law};
+  }
+};
+
+/// Rows of a campaign.
 struct Sampled {
+  SampleOrder order;
   SharedScene scene;
   Sampling sampling;
   std::uint64_t count;
@@ -39,23 +58,83 @@ void expect_count(std::uint64_t count, std::size_t width) {
   }
 }
 
+/// A scene with other values of some parameters.
+SharedScene scene_with(const SharedScene& scene, const Given& replaced) {
+  if (replaced.empty()) {
+    return scene;
+  }
+  std::vector<std::string> settings = scene->source.settings;
+  const std::vector<std::string> more = settings_of(replaced);
+  settings.insert(settings.end(), more.begin(), more.end());
+  const OthersRun others_run;
+  return scene_of(scene->source.text, scene->file, settings);
+}
+
+void find_outcomes(Sampled& samples) {
+  samples.outcome.reserve(samples.count);
+  for (std::size_t at = 1; at < samples.rows.size(); at += samples.width) {
+    samples.outcome.push_back(static_cast<std::uint8_t>(samples.rows[at]));
+  }
+}
+
+/// The law by its name, or by an array of deviations for each of some parameters.
+mechanism::DeviationLaw law_given(const ReadScene& scene, const py::object& of,
+                                  std::uint64_t count) {
+  using Kind = mechanism::DeviationLaw::Kind;
+  if (PyUnicode_Check(of.ptr()) != 0) {
+    static constexpr std::array<std::pair<std::string_view, Kind>, 3> laws{
+        {{"uniform", Kind::uniform}, {"normal", Kind::normal}, {"covariance", Kind::covariance}}};
+    const std::string name = utf8_of(of, "deviations");
+    for (const auto& [word, kind] : laws) {
+      if (word == name) {
+        return {kind, {}, {}};
+      }
+    }
+  }
+  if (!py::isinstance<py::dict>(of)) {
+    throw ShapeError(
+        "deviations: expected 'uniform', 'normal', 'covariance', or a dictionary with an array of "
+        "deviations for each of some parameters, not " +
+        (PyUnicode_Check(of.ptr()) != 0 ? py::cast<std::string>(py::repr(of)) : type_of(of)));
+  }
+  const Columns columns = columns_of(scene.mechanism, given(of, py::kwargs()));
+  if (static_cast<std::uint64_t>(columns.count) != count) {
+    throw ShapeError("deviations: expected " + text::with_noun(count, "value") +
+                     " for each parameter, not " + std::to_string(columns.count));
+  }
+  mechanism::DeviationLaw law{Kind::given, {}, {}};
+  for (const Columns::Column& column : columns.columns) {
+    law.parameters.push_back(column.parameter);
+  }
+  for (py::ssize_t sample = 0; sample < columns.count; ++sample) {
+    for (const auto& [parameter, value] : columns.row(sample)) {
+      if (!std::isfinite(value)) {
+        throw ShapeError(scene.mechanism.parameters()[parameter].name +
+                         ": the deviations must be finite numbers");
+      }
+      law.given.push_back(value);
+    }
+  }
+  return law;
+}
+
 std::shared_ptr<Sampled> sampled(const py::object& scene_of, const py::object& count_of,
                                  const py::object& seed_of, const py::object& branch_of,
-                                 const py::object& threads_of) {
-  const SharedScene scene = scene_given(scene_of);
+                                 const py::object& threads_of, const py::object& deviations_of,
+                                 const py::object& values, const py::kwargs& keywords) {
   const std::uint64_t count = whole_number(count_of, "count");
   const std::uint64_t seed = whole_number(seed_of, "seed");
   const auto branch = static_cast<std::size_t>(place_number(branch_of, "branch"));
   const int threads = place_number(threads_of, "threads");
+  const SharedScene scene = scene_with(scene_given(scene_of), given(values, keywords));
+  const SampleOrder order{scene, branch, seed, count, law_given(*scene, deviations_of, count)};
   LongCall call;
   return in_scene(scene->file, [&] {
-    auto result = std::make_shared<Sampled>(
-        Sampled{scene, Sampling(scene->mechanism, scene->request, branch, seed, count), count});
+    auto result = std::make_shared<Sampled>(Sampled{order, scene, order.sampling(), count});
     const mechanism::Campaign campaign = result->sampling.campaign();
     result->width = campaign.columns.size();
     expect_count(count, result->width);
     result->rows.reserve(count * result->width);
-    result->outcome.reserve(count);
     const auto all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     mechanism::run_campaign(campaign, {0, count}, threads > 0 ? threads : all, nullptr,
                             [&](const mechanism::RowBlock& block) {
@@ -63,11 +142,45 @@ std::shared_ptr<Sampled> sampled(const py::object& scene_of, const py::object& c
                               result->rows.insert(result->rows.end(), block.rows.begin(),
                                                   block.rows.end());
                             });
-    for (std::size_t at = 1; at < result->rows.size(); at += result->width) {
-      result->outcome.push_back(static_cast<std::uint8_t>(result->rows[at]));
-    }
+    find_outcomes(*result);
     return result;
   });
+}
+
+/// Stores the rows, and from what the rest is made anew.
+py::tuple sampled_state(const Sampled& samples) {
+  const SampleOrder& order = samples.order;
+  std::vector<std::string> names;
+  for (const mechanism::ParameterIndex parameter : order.law.parameters) {
+    names.push_back(order.scene->mechanism.parameters()[parameter].name);
+  }
+  return py::make_tuple(order.scene, order.branch, order.seed, order.count,
+                        static_cast<int>(order.law.kind), names, bytes_of(order.law.given),
+                        samples.width, bytes_of(samples.rows));
+}
+
+std::shared_ptr<Sampled> sampled_in(const py::tuple& state) {
+  const auto scene = state[0].cast<SharedScene>();
+  mechanism::DeviationLaw law{static_cast<mechanism::DeviationLaw::Kind>(state[4].cast<int>()),
+                              {},
+                              numbers_in<double>(state[6])};
+  for (const std::string& name : state[5].cast<std::vector<std::string>>()) {
+    law.parameters.push_back(scene->mechanism.parameter_named(name));
+  }
+  const SampleOrder order{scene, state[1].cast<std::size_t>(), state[2].cast<std::uint64_t>(),
+                          state[3].cast<std::uint64_t>(), law};
+  auto result = std::make_shared<Sampled>(Sampled{order, scene, order.sampling(), order.count});
+  result->width = state[7].cast<std::size_t>();
+  result->rows = numbers_in<double>(state[8]);
+  find_outcomes(*result);
+  return result;
+}
+
+std::string repr_of(const Sampled& samples) {
+  const auto regular =
+      std::ranges::count(samples.outcome, static_cast<std::uint8_t>(mechanism::Outcome::regular));
+  return "<assur.Samples: " + text::with_noun(samples.count, "sample") + ", " +
+         std::to_string(regular) + " regular>";
 }
 
 py::dict positions_of(const py::object& self) {
@@ -184,11 +297,17 @@ void bind_sample(py::module_& module) {
           "nominal", nominal_of,
           "dict of NominalPoint: the outputs at the nominal values, by their names.")
       .def_property_readonly("deviations", deviations_of,
-                             "dict of float: the half-widths of the deviating parameters.")
+                             "dict of float: the half-widths of the deviating parameters; of a "
+                             "covariance the standard\n"
+                             "deviations, of given deviations the largest.")
       .def_property_readonly("parameters", parameters_of_samples,
                              "Array of shape (count, len(deviations)): the values of the deviating "
                              "parameters. They are\n"
                              "computed at every access.")
+      .def(py::pickle([](const Sampled& samples) { return sampled_state(samples); },
+                      [](const py::tuple& state) { return sampled_in(state); }))
+      .def("__repr__", repr_of)
+      .def("to_frame", frame_of, frame_doc)
       .def("reason", reason_of_sample, py::arg("sample"), py::pos_only(),
            "reason(self, sample, /)\n--\n\n"
            "Returns the reason, as str, why a sample, from 0, has no configuration. Raises "
@@ -199,10 +318,16 @@ void bind_sample(py::module_& module) {
           "The number of samples.");
   module.def(
       "sample", sampled, py::arg("scene"), py::arg("count"), py::arg("seed"), py::arg("branch") = 0,
-      py::arg("threads") = 0,
-      "sample(scene, count, seed, branch=0, threads=0)\n--\n\n"
+      py::arg("threads") = 0, py::arg("deviations") = "uniform", py::arg("values") = py::none(),
+      "sample(scene, count, seed, branch=0, threads=0, deviations='uniform', values=None, "
+      "**parameters)\n--\n\n"
       "Returns outputs under random deviations within the scene's tolerances, as Samples: the\n"
       "same numbers as `assur sample` with this seed, on any number of threads.\n\n"
+      "deviations: 'uniform' within the tolerances t; 'normal' with the standard deviations t / "
+      "3;\n"
+      "'covariance': normal with the scene's covariance; or a dictionary with an array of shape\n"
+      "(count,) for each of some parameters, whose deviations these are.\n"
+      "values, and keywords: numbers or expressions for parameters, as read_scene takes them.\n"
       "branch: the number of the nominal configuration, from 1; for 0 the one nearest to the\n"
       "scene's reference, or else the first. threads: 0 for as many as the machine has.\n\n"
       "Raises SceneError where nothing deviates, nothing is an output, or there is no such\n"

@@ -15,8 +15,6 @@
 
 namespace assur::python {
 
-namespace {
-
 using Scene = ReadScene;
 
 SharedScene scene_of(const std::string& text, const std::string& file,
@@ -24,6 +22,8 @@ SharedScene scene_of(const std::string& text, const std::string& file,
   return std::make_shared<Scene>(
       Scene{mechanism::parse_scene(text, file, settings), {text, settings}});
 }
+
+namespace {
 
 /// A file's name as `open` takes it, and with the errors that `open` raises.
 std::filesystem::path path_given(const py::object& path) {
@@ -72,10 +72,12 @@ SharedScene parse(const py::object& scene, const py::object& values, const py::k
   return scene_of(text, "scene", settings);
 }
 
-std::string svg_of_scene(const Scene& scene, const py::object& configuration, bool nearest) {
+std::string svg_of_scene(const Scene& scene, const py::object& configuration,
+                         const py::object& nearest) {
   const int number = place_number(configuration, "configuration");
+  const bool is_nearest = truth(nearest, "nearest");
   const OthersRun others_run;
-  return svg_of(scene, {}, {number, nearest});
+  return svg_of(scene, {}, {number, is_nearest});
 }
 
 std::string moving_svg(const Scene& scene, const py::object& branch) {
@@ -87,12 +89,13 @@ std::string moving_svg(const Scene& scene, const py::object& branch) {
   });
 }
 
-std::string dxf(const Scene& scene, const py::object& configuration, bool nearest) {
+std::string dxf(const Scene& scene, const py::object& configuration, const py::object& nearest) {
   const int number = place_number(configuration, "configuration");
+  const bool is_nearest = truth(nearest, "nearest");
   const OthersRun others_run;
   return in_scene(scene.file, [&] {
     return mechanism::drawing_dxf(
-        mechanism::drawing_of(scene.mechanism, scene.request, {number, nearest}));
+        mechanism::drawing_of(scene.mechanism, scene.request, {number, is_nearest}));
   });
 }
 
@@ -121,7 +124,7 @@ mechanism::ImportedScene import_scene(const py::object& source, const std::strin
 /// None where there is no picture: a notebook then shows the text.
 py::object picture_of_scene(const Scene& scene) {
   try {
-    return py::str(svg_of_scene(scene, py::int_(0), false));
+    return py::str(svg_of_scene(scene, py::int_(0), py::bool_(false)));
   } catch (const text::InputError&) {
     return py::none();
   }
@@ -197,6 +200,14 @@ void bind_scene(py::module_& module) {
            "Raises SceneError where no step of the sweep has a configuration, or there is no such "
            "branch.")
       .def("_repr_svg_", picture_of_scene)
+      .def(py::pickle(
+          [](const Scene& scene) {
+            return py::make_tuple(scene.source.text, scene.file, scene.source.settings);
+          },
+          [](const py::tuple& state) {
+            return scene_of(state[0].cast<std::string>(), state[1].cast<std::string>(),
+                            state[2].cast<std::vector<std::string>>());
+          }))
       .def("__repr__", [](const Scene& scene) {
         return "<assur.Scene " + scene.file +
                (scene.mechanism.name().empty() ? "" : ": " + scene.mechanism.name()) + ">";

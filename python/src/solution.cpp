@@ -10,8 +10,10 @@
 #include "drawing.hpp"
 #include "errors.hpp"
 #include "forces.hpp"
+#include "given.hpp"
 #include "long_call.hpp"
-#include "solved_scene.hpp"
+#include "results.hpp"
+#include "tables.hpp"
 
 namespace assur::python {
 
@@ -19,12 +21,6 @@ namespace {
 
 using mechanism::Family;
 using mechanism::Nearest;
-
-/// A row of a solution.
-struct SolvedConfiguration : RowsView {
-  SharedSolution solution;
-  std::size_t place;
-};
 
 /// A family, and the names of its links.
 struct SolvedFamily {
@@ -52,6 +48,14 @@ SolvedConfiguration configuration_at(const SharedSolution& solved, py::ssize_t a
                           ": the number of configurations is " + std::to_string(count));
   }
   return {{solved->rows, place}, solved, static_cast<std::size_t>(place)};
+}
+
+SolvedConfiguration configuration_given(const SharedSolution& solved, const py::object& place) {
+  if (PyIndex_Check(place.ptr()) == 0) {
+    throw py::type_error("the index of a configuration must be a whole number, not " +
+                         type_of(place));
+  }
+  return configuration_at(solved, place.cast<py::ssize_t>());
 }
 
 py::tuple families_of(SolvedScene& solved) {
@@ -193,7 +197,19 @@ void bind_solution(py::module_& module) {
       .def("svg", svg_of_one,
            "svg(self)\n--\n\n"
            "Returns a picture of this configuration, as the text of an SVG file; see Scene.svg.")
-      .def("_repr_svg_", [](const SolvedConfiguration& one) { return picture(one, svg_of_one); });
+      .def("_repr_svg_", [](const SolvedConfiguration& one) { return picture(one, svg_of_one); })
+      .def("__repr__",
+           [](const SolvedConfiguration& one) {
+             const auto number = one.solution->number_of(one.place);
+             return "<assur.Configuration" + (number ? " " + std::to_string(*number) : "") +
+                    (one.rows->regular()[one.place] != 0 ? ": regular>" : ": near-singular>");
+           })
+      .def(py::pickle(
+          [](const SolvedConfiguration& one) { return py::make_tuple(one.solution, one.place); },
+          [](const py::tuple& state) {
+            return std::make_shared<SolvedConfiguration>(
+                configuration_at(state[0].cast<SharedSolution>(), state[1].cast<py::ssize_t>()));
+          }));
   py::class_<SolvedScene, RowsView, SharedSolution>(
       module, "Solution",
       "Every configuration at one set of values. solution[0] is the first one. In links, joints "
@@ -234,16 +250,28 @@ void bind_solution(py::module_& module) {
       .def(
           "__len__", [](const SolvedScene& solved) { return solved.rows->count(); },
           "The number of configurations.")
-      .def("__getitem__", configuration_at, py::arg("place"), py::pos_only(),
+      .def("__getitem__", configuration_given, py::arg("place"), py::pos_only(),
            "__getitem__(self, place, /)\n--\n\nThe Configuration at an index, from 0.\n\n"
            "Raises IndexError beyond the last one.")
       .def("svg", svg_of_all,
            "svg(self)\n--\n\n"
            "Returns a picture of its configurations, as the text of an SVG file; see Scene.svg.")
+      .def("to_frame", frame_of, frame_doc)
       .def("to_json", json_of,
            "to_json(self)\n--\n\nReturns the text that `assur solve --format json` prints.")
       .def("_repr_svg_", [](const SolvedScene& solved) { return picture(solved, svg_of_all); })
       .def("__str__", text_of)
+      .def(py::pickle(
+          [](const SolvedScene& solved) {
+            return py::make_tuple(solved.planned, solved.replaced, static_cast<int>(solved.asked),
+                                  solved.asked_number);
+          },
+          [](const py::tuple& state) {
+            return std::make_shared<SolvedScene>(
+                state[0].cast<SharedPlan>(), state[1].cast<Replaced>(),
+                static_cast<SolvedScene::Asked>(state[2].cast<int>()),
+                state[3].cast<std::size_t>());
+          }))
       .def("__repr__", [](const SolvedScene& solved) {
         const std::size_t count = solved.rows->count();
         return "<assur.Solution: " + std::to_string(count) +

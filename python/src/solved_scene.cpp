@@ -81,4 +81,14 @@ std::optional<std::size_t> SolvedScene::number_of(std::size_t at) const {
   return std::nullopt;
 }
 
+std::size_t SolvedScene::number_in_all(std::size_t at) const {
+  if (const std::optional<std::size_t> number = number_of(at)) {
+    return *number;
+  }
+  return in_scene(planned->scene->file, [&] {
+    const mechanism::Values given = values();
+    return planned->plan.nearest(given, planned->plan.solve(given))->configuration + 1;
+  });
+}
+
 }  // namespace assur::python

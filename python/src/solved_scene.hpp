@@ -35,6 +35,8 @@ struct SolvedScene : RowsView, std::enable_shared_from_this<SolvedScene> {
   [[nodiscard]] mechanism::Report report(const mechanism::Values& values) const;
   /// The number of the configuration in a row; nothing where it is not known.
   [[nodiscard]] std::optional<std::size_t> number_of(std::size_t at) const;
+  /// The same, found by solving for all configurations where it is not known.
+  [[nodiscard]] std::size_t number_in_all(std::size_t at) const;
 
  private:
   void solve(const mechanism::Values& values);

@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <assur/mechanism/sweep.hpp>
+#include <assur/text/counts.hpp>
 #include <cstdint>
 #include <map>
 
@@ -9,38 +10,18 @@
 #include "errors.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
-#include "plan.hpp"
+#include "pickling.hpp"
+#include "swept_rows.hpp"
+#include "tables.hpp"
 
 namespace assur::python {
 
 namespace {
 
-/// Rows of one branch, or events, in the order of the sweep.
-struct SweptRows : RowsView {
-  std::vector<std::int32_t> step, configuration;
-  std::vector<double> parameter;
-  std::vector<std::string> event;
-};
-
-struct Branch : SweptRows {
-  int number = 0;
-  std::optional<int> circuit;
-  std::optional<double> ends_at;
-};
-
-struct Events : SweptRows {};
-
-struct SweptScene {
-  std::map<int, std::shared_ptr<Branch>> branches;
-  std::shared_ptr<Branch> unassigned;
-  std::shared_ptr<Events> events;
-  std::string parameter;
-};
-
 /// Collects what a sweep reports.
 class Collector {
  public:
-  explicit Collector(const PlannedScene& planned) : planned_(planned) {
+  explicit Collector(const SharedPlan& planned) : planned_(planned) {
     result_.events = empty<Events>();
     result_.unassigned = empty<Branch>();
   }
@@ -58,8 +39,8 @@ class Collector {
   }
   /// What was collected; branches are in the order of their numbers.
   [[nodiscard]] SweptScene result() && {
-    const auto& sweep = planned_.plan.request().sweep;
-    result_.parameter = planned_.plan.mechanism().parameters()[sweep->parameter].name;
+    const auto& sweep = planned_->plan.request().sweep;
+    result_.parameter = planned_->plan.mechanism().parameters()[sweep->parameter].name;
     return std::move(result_);
   }
 
@@ -67,7 +48,8 @@ class Collector {
   template <typename Kind>
   [[nodiscard]] std::shared_ptr<Kind> empty() {
     auto rows = std::make_shared<Kind>();
-    growing_.push_back(std::make_shared<Rows>(planned_.plan, planned_.layout));
+    growing_.push_back(std::make_shared<Rows>(planned_->plan, planned_->layout));
+    rows->planned = planned_;
     rows->rows = growing_.back();
     rows_of_[rows.get()] = growing_.back().get();
     return rows;
@@ -100,7 +82,7 @@ class Collector {
     }
   }
 
-  const PlannedScene& planned_;
+  const SharedPlan& planned_;
   SweptScene result_;
   std::vector<std::shared_ptr<Rows>> growing_;
   std::map<const SweptRows*, Rows*> rows_of_;
@@ -117,27 +99,33 @@ void expect_others(const PlannedScene& planned, const Replaced& replaced) {
   }
 }
 
-SweptScene swept(const PlannedScene& planned, const py::object& values,
-                 const py::kwargs& keywords) {
-  const auto replaced = numbers_of(planned.plan.mechanism(), given(values, keywords));
+SweptScene swept(const SharedPlan& planned, const py::object& values, const py::kwargs& keywords) {
+  const Given all = given(values, keywords);
+  if (has_arrays(all)) {
+    return swept_through_items(planned, all);
+  }
+  const auto replaced = numbers_of(planned->plan.mechanism(), all);
   Collector collector(planned);
   LongCall call;
-  in_scene(planned.scene->file, [&] {
-    expect_others(planned, replaced);
-    mechanism::sweep(planned.plan, planned.plan.values(replaced), collector.observer(call));
+  in_scene(planned->scene->file, [&] {
+    expect_others(*planned, replaced);
+    mechanism::sweep(planned->plan, planned->plan.values(replaced), collector.observer(call));
   });
   return std::move(collector).result();
 }
 
-std::shared_ptr<Branch> swept_branch(const PlannedScene& planned, const py::object& of) {
+std::shared_ptr<Branch> swept_branch(const SharedPlan& planned, const py::object& of,
+                                     const py::object& values, const py::kwargs& keywords) {
   const int number = place_number(of, "number");
+  const auto replaced = numbers_of(planned->plan.mechanism(), given(values, keywords));
   Collector collector(planned);
   std::optional<double> end;
   {
     LongCall call;
-    end = in_scene(planned.scene->file, [&] {
-      return mechanism::sweep_branch(planned.plan, static_cast<std::size_t>(number),
-                                     collector.observer(call));
+    end = in_scene(planned->scene->file, [&] {
+      expect_others(*planned, replaced);
+      return mechanism::sweep_branch(planned->plan, planned->plan.values(replaced),
+                                     static_cast<std::size_t>(number), collector.observer(call));
     });
   }
   SweptScene result = std::move(collector).result();
@@ -172,8 +160,26 @@ py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& modul
           "the last step that is not beyond it.")
       .def_property_readonly("parameter", all_of<Kind>(&SweptRows::parameter),
                              "Array of shape (rows,): the value of the swept parameter.")
+      .def("to_frame", frame_of, frame_doc)
       .def(
           "__len__", [](const Kind& rows) { return rows.step.size(); }, "The number of rows.");
+}
+
+/// What branches and events store: rows, steps, configurations, values of the parameter.
+py::tuple swept_state(const SweptRows& rows) {
+  return py::make_tuple(rows.planned, rows_state(rows), bytes_of(rows.step),
+                        bytes_of(rows.configuration), bytes_of(rows.parameter));
+}
+
+template <typename Kind>
+std::shared_ptr<Kind> swept_in(const py::tuple& state) {
+  auto rows = std::make_shared<Kind>();
+  rows->planned = state[0].cast<SharedPlan>();
+  rows->rows = rows_in(*rows->planned, state[1]);
+  rows->step = numbers_in<std::int32_t>(state[2]);
+  rows->configuration = numbers_in<std::int32_t>(state[3]);
+  rows->parameter = numbers_in<double>(state[4]);
+  return rows;
 }
 
 void bind_rows(py::module_& module) {
@@ -187,6 +193,23 @@ void bind_rows(py::module_& module) {
           "configuration", all_of<Branch>(&SweptRows::configuration),
           "Array of shape (rows,): the number of the configuration at its step;\n"
           "zero where that is not known.")
+      .def("__repr__",
+           [](const Branch& branch) {
+             return "<assur.Branch " + std::to_string(branch.number) + ": " +
+                    text::with_noun(branch.step.size(), "row") + ">";
+           })
+      .def(py::pickle(
+          [](const Branch& branch) {
+            return py::make_tuple(swept_state(branch), branch.number, branch.ends_at,
+                                  branch.circuit);
+          },
+          [](const py::tuple& state) {
+            auto branch = swept_in<Branch>(state[0].cast<py::tuple>());
+            branch->number = state[1].cast<int>();
+            branch->ends_at = state[2].cast<std::optional<double>>();
+            branch->circuit = state[3].cast<std::optional<int>>();
+            return branch;
+          }))
       .def_readonly(
           "circuit", &Branch::circuit,
           "int or None: the number of its circuit, from 1: the branches that the mechanism "
@@ -199,7 +222,22 @@ void bind_rows(py::module_& module) {
   swept_class<Events>(module, "Events", "The events of a sweep, one row per event.")
       .def_property_readonly(
           "event", [](const Events& events) { return py::tuple(py::cast(events.event)); },
-          "tuple of str: each event with the numbers of its branches, such as `fold 1 2`.");
+          "tuple of str: each event with the numbers of its branches, such as `fold 1 2`.")
+      .def("__repr__",
+           [](const Events& events) {
+             std::string text;
+             for (const std::string& event : events.event) {
+               text += (text.empty() ? ": " : ", ") + event;
+             }
+             return "<assur.Events" + text + ">";
+           })
+      .def(py::pickle(
+          [](const Events& events) { return py::make_tuple(swept_state(events), events.event); },
+          [](const py::tuple& state) {
+            auto events = swept_in<Events>(state[0].cast<py::tuple>());
+            events->event = state[1].cast<std::vector<std::string>>();
+            return events;
+          }));
 }
 
 }  // namespace
@@ -212,13 +250,36 @@ void add_sweep(py::module_& module, PlanClass& plan) {
                     "dict of Branch: the branches by their numbers, from 1.")
       .def_readonly("unassigned", &SweptScene::unassigned,
                     "Branch: the configurations that belong to no branch.")
-      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and other events.");
+      .def_readonly("events", &SweptScene::events, "Events: folds, crossings and other events.")
+      .def("to_frame", frame_of, frame_doc)
+      .def("__repr__",
+           [](const SweptScene& sweep) {
+             return "<assur.Sweep over " + sweep.parameter + ": " +
+                    std::to_string(sweep.branches.size()) +
+                    (sweep.branches.size() == 1 ? " branch" : " branches") + ", " +
+                    text::with_noun(sweep.events->event.size(), "event") + ">";
+           })
+      .def(py::pickle(
+          [](const SweptScene& sweep) {
+            return py::make_tuple(sweep.branches, sweep.unassigned, sweep.events, sweep.parameter);
+          },
+          [](const py::tuple& state) {
+            return SweptScene{state[0].cast<std::map<int, std::shared_ptr<Branch>>>(),
+                              state[1].cast<std::shared_ptr<Branch>>(),
+                              state[2].cast<std::shared_ptr<Events>>(),
+                              state[3].cast<std::string>()};
+          }));
   plan.def("sweep", swept, ByPlace("values ") = py::none(), py::pos_only(),
            "sweep(self, values=None, /, **parameters)\n--\n\n"
            "Returns every branch of the scene's sweep, as a Sweep, with other parameters at the "
            "given\n"
-           "values (see solve).\n\n"
-           "Raises SceneError if the scene has no sweep, and as solve does. Ctrl-C ends it.")
+           "values (see solve). With arrays of one shape (items,), as solve_batch takes them, the\n"
+           "branches go through the items instead: these are the steps, any parameters may change "
+           "from\n"
+           "one to the next, Sweep.parameter is 'item', and events are not located.\n\n"
+           "Raises SceneError if the scene has no sweep and no array is given, and as solve does. "
+           "Ctrl-C\n"
+           "ends it.")
       .def(
           "nearest_branch", nearest_branch,
           "nearest_branch(self)\n--\n\n"
@@ -228,12 +289,13 @@ void add_sweep(py::module_& module, PlanClass& plan) {
           "through\n"
           "the drawn configuration.\n\n"
           "Raises SceneError if the scene has no reference or no sweep.")
-      .def("sweep_branch", swept_branch, ByPlace("number "), py::pos_only(),
-           "sweep_branch(self, number, /)\n--\n\n"
+      .def("sweep_branch", swept_branch, ByPlace("number "), ByPlace("values ") = py::none(),
+           py::pos_only(),
+           "sweep_branch(self, number, values=None, /, **parameters)\n--\n\n"
            "Returns one branch alone, as a Branch, which takes the memory of its own rows only: "
            "the\n"
            "branch with a number at the first step, or for 0 the one nearest to the scene's\n"
-           "reference.\n\n"
+           "reference. Other parameters have the given values (see solve).\n\n"
            "Raises SceneError if there is no such branch, and as sweep does. Ctrl-C ends it.");
 }
 

@@ -215,7 +215,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
            "flat_branch|held_group|link_forces|placed_group|scene_batch|"
            "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
            "scene_track|shared_search|"
-           "specialised)")},
+           "specialised|track_batch)")},
   };
   return storeys;
 }

@@ -32,24 +32,27 @@ bool stands(const cpp::View& view, const std::string& section) {
 }
 
 /// The arguments of a solver, as the C functions take them and pass them on.
-void show_given(const std::string& prefix, cpp::View& view) {
+void show_given(const std::string& prefix, const std::string& real, cpp::View& view) {
   std::string given;
   std::vector<std::string> defaults;
   std::vector<std::string> handed;
+  std::string at_place;
   for (const auto& [section, word] :
        {std::pair("has_drivers", "drivers"), std::pair("has_variables", "parameters")}) {
     if (stands(view, section)) {
       given += "const " + prefix + "_" + word + "* " + word + ",\n    ";
       defaults.push_back(prefix + "_" + word + "* " + word);
       handed.push_back(std::string("cpp_of(*") + word + ")");
+      at_place += std::string(word) + " + place, ";
     } else if (std::string(word) == "drivers") {
-      handed.emplace_back("Solver::Drivers<double>{}");
+      handed.emplace_back("Solver::Drivers<" + real + ">{}");
     }
   }
   const auto joined = [](const std::vector<std::string>& texts, const std::string& between) {
     return text::joined(texts, between, [](const std::string& one) { return one; });
   };
   view.set("c_given", given);
+  view.set("given_at_place", at_place);
   view.set("cpp_given", joined(handed, ", "));
   view.set("defaults", joined(defaults, ",\n    "));
   view.set("has_given", !defaults.empty());
@@ -59,7 +62,7 @@ void show_given(const std::string& prefix, cpp::View& view) {
 
 std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, cpp::View solver,
                                           const std::vector<std::string>& parameters,
-                                          std::size_t branch_numbers) {
+                                          std::size_t branch_numbers, const std::string& real) {
   const std::string stem = header.stem().string();
   const std::string prefix = prefix_of(stem);
   solver.set("header", stem);
@@ -67,7 +70,9 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   solver.set("columns", columns_of(parameters));
   // C has no empty arrays.
   solver.set("branch_numbers", std::to_string(std::max<std::size_t>(branch_numbers, 1)));
-  show_given(prefix, solver);
+  solver.set("real", real);
+  solver.set("interface", real == "double" ? "c" : "c-float");
+  show_given(prefix, real, solver);
   // C has no empty structures: points of which nothing is wanted are left out.
   const bool moves = stands(solver, "velocity") || stands(solver, "acceleration");
   const bool has_vectors = stands(solver, "position") || moves || stands(solver, "tolerances");

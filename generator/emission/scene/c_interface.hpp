@@ -12,10 +12,12 @@ namespace assur::generator::emission::scene {
 /// `header`.h in C99 and `header`.cpp, beside the C++ header `header`.hpp. `solver`: the view that
 /// templates/scene.hpp.mustache shows; `parameters`: the names of the parameters to which
 /// derivatives are modelled; `branch_numbers`: how many numbers a branch has beside its status.
-/// Every name of the header begins with the scene's, so that several may be included and linked.
+/// `real`: the type of all numbers, double or float. Every name of the header begins with the
+/// scene's, so that several may be included and linked.
 [[nodiscard]] std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header,
                                                         cpp::View solver,
                                                         const std::vector<std::string>& parameters,
-                                                        std::size_t branch_numbers);
+                                                        std::size_t branch_numbers,
+                                                        const std::string& real);
 
 }  // namespace assur::generator::emission::scene

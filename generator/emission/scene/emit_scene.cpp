@@ -71,8 +71,9 @@ class SceneEmitter {
     const std::filesystem::path header =
         std::filesystem::path("assur") / "scenes" / (text::header_name(stem) + ".hpp");
     std::vector<cpp::EmittedFile> files = {{header, cpp::page("scene.hpp", view_)}};
-    if (interface == Interface::c) {
-      const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_);
+    if (interface != Interface::cpp) {
+      const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_,
+                                    interface == Interface::c ? "double" : "float");
       files.insert(files.end(), of_c.begin(), of_c.end());
     }
     return files;

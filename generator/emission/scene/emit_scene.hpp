@@ -10,7 +10,7 @@
 namespace assur::generator::emission::scene {
 
 /// The languages from which a solver can be called, beside C++.
-enum class Interface : unsigned char { cpp, c };
+enum class Interface : unsigned char { cpp, c, c_float };
 
 /// The header `assur/scenes/<file>.hpp` of a scene: its groups with all dimensions as numbers, and
 /// only the derivatives, points and parameters that the scene wants. Derivatives are to the

@@ -1,8 +1,11 @@
 // Turns tolerances into random values of the parameters, and these into positions of outputs.
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <assur/directions.hpp>
+#include <cmath>
 #include <iterator>
 #include <memory>
+#include <utility>
 
 #include "counter_random.hpp"
 #include "forces/force_rows.hpp"
@@ -21,9 +24,9 @@ Request positions_and_forces(const Request& request) {
 }
 
 /// The parameters that deviate and those that depend on them, each behind those in its formula.
-std::vector<Deviation> changing_parameters(const Values& values) {
+std::vector<Deviation> changing_parameters(const Values& values,
+                                           const Eigen::VectorXd& half_widths) {
   const Mechanism& mechanism = values.plan().mechanism;
-  const Eigen::VectorXd& half_widths = values.spread().tolerances;
   Table<ParameterIndex, bool> changes(mechanism.parameters().size(), false);
   std::vector<Deviation> changing;
   for (const ParameterIndex parameter : values.plan().evaluation.parameters) {
@@ -40,11 +43,82 @@ std::vector<Deviation> changing_parameters(const Values& values) {
   return changing;
 }
 
+/// The covariance of all parameters that a request names, for a law that is it; else empty.
+Eigen::MatrixXd requested_covariance(const Mechanism& mechanism, const Request& request,
+                                     const DeviationLaw& law) {
+  if (law.kind != DeviationLaw::Kind::covariance) {
+    return {};
+  }
+  if (!request.covariance) {
+    throw MechanismError("covariance", "the scene has no covariance of its parameters; add one");
+  }
+  Request with = positions_alone(request);
+  with.covariance = request.covariance;
+  return Plan(mechanism, with).values().spread().covariance;
+}
+
+/// The largest deviation of every parameter; zero where it does not deviate.
+Eigen::VectorXd half_widths_of(const DeviationLaw& law, const Eigen::VectorXd& tolerances,
+                               const Eigen::MatrixXd& requested) {
+  if (law.kind == DeviationLaw::Kind::covariance) {
+    return requested.diagonal().cwiseSqrt();
+  }
+  if (law.kind != DeviationLaw::Kind::given) {
+    return tolerances;
+  }
+  Eigen::VectorXd largest = Eigen::VectorXd::Zero(tolerances.size());
+  for (std::size_t at = 0; at < law.given.size(); ++at) {
+    double& one = largest(law.parameters[at % law.parameters.size()].row());
+    one = std::max(one, std::abs(law.given[at]));
+  }
+  return largest;
+}
+
+/// The covariance of two deviations, by their law.
+double covariance_of(const DeviationLaw& law, const Deviation& one, const Deviation& other,
+                     const Eigen::MatrixXd& requested) {
+  const bool is_same = one.parameter == other.parameter;
+  switch (law.kind) {
+    case DeviationLaw::Kind::uniform:
+      return is_same ? one.half_width * one.half_width / 3 : 0.0;
+    case DeviationLaw::Kind::normal:
+      return is_same ? one.half_width * one.half_width / 9 : 0.0;
+    case DeviationLaw::Kind::covariance:
+      return requested(one.parameter.row(), other.parameter.row());
+    case DeviationLaw::Kind::given:
+      break;
+  }
+  const auto place_of = [&law](ParameterIndex parameter) {
+    return static_cast<std::size_t>(std::ranges::find(law.parameters, parameter) -
+                                    law.parameters.begin());
+  };
+  const std::size_t width = law.parameters.size();
+  double sum = 0;
+  for (std::size_t first = 0; first < law.given.size(); first += width) {
+    sum +=
+        law.given[first + place_of(one.parameter)] * law.given[first + place_of(other.parameter)];
+  }
+  return sum / static_cast<double>(law.given.size() / width);
+}
+
+/// F with F F^T = C, for the covariance C of some deviations, of any rank.
+Eigen::MatrixXd factors_of(const std::vector<Deviation>& deviations,
+                           const Eigen::MatrixXd& requested) {
+  std::vector<Eigen::Index> rows;
+  for (const Deviation& deviation : deviations) {
+    rows.push_back(deviation.parameter.row());
+  }
+  const Eigen::MatrixXd covariance = requested(rows, rows);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(covariance);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
 /// With more parameters, no second derivatives are computed.
 constexpr std::size_t most_with_spread = 200;
 
 /// The request of the nominal solution: sensitivities, and the variances of what is sampled.
 Request nominal_request(const Request& request, const std::vector<Deviation>& deviations,
+                        const DeviationLaw& law, const Eigen::MatrixXd& requested,
                         Mechanism& mechanism) {
   Request result = positions_and_forces(request);
   result.want.sensitivity = true;
@@ -57,9 +131,9 @@ Request nominal_request(const Request& request, const std::vector<Deviation>& de
     result.covariance->parameters.push_back(deviations[row].parameter);
     std::vector<NumberIndex>& numbers = result.covariance->matrix.emplace_back();
     for (std::size_t column = 0; column < count; ++column) {
-      const double half_width = deviations[row].half_width;
-      numbers.push_back(mechanism.add_number(row == column ? half_width * half_width / 3 : 0.0,
-                                             "the variances of tolerances"));
+      numbers.push_back(
+          mechanism.add_number(covariance_of(law, deviations[row], deviations[column], requested),
+                               "the variances of deviations"));
     }
   }
   return result;
@@ -187,9 +261,7 @@ class Sampling::Worker {
       numbers_[parameter] =
           formula.evaluate<double>([this](ParameterIndex used) { return numbers_[used]; });
       if (half_width > 0) {
-        numbers_[parameter] +=
-            half_width * campaign::uniform(sampling_->seed_, sample,
-                                           static_cast<std::uint32_t>(parameter.place()));
+        numbers_[parameter] += sampling_->deviation(sample, place);
         changed_[place++].second = numbers_[parameter];
       }
     }
@@ -239,15 +311,25 @@ class Sampling::Worker {
 };
 
 Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
-                   std::uint64_t seed, std::uint64_t count)
-    : seed_(seed), count_(count) {
+                   std::uint64_t seed, std::uint64_t count, DeviationLaw law)
+    : law_(std::move(law)), seed_(seed), count_(count) {
   if (mechanism.outputs().size() == 0) {
     throw MechanismError("outputs", "there is no point to sample; name some");
   }
   const Plan positions(mechanism, campaign::positions_alone(request));
-  changing_ = campaign::changing_parameters(positions.values());
+  const Values nominal_values = positions.values();
+  const Eigen::VectorXd& tolerances = nominal_values.spread().tolerances;
+  const Eigen::MatrixXd requested = campaign::requested_covariance(mechanism, request, law_);
+  changing_ = campaign::changing_parameters(nominal_values,
+                                            campaign::half_widths_of(law_, tolerances, requested));
   std::ranges::copy_if(changing_, std::back_inserter(deviations_),
                        [](const Deviation& one) { return one.half_width > 0; });
+  if (deviations_.empty() && law_.kind == DeviationLaw::Kind::given) {
+    throw MechanismError("parameters", "no deviation is given that is not zero");
+  }
+  if (law_.kind == DeviationLaw::Kind::covariance) {
+    factors_ = campaign::factors_of(deviations_, requested);
+  }
   if (deviations_.empty()) {
     throw MechanismError(
         "parameters",
@@ -255,7 +337,8 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
         "\"AB\": {\"value\": 100, \"tolerance\": 0.05}");
   }
   Mechanism extended = mechanism;
-  const Request at_nominal = campaign::nominal_request(request, deviations_, extended);
+  const Request at_nominal =
+      campaign::nominal_request(request, deviations_, law_, requested, extended);
   const Plan nominal_plan(extended, at_nominal);
   const Solution nominal = campaign::nominal_solution(nominal_plan, branch);
   nominal_ = campaign::nominal_points(nominal_plan, nominal.configurations.front());
@@ -264,6 +347,30 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
   const Request near_nominal =
       campaign::sample_request(request, nominal_plan, nominal.configurations.front(), extended);
   plan_.emplace(extended, near_nominal);
+}
+
+double Sampling::deviation(std::uint64_t sample, std::size_t place) const {
+  const auto& [parameter, half_width] = deviations_[place];
+  const auto number = static_cast<std::uint32_t>(parameter.place());
+  switch (law_.kind) {
+    case DeviationLaw::Kind::uniform:
+      return half_width * campaign::uniform(seed_, sample, number);
+    case DeviationLaw::Kind::normal:
+      return half_width / 3 * campaign::normal(seed_, sample, number);
+    case DeviationLaw::Kind::covariance: {
+      double sum = 0;
+      for (std::size_t column = 0; column < deviations_.size(); ++column) {
+        const auto other = static_cast<std::uint32_t>(deviations_[column].parameter.place());
+        sum += factors_(static_cast<Eigen::Index>(place), static_cast<Eigen::Index>(column)) *
+               campaign::normal(seed_, sample, other);
+      }
+      return sum;
+    }
+    case DeviationLaw::Kind::given:
+      break;
+  }
+  const auto at = std::ranges::find(law_.parameters, parameter) - law_.parameters.begin();
+  return law_.given[sample * law_.parameters.size() + static_cast<std::size_t>(at)];
 }
 
 Campaign Sampling::campaign() const {

@@ -19,8 +19,9 @@ constexpr double shortest_step = 1e-13;
 /// Follows one branch from step to step; it holds the configuration here and the one further on.
 class BranchFollower {
  public:
-  BranchFollower(const Plan& plan, std::size_t number, const SweepObserver& observer)
-      : number_(number), observer_(observer), solver_(plan, plan.values()) {}
+  BranchFollower(const Plan& plan, const Values& values, std::size_t number,
+                 const SweepObserver& observer)
+      : number_(number), observer_(observer), solver_(plan, values) {}
 
   std::optional<double> run() {
     const int count = solver_.sweep().count;
@@ -115,11 +116,16 @@ namespace assur::mechanism {
 
 std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
                                    const SweepObserver& observer) {
+  return sweep_branch(plan, plan.values(), number, observer);
+}
+
+std::optional<double> sweep_branch(const Plan& plan, const Values& values, std::size_t number,
+                                   const SweepObserver& observer) {
   if (number == 0) {
     solve::expect_reference(plan.request());
   }
-  const SweepObserver complete = follow::expect_sweep(plan, plan.values(), observer);
-  return follow::BranchFollower(plan, number, complete).run();
+  const SweepObserver complete = follow::expect_sweep(plan, values, observer);
+  return follow::BranchFollower(plan, values, number, complete).run();
 }
 
 }  // namespace assur::mechanism

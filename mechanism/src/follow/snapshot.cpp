@@ -34,18 +34,6 @@ constexpr int most_counting_steps = 4096;
 /// The most sets that are kept so that turns are counted from them.
 constexpr std::size_t most_counted = 2048;
 
-/// Whether all configurations have their derivatives. Where branches meet, and only there,
-/// derivatives lose their digits before places do, so configurations with derivatives are apart
-/// from one another.
-bool is_regular(const Snapshot& snapshot) {
-  const auto& configurations = snapshot.solution.configurations;
-  return snapshot.solution.status != SolutionStatus::degenerate &&
-         std::all_of(configurations.begin(), configurations.end(),
-                     [](const Configuration& one) { return one.path_known; }) &&
-         std::all_of(snapshot.points.begin(), snapshot.points.end(),
-                     [](const ConfigurationPoint& one) { return one.slope.allFinite(); });
-}
-
 /// Whether some group's loop Jacobian has no sign, as where configurations of it meet.
 bool lacks_signs(const Snapshot& snapshot) {
   return std::ranges::any_of(
@@ -80,6 +68,8 @@ double speed_of(const models::Series& number, double unit) {
   return std::max(std::abs(number.c[1]) / unit, std::sqrt(std::abs(number.c[2]) / unit));
 }
 
+}  // namespace
+
 double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
   double square = std::numeric_limits<double>::infinity();
   for (const PointIndex one : points.keys()) {
@@ -92,7 +82,17 @@ double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
   return std::sqrt(square);
 }
 
-}  // namespace
+// Where branches meet, and only there,
+/// derivatives lose their digits before places do, so configurations with derivatives are apart
+/// from one another.
+bool is_regular(const Snapshot& snapshot) {
+  const auto& configurations = snapshot.solution.configurations;
+  return snapshot.solution.status != SolutionStatus::degenerate &&
+         std::all_of(configurations.begin(), configurations.end(),
+                     [](const Configuration& one) { return one.path_known; }) &&
+         std::all_of(snapshot.points.begin(), snapshot.points.end(),
+                     [](const ConfigurationPoint& one) { return one.slope.allFinite(); });
+}
 
 SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
     : plan_(plan), values_(std::move(values)), solver_(values_) {
@@ -116,7 +116,7 @@ Values& SnapshotSolver::values_at(double parameter) {
 
 Eigen::VectorXd SnapshotSolver::place_of(const Configuration& configuration) const {
   ConfigurationPoint point;
-  set_point(configuration, point);
+  find_point(configuration, point);
   return point.at;
 }
 
@@ -383,7 +383,7 @@ SnapshotPointer SnapshotSolver::at(double parameter) {
 std::shared_ptr<Snapshot> SnapshotSolver::completed(std::unique_ptr<Snapshot> snapshot) const {
   snapshot->points.resize(snapshot->solution.configurations.size());
   for (const PointIndex point : snapshot->points.keys()) {
-    set_point(snapshot->configuration(point), snapshot->points[point]);
+    find_point(snapshot->configuration(point), snapshot->points[point]);
   }
   snapshot->closest = least_distance(snapshot->points);
   snapshot->separable =
@@ -391,21 +391,11 @@ std::shared_ptr<Snapshot> SnapshotSolver::completed(std::unique_ptr<Snapshot> sn
   return {snapshot.release(), [spares = spares_](Snapshot* gone) { spares->emplace_back(gone); }};
 }
 
-void SnapshotSolver::set_point(const Configuration& configuration,
-                               ConfigurationPoint& point) const {
-  const auto size = 4 * static_cast<Eigen::Index>(configuration.links.size());
-  point.at.resize(size);
-  point.slope.resize(size);
-  Eigen::Index row = 0;
-  for (const Frame& link : configuration.links) {
-    const Direction<double>& direction = link.pose.direction;
-    const auto slope = link.follows.first.col(column_);
-    point.at.segment<4>(row) << link.pose.x / sought_.length, link.pose.y / sought_.length,
-        direction.cos, direction.sin;
-    point.slope.segment<4>(row) << slope(0) / sought_.length, slope(1) / sought_.length,
-        -slope(2) * direction.sin, slope(2) * direction.cos;
-    row += 4;
-  }
+void SnapshotSolver::find_point(const Configuration& configuration,
+                                ConfigurationPoint& point) const {
+  set_point(
+      configuration, sought_.length,
+      [this](const Frame& link) { return link.follows.first.col(column_); }, point);
 }
 
 }  // namespace assur::mechanism::follow

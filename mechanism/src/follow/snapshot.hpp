@@ -45,6 +45,30 @@ struct Snapshot {
 };
 using SnapshotPointer = std::shared_ptr<const Snapshot>;
 
+/// Sets a configuration's place as a point, with the unit `length`, and its slope: `slope_of(link)`
+/// is the derivative of a link's pose (x, y, theta) along the way.
+template <typename SlopeOf>
+void set_point(const Configuration& configuration, double length, const SlopeOf& slope_of,
+               ConfigurationPoint& point) {
+  const auto size = 4 * static_cast<Eigen::Index>(configuration.links.size());
+  point.at.resize(size);
+  point.slope.resize(size);
+  Eigen::Index row = 0;
+  for (const Frame& link : configuration.links) {
+    const Direction<double>& direction = link.pose.direction;
+    const Eigen::Vector3d slope = slope_of(link);
+    point.at.segment<4>(row) << link.pose.x / length, link.pose.y / length, direction.cos,
+        direction.sin;
+    point.slope.segment<4>(row) << slope(0) / length, slope(1) / length, -slope(2) * direction.sin,
+        slope(2) * direction.cos;
+    row += 4;
+  }
+}
+/// The least distance of two points; infinite for fewer than two.
+[[nodiscard]] double least_distance(const Table<PointIndex, ConfigurationPoint>& points);
+/// Whether every configuration has its derivatives, so that it can be followed.
+[[nodiscard]] bool is_regular(const Snapshot& snapshot);
+
 /// Solves a mechanism anywhere within its sweep, with one set of values that it changes.
 class SnapshotSolver {
  public:
@@ -125,7 +149,7 @@ class SnapshotSolver {
   /// Marks the configurations of a solution at the present values whose paths are known from all
   /// constraints together.
   void mark_known_paths(Solution& solution) const;
-  void set_point(const Configuration& configuration, ConfigurationPoint& point) const;
+  void find_point(const Configuration& configuration, ConfigurationPoint& point) const;
 
   const Plan& plan_;
   Values values_;

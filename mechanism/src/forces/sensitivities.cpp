@@ -35,7 +35,7 @@ class Following {
         configuration_(configuration),
         balance_(balance),
         equations_(balance.equilibrium(balance.links(), false).matrix.transpose(),
-                   balance.threshold()) {
+                   balance.threshold(), LinearEquations::OfLinks::columns) {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       readers_ += balance.coordinates().joints_of(driver).empty() ? 0 : 1;
     }

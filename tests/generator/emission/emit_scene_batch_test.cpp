@@ -54,7 +54,9 @@ TEST(EmitSceneBatch, FindsWhatSingleCallsFind) {
     calls += "  batch_scenes::print_differences<assur::scenes::" + scene.solver + ">(\"" +
              scene.solver + "\");\n";
   }
-  source += "#include \"" ASSUR_BATCH_SCENES "/compare.hpp\"\nint main() {\n" + calls + "}\n";
+  source += "#include <assur/support/track_batch.hpp>\n#include \"" ASSUR_BATCH_SCENES
+            "/compare.hpp\"\nint main() {\n" +
+            calls + "}\n";
   compile(ASSUR_COMPILER,
           std::string(whole ? "-O2" : "-O0") + " -ffp-contract=off -o " + root + "/driver",
           directory.write("driver.cpp", source), directory);

@@ -133,7 +133,7 @@ TEST(EmitSceneContent, ShowsInItsHeadHowToCallIt) {
                 directory.path().string());
   ASSERT_EQ(result.status, 0) << result.messages;
   const std::string usage = usage_in(read_file(directory.path() / "assur/scenes/slider_crank.hpp"));
-  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 10);
+  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 14);
   const fs::path source = directory.write(
       "use.cpp", "#include <assur/scenes/slider_crank.hpp>\nint main() {\n" + usage +
                      "return found.count == 2 && track.status == assur::Status::ok ? 0 : 1;\n}\n");

@@ -116,7 +116,7 @@ def plan(example):
     (lambda plan: plan.sweep(x=1), "UnknownName",
      "no parameter named 'x' (choose from ground, crank, coupler, rocker, reach, phi)"),
     (lambda plan: plan.solve(phi=np.zeros(3)), "ShapeError",
-     "phi: expected a number, not an array of shape (3,); Plan.solve_batch takes arrays"),
+     "phi: expected a number, not an array of shape (3,); Plan.solve_batch and Plan.sweep take arrays"),
     (lambda plan: plan.solve(phi=[1.0]), "ShapeError", "phi: expected a number, not list"),
     (lambda plan: plan.solve(phi="60*deg"), "ShapeError",
      "phi: expected a number, not str; read_scene and parse_scene take expressions"),

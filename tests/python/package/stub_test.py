@@ -27,6 +27,8 @@ def parameters_of(node):
     defaults = [ast.literal_eval(one) for one in node.args.defaults]
     listed = [(*name, default) for name, default in
               zip(names, [inspect.Parameter.empty] * (len(names) - len(defaults)) + defaults)]
+    listed += [(one.arg, "keyword", ast.literal_eval(default))
+               for one, default in zip(node.args.kwonlyargs, node.args.kw_defaults)]
     if node.args.kwarg:
         listed.append((node.args.kwarg.arg, "keywords", inspect.Parameter.empty))
     return listed
@@ -35,6 +37,7 @@ def parameters_of(node):
 def parameters_there(function):
     kinds = {inspect.Parameter.POSITIONAL_ONLY: "positional",
              inspect.Parameter.POSITIONAL_OR_KEYWORD: "either",
+             inspect.Parameter.KEYWORD_ONLY: "keyword",
              inspect.Parameter.VAR_KEYWORD: "keywords"}
     return [(one.name, kinds[one.kind], one.default)
             for one in inspect.signature(function).parameters.values()]

@@ -1,5 +1,6 @@
 """Law: threads that share a plan get, bit for bit, what one thread gets, whatever else runs."""
 
+import pickle
 import subprocess
 import sys
 import threading
@@ -23,9 +24,15 @@ CALLS = {
     "solve_nearest": lambda file, plan: plan.solve_nearest(phi=0.9),
     "solve_batch": lambda file, plan: plan.solve_batch(phi=PHI, coupler=COUPLER, crank=38),
     "solve_batch, steps": lambda file, plan: plan.solve_batch(phi=np.repeat(PHI, 2)[::-2]),
+    "solve_batch, following": lambda file, plan: plan.solve_batch(phi=PHI, coupler=COUPLER,
+                                                                  branch=2),
     "sweep": lambda file, plan: plan.sweep(crank=38),
-    "sweep_branch": lambda file, plan: plan.sweep_branch(1),
+    "sweep, items": lambda file, plan: plan.sweep(phi=PHI, coupler=COUPLER),
+    "sweep_branch": lambda file, plan: plan.sweep_branch(1, crank=38),
     "sample": lambda file, plan: assur.sample(plan.scene, 600, 1, threads=2),
+    "sample, normal": lambda file, plan: assur.sample(plan.scene, 600, 1, deviations="normal",
+                                                      crank=38),
+    "pickle": lambda file, plan: pickle.loads(pickle.dumps(plan.sweep())),
     "Solution.reason": lambda file, plan: plan.solve(coupler=20).reason,
     "Solution.to_json": lambda file, plan: plan.solve().to_json(),
     "str(Solution)": lambda file, plan: str(plan.solve()),

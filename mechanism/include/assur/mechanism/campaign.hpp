@@ -45,14 +45,29 @@ void run_campaign(const Campaign& campaign, ItemRange items, int threads,
                   const std::function<std::string(const std::vector<double>&)>& encode,
                   const std::function<void(const RowBlock&)>& use);
 
-/// A parameter that deviates, and its largest deviation.
+/// A parameter that deviates, and its largest deviation. Where the law is a covariance, that is its
+/// standard deviation.
 struct Deviation {
   ParameterIndex parameter;
   double half_width;
 };
 
+/// How the parameters of a sample deviate.
+struct DeviationLaw {
+  enum class Kind : unsigned char {
+    uniform,     ///< within the half-widths t of their tolerances, each independently
+    normal,      ///< with the standard deviations t/3, each independently
+    covariance,  ///< normal, with the request's covariance
+    given        ///< by the deviations that are given
+  };
+
+  Kind kind = Kind::uniform;
+  std::vector<ParameterIndex> parameters;  ///< of given deviations
+  std::vector<double> given;               ///< of these parameters, for one sample after the other
+};
+
 /// An output at the nominal values, and its deviations as the derivatives there predict them.
-/// Parameters are independent and uniform within their half-widths t, with variances t^2/3.
+/// Parameters have the covariance of their law: uniform ones the variances t^2/3.
 struct NominalPoint {
   std::string name;
   Eigen::Vector2d position;
@@ -69,12 +84,11 @@ struct NominalForce {
   double number, worst_case, rss;
 };
 
-/// Outputs, and forces where they are wanted, under random deviations within the tolerances. Sample
-/// k takes its deviations from a generator that is a function of the seed, k and the parameter's
-/// place. Each parameter is the value of its formula for the deviating other parameters, plus a
-/// deviation of its own, uniform in
-/// (-t, t). The sample takes the configuration that is nearest to the nominal one, by the angles of
-/// the links that no driver places.
+/// Outputs, and forces where they are wanted, under random deviations, by default within the
+/// tolerances. Sample k takes its deviations from a generator that is a function of the seed, k and
+/// the parameter's place. Each parameter is the value of its formula for the deviating other
+/// parameters, plus a deviation of its own. The sample takes the configuration that is nearest to
+/// the nominal one, by the angles of the links that no driver places.
 class Sampling {
  public:
   /// `branch`: the number of the nominal configuration, from 1 as `Plan::solve` counts; zero for
@@ -82,7 +96,7 @@ class Sampling {
   /// MechanismError where nothing deviates, nothing is an output, or there is no such
   /// configuration.
   Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
-           std::uint64_t seed, std::uint64_t count);
+           std::uint64_t seed, std::uint64_t count, DeviationLaw law = {});
 
   /// The columns `sample`, `outcome`, the coordinates of the outputs, `P.x`, and the numbers of the
   /// wanted forces, `A.effort`.
@@ -99,6 +113,11 @@ class Sampling {
   class Worker;
 
   std::vector<Deviation> deviations_;
+  [[nodiscard]] double deviation(std::uint64_t sample, std::size_t place) const;
+
+  DeviationLaw law_;
+  /// Of the deviations of a covariance: their factors of independent normal numbers.
+  Eigen::MatrixXd factors_;
   /// The deviating parameters, and those that depend on them, with the half-width zero. Each stands
   /// after the parameters that its formula reads.
   std::vector<Deviation> changing_;

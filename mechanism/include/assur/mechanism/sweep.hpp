@@ -103,5 +103,8 @@ struct SweptPlaces {
 /// for the number zero, the request has no reference.
 std::optional<double> sweep_branch(const Plan& plan, std::size_t number,
                                    const SweepObserver& observer);
+/// Does the same with all parameters but the swept one as in `values`.
+std::optional<double> sweep_branch(const Plan& plan, const Values& values, std::size_t number,
+                                   const SweepObserver& observer);
 
 }  // namespace assur::mechanism

@@ -14,9 +14,9 @@ namespace assur::support {
 /// Copies between a branch and numbers, always in the same order: whether it is kept before the
 /// place to which it was followed, the positions of drivers and parameters where it is kept and
 /// those at that place, then for each group u, q, J^-1 and the pivots.
-template <typename Solver>
+template <typename Solver, typename Scalar>
 class FlatBranch {
-  using Branch = support::Branch<Solver, double>;
+  using Branch = support::Branch<Solver, Scalar>;
 
   template <typename Group>
   static constexpr std::size_t inverse_size =
@@ -24,16 +24,16 @@ class FlatBranch {
   template <typename Group>
   static constexpr auto pivot_count = static_cast<std::size_t>(Group::pivot_count);
   template <typename Variables>
-  static constexpr std::size_t count_of = number_count<Variables, double>;
+  static constexpr std::size_t count_of = number_count<Variables, Scalar>;
 
   template <typename Points>
   struct NumbersOf;
   template <typename... Group>
-  struct NumbersOf<std::tuple<GroupPoint<Group, double>...>> {
+  struct NumbersOf<std::tuple<GroupPoint<Group, Scalar>...>> {
     static constexpr std::size_t value =
         (std::size_t{0} + ... +
-         (count_of<typename Group::template Inputs<double>> +
-          count_of<typename Group::template Configuration<double>> + inverse_size<Group> +
+         (count_of<typename Group::template Inputs<Scalar>> +
+          count_of<typename Group::template Configuration<Scalar>> + inverse_size<Group> +
           pivot_count<Group>));
   };
 
@@ -42,20 +42,20 @@ class FlatBranch {
   static constexpr std::size_t size =
       1 +
       2 * std::tuple_size_v<
-              decltype(std::declval<typename Access<Solver, double>::Given>().positions())> +
+              decltype(std::declval<typename Access<Solver, Scalar>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
 
   /// `numbers` has `size` places.
-  static void flatten(Branch branch, double* numbers) {
+  static void flatten(Branch branch, Scalar* numbers) {
     visit(branch, [&numbers](void* part, std::size_t count) {
-      std::memcpy(numbers, part, count * sizeof(double));
+      std::memcpy(numbers, part, count * sizeof(Scalar));
       numbers += count;
     });
   }
-  [[nodiscard]] static Branch unflattened(const double* numbers, Status status) {
+  [[nodiscard]] static Branch unflattened(const Scalar* numbers, Status status) {
     Branch branch;
     visit(branch, [&numbers](void* part, std::size_t count) {
-      std::memcpy(part, numbers, count * sizeof(double));
+      std::memcpy(part, numbers, count * sizeof(Scalar));
       numbers += count;
     });
     branch.status = status;
@@ -65,19 +65,19 @@ class FlatBranch {
  private:
   template <typename Visitor>
   static void visit(Branch& branch, const Visitor& visitor) {
-    auto is_kept_before = static_cast<double>(branch.is_kept_before);
+    auto is_kept_before = static_cast<Scalar>(branch.is_kept_before);
     visitor(&is_kept_before, std::size_t{1});
     branch.is_kept_before = is_kept_before != 0;
-    for (double* position : branch.given.positions()) {
+    for (Scalar* position : branch.given.positions()) {
       visitor(position, std::size_t{1});
     }
-    for (double* position : branch.followed_to.positions()) {
+    for (Scalar* position : branch.followed_to.positions()) {
       visitor(position, std::size_t{1});
     }
     std::apply([&visitor](auto&... point) { (visit_point(point, visitor), ...); }, branch.groups);
   }
   template <typename Group, typename Visitor>
-  static void visit_point(GroupPoint<Group, double>& point, const Visitor& visitor) {
+  static void visit_point(GroupPoint<Group, Scalar>& point, const Visitor& visitor) {
     visitor(static_cast<void*>(&point.u), count_of<decltype(point.u)>);
     visitor(static_cast<void*>(&point.q), count_of<decltype(point.q)>);
     visitor(point.inverse.data(), inverse_size<Group>);

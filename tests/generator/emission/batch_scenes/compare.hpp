@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace batch_scenes {
@@ -111,6 +112,56 @@ Differences compare(std::size_t instances, std::size_t& alone) {
   return differ;
 }
 
+/// How many rows of a branch that a batch follows differ from those that `track` gives place by
+/// place. The places wander, some of them beyond where the branch leads or no numbers.
+template <typename Solver>
+long tracks_that_differ(std::size_t places) {
+  using Drivers = typename Solver::template Drivers<double>;
+  using State = typename Solver::template State<double>;
+  constexpr std::size_t numbers = assur::support::column_count<State>;
+  Drivers drivers;
+  typename Solver::Branch one_by_one = Solver::branch(drivers, 0);
+  typename Solver::Branch together = one_by_one;
+  std::vector<Drivers> all;
+  std::vector<double> given(assur::support::column_count<Drivers> * places + 1);
+  Sequence sequence;
+  for (std::size_t place = 0; place < places; ++place) {
+    for (double* position : drivers.positions()) {
+      *position += (sequence.next() - 0.4) * 0.1 * (1 + std::abs(*position));
+    }
+    all.push_back(drivers);
+    if (place % 7 == 3) {
+      *all.back().positions()[0] = std::numeric_limits<double>::quiet_NaN();
+    }
+    assur::support::for_each_column(all.back(), [&](double number, std::size_t column) {
+      given[column * places + place] = number;
+    });
+  }
+  std::vector<assur::Status> statuses(places);
+  std::vector<double> states(numbers * places + 1);
+  const std::size_t reached = assur::support::track_batch<Solver>(
+      places, Given{given.data(), places}, together, {statuses.data(), states.data(), places});
+  long differ = 0;
+  std::size_t expected = 0;
+  for (std::size_t place = 0; place < places; ++place) {
+    State state;
+    const auto way = Solver::track(all[place], one_by_one, state);
+    bool is_row = assur::is_solvable(way.status);
+    if constexpr (!std::is_same_v<typename Solver::Track, assur::support::Track>) {
+      is_row = is_row && way.within_limits;
+    }
+    expected += is_row ? 1 : 0;
+    differ += is_row == assur::is_solvable(statuses[place]) ? 0 : 1;
+    assur::support::for_each_column(state, [&](double number, std::size_t column) {
+      const double other = states[column * places + place];
+      const bool same =
+          is_row ? number == other || (std::isnan(number) && std::isnan(other)) : std::isnan(other);
+      differ += same ? 0 : 1;
+    });
+  }
+  return differ + (reached == expected ? 0 : 1) + (places > 1 && expected == 0 ? 1 : 0);
+}
+
 /// Prints what differs, for several sizes of batches and packs.
 template <typename Solver>
 void print_differences(const char* name) {
@@ -125,6 +176,7 @@ void print_differences(const char* name) {
     add(compare<Solver, 4>(instances, alone));
   }
   add(compare<Solver, 4>(ASSUR_INSTANCES, alone));
+  all.verdicts += tracks_that_differ<Solver>(0) + tracks_that_differ<Solver>(100);
   std::printf("%s %ld %ld %.3g %zu\n", name, all.verdicts, all.configurations, all.largest, alone);
 }
 

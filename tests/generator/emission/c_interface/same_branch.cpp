@@ -16,7 +16,7 @@
 namespace {
 
 using Solver = assur::scenes::ASSUR_SOLVER;
-using Flat = assur::support::FlatBranch<Solver>;
+using Flat = assur::support::FlatBranch<Solver, double>;
 
 /// Both kinds of arguments, which hold the same numbers.
 struct Given {
