@@ -24,6 +24,7 @@ struct SweptRows : RowsView {
 
 struct Branch : SweptRows {
   int number = 0;
+  std::optional<int> circuit;
   std::optional<double> ends_at;
 };
 

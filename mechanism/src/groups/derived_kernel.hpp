@@ -1,7 +1,7 @@
 // The functions of a model that is derived from the graph of its group.
 #pragma once
 
-#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/group_model.hpp>
 #include <vector>
 
 #include "groups/elimination.hpp"

@@ -2,7 +2,6 @@
 #include "groups/derived_model.hpp"
 
 #include <algorithm>
-#include <array>
 #include <assur/mechanism/group_model.hpp>
 #include <map>
 #include <memory>

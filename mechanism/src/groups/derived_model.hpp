@@ -1,7 +1,7 @@
 // Groups of any size by their graphs: their kernels, and proofs that no configuration is missing.
 #pragma once
 
-#include <assur/mechanism/solution.hpp>
+#include <assur/mechanism/group_model.hpp>
 #include <string>
 #include <vector>
 

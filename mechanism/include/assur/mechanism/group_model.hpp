@@ -64,6 +64,18 @@ inline constexpr std::size_t most_links_of_group = 8;
 [[nodiscard]] const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
                                               std::string& obstacle);
 
+/// A proof that no configuration of a group is missing: every solution of its equations in complex
+/// numbers is enclosed in a ball in which Krawczyk's operator, rounded outward, is a contraction,
+/// so that it holds exactly one; and in general position there are no more solutions than `of`.
+struct GroupProof {
+  int boxes = 0;         ///< disjoint balls that were found
+  int of = 0;            ///< complex configurations that there are in general position
+  double radius = 0;     ///< of this configuration's ball: radians, and parts of the group's size
+  std::string obstacle;  ///< why this configuration is in no ball; empty where it is in one
+
+  [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }
+};
+
 /// The two links that a joint joins.
 struct JointPair {
   int first, second;

@@ -37,18 +37,6 @@ struct CountedAngle {
   double angle;
 };
 
-/// A proof that no configuration of a group is missing: every solution of its equations in complex
-/// numbers is enclosed in a ball in which Krawczyk's operator, rounded outward, is a contraction,
-/// so that it holds exactly one; and in general position there are no more solutions than `of`.
-struct GroupProof {
-  int boxes = 0;         ///< disjoint balls that were found
-  int of = 0;            ///< complex configurations that there are in general position
-  double radius = 0;     ///< of this configuration's ball: radians, and parts of the group's size
-  std::string obstacle;  ///< why this configuration is in no ball; empty where it is in one
-
-  [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }
-};
-
 /// One assembly configuration of the whole mechanism.
 struct Configuration {
   Table<LinkIndex, Frame> links;  ///< of the mechanism's links, in the frame of the ground
