@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 
-namespace assur::mechanism {
+namespace assur::mechanism::description {
 
 namespace {
 
@@ -19,6 +19,10 @@ int freedoms_of(const Mechanism& mechanism) {
 }
 
 }  // namespace
+
+}  // namespace assur::mechanism::description
+
+namespace assur::mechanism {
 
 /// The only joint of a link that turns freely; does not exist for other links.
 JointIndex Mechanism::pin_of_idle(LinkIndex link) const {
@@ -62,7 +66,7 @@ void Mechanism::hold_idle_links(const std::function<Formula(LinkIndex)>& angle_o
       idle.emplace_back(link, pin);
     }
   }
-  if (freedoms_of(*this) > static_cast<int>(idle.size())) {
+  if (description::freedoms_of(*this) > static_cast<int>(idle.size())) {
     return;  // more than these can move: the mechanism is not complete, and none of them idle
   }
   for (const auto& [link, pin] : idle) {

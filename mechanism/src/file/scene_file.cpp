@@ -503,14 +503,6 @@ class SceneReader {
   Table<DrawnPointIndex, DrawnPoint>& points_;
 };
 
-}  // namespace
-
-}  // namespace assur::mechanism::file
-
-namespace assur::mechanism {
-
-namespace {
-
 /// Holds idle links as they are drawn, or at angle 0.
 void hold_idle_links(Scene& scene) {
   scene.mechanism.hold_idle_links([&](LinkIndex link) {
@@ -522,13 +514,17 @@ void hold_idle_links(Scene& scene) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::file
+
+namespace assur::mechanism {
+
 Scene parse_scene(const std::string& text, const std::string& file,
                   const std::vector<std::string>& settings, const std::string& settings_name) {
   text::expect_no_nul(text, file);
   Scene scene{file, Mechanism(), {}};
   try {
     file::SceneReader(file::parsed(text), settings, settings_name, scene).read();
-    hold_idle_links(scene);
+    file::hold_idle_links(scene);
   } catch (const MechanismError& error) {
     throw InputError(file + ": " + error.what());
   }

@@ -3,21 +3,21 @@
 
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
+#include <atomic>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <tuple>
 #include <utility>
 
-namespace assur::mechanism {
+namespace assur::mechanism::groups {
 
 namespace {
 
 /// A model with all that it refers to.
 struct DerivedModel {
   GroupStructure structure;
-  groups::DerivedKernel kernel;
+  DerivedKernel kernel;
   GroupModel model;
 };
 
@@ -26,7 +26,7 @@ using Graph = std::vector<std::tuple<int, int, bool>>;
 
 std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoint>& joints,
                                       std::string& obstacle) {
-  std::optional<groups::Loops> loops = groups::loops_of(link_count, joints);
+  std::optional<Loops> loops = loops_of(link_count, joints);
   if (!loops) {
     obstacle = "slides tie its links to one another in a circle";
     return nullptr;
@@ -48,10 +48,10 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
     prismatic.push_back(joint.prismatic);
   }
   structure.assur_class = assur_class_of(link_count, pairs);
-  groups::DerivedKernel kernel(*std::move(loops), structure.link_joints);
+  DerivedKernel kernel(*std::move(loops), structure.link_joints);
   if (kernel.dimension_is_angle().size() > models::most_columns ||
       kernel.dimension_is_angle().size() + kernel.input_is_angle().size() + models::most_unknowns >
-          groups::most_variables) {
+          most_variables) {
     obstacle = "its links have more joints than there is room for";
     return nullptr;
   }
@@ -88,6 +88,21 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
   return result;
 }
 
+/// Lets one thread at a time pass. The standard library of a program without threads has no mutex.
+class Gate {
+ public:
+  explicit Gate(std::atomic_flag& flag) : flag_(flag) {
+    while (flag_.test_and_set(std::memory_order_acquire)) {
+    }
+  }
+  Gate(const Gate&) = delete;
+  Gate& operator=(const Gate&) = delete;
+  ~Gate() { flag_.clear(std::memory_order_release); }
+
+ private:
+  std::atomic_flag& flag_;
+};
+
 struct Known {
   std::unique_ptr<DerivedModel> model;
   std::string obstacle;
@@ -97,12 +112,12 @@ struct Known {
 const Known& known(int link_count, const std::vector<ModelJoint>& joints) {
   // It is not destroyed, since threads may still solve when the process ends.
   static auto& models = *new std::map<Graph, Known>;
-  static std::mutex guard;
+  static std::atomic_flag is_busy;
   Graph graph;
   for (const ModelJoint& joint : joints) {
     graph.emplace_back(joint.first, joint.second, joint.prismatic);
   }
-  const std::scoped_lock lock(guard);
+  const Gate gate(is_busy);
   const auto [place, is_new] = models.try_emplace(std::move(graph));
   if (is_new) {
     place->second.model = derived(link_count, joints, place->second.obstacle);
@@ -111,15 +126,6 @@ const Known& known(int link_count, const std::vector<ModelJoint>& joints) {
 }
 
 }  // namespace
-
-const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
-                                std::string& obstacle) {
-  const Known& model = known(link_count, joints);
-  obstacle = model.obstacle;
-  return model.model ? &model.model->model : nullptr;
-}
-
-namespace groups {
 
 GroupProof proof_of(const std::vector<ModelJoint>& joints,
                     const std::vector<JointFeatures<double>>& features,
@@ -131,6 +137,15 @@ GroupProof proof_of(const std::vector<ModelJoint>& joints,
   return model.model->kernel.proof(features, directions);
 }
 
-}  // namespace groups
+}  // namespace assur::mechanism::groups
+
+namespace assur::mechanism {
+
+const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
+                                std::string& obstacle) {
+  const groups::Known& model = groups::known(link_count, joints);
+  obstacle = model.obstacle;
+  return model.model ? &model.model->model : nullptr;
+}
 
 }  // namespace assur::mechanism

@@ -23,18 +23,15 @@ struct PlacedLinks {
   std::vector<Scalar> closures;     ///< x and y of each loop
 };
 
-namespace detail {
-
 /// The place of a feature on a link.
 template <typename Scalar>
-[[nodiscard]] Pose<Scalar> carried(const Pose<Scalar>& link, const LinkFeature<Scalar>& feature) {
+[[nodiscard]] Pose<Scalar> feature_place(const Pose<Scalar>& link,
+                                         const LinkFeature<Scalar>& feature) {
   const Direction<Scalar>& by = link.direction;
   return {link.x + feature.x * by.cos - feature.y * by.sin,
           link.y + feature.y * by.cos + feature.x * by.sin,
           feature.line ? turned(by, feature.along) : by};
 }
-
-}  // namespace detail
 
 /// Places the links of a group with these angles (the base's is not among them) and displacements:
 /// each one where the joint by which it is reached holds it. The closures are the gaps at the
@@ -65,7 +62,7 @@ template <typename Scalar>
   }
   // How far the second link's feature is from the first one's, as the displacement tells.
   const auto slid = [&](int joint, int from) {
-    const Pose<Scalar> end = detail::carried(pose_of(from), feature_on(joint, from));
+    const Pose<Scalar> end = feature_place(pose_of(from), feature_on(joint, from));
     if (loops.slide[at(joint)] < 0) {
       return end;
     }
@@ -77,14 +74,14 @@ template <typename Scalar>
   for (const auto& [link, joint] : loops.placed) {
     const Pose<Scalar> there = slid(joint, loops.other(joint, link));
     Pose<Scalar>& pose = result.poses[at(link)];
-    const Pose<Scalar> end = detail::carried(pose, feature_on(joint, link));
+    const Pose<Scalar> end = feature_place(pose, feature_on(joint, link));
     pose.x = there.x - end.x;
     pose.y = there.y - end.y;
   }
   for (const int joint : loops.closing) {
     const ModelJoint& ends = loops.joints[at(joint)];
     const Pose<Scalar> there = slid(joint, ends.first);
-    const Pose<Scalar> end = detail::carried(pose_of(ends.second), feature_on(joint, ends.second));
+    const Pose<Scalar> end = feature_place(pose_of(ends.second), feature_on(joint, ends.second));
     result.closures.push_back(there.x - end.x);
     result.closures.push_back(there.y - end.y);
   }
