@@ -4,7 +4,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <assur/detail/numbers.hpp>
+#include <assur/support/derivative_digits.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
