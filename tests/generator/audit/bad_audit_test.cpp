@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"TwoEntries", "length a b\nclosure f = a\nprinted matrix J of f by a b\n  1\n",
               "f.audit:4:3: expected 2 entries, found 1"},
         Fault{"NoColumns", "length a\nclosure f = a\nprinted matrix J of f\n",
-              "f.audit:3:18: expected 'of ROWS by COLUMNS'"},
+              "f.audit:3:18: expected 'of ROWS by COLUMNS' or 'transpose of ROWS by COLUMNS'"},
         Fault{"RowsOfNothing", "length a\nclosure f = a\nprinted matrix J of by a\n",
               "f.audit:3:20: the names are missing"},
         Fault{"NoRowsOfKinds", "printed kinds T of tetrad\n",

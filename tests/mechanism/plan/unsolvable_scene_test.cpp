@@ -39,6 +39,7 @@ TEST(Imbalance, NamesTheLinksThatKeepAFreedom) {
 TEST(Imbalance, NamesBothAtOnce) {
   Bars bars;
   bars.four_bar().bar("strut", "coupler.E", "ground.A").bar("loose", "crank.B", "");
+  bars.bar("tail", "loose.Q", "");  // it rests where it is drawn
   EXPECT_EQ(message_of(bars.json()),
             "scene: joints: over-constrained by 1: the joints B, C, D, strut_P, strut_Q constrain "
             "the links coupler, rocker, strut more than their freedoms allow; take a joint or a "

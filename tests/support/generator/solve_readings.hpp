@@ -57,9 +57,11 @@ class ReadingList {
       }
     }
     for (const auto& [name, slide] : configuration["joints"].items()) {
-      for (const auto& [what, value] : slide.items()) {
-        const std::string sort = what == "displacement" ? "length" : what;
-        readings_.push_back({sort, "s.slides." + scene_.member(name) + "." + what, value});
+      for (const std::string what : {"displacement", "velocity", "acceleration"}) {
+        if (slide.contains(what)) {  // forces are read elsewhere
+          const std::string sort = what == "displacement" ? "length" : what;
+          readings_.push_back({sort, "s.slides." + scene_.member(name) + "." + what, slide[what]});
+        }
       }
     }
     for (const auto& [name, output] : configuration["outputs"].items()) {
