@@ -3,6 +3,10 @@
 #include <pybind11/stl.h>
 
 #include <assur/text/counts.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "bindings.hpp"
 #include "given.hpp"
@@ -20,8 +24,10 @@ using Asked = SolvedScene::Asked;
 struct GroupOfPlan {
   int assur_class;
   std::string kind;
-  int model;
+  std::optional<int> model;
   std::vector<std::string> links;
+  std::set<std::string> joints;
+  std::optional<int> complex_configurations;
   std::optional<std::string> relative_to;
 };
 
@@ -29,9 +35,16 @@ std::vector<GroupOfPlan> groups_of(const PlannedScene& planned) {
   const mechanism::Structure& structure = planned.plan.structure();
   std::vector<GroupOfPlan> groups;
   for (const mechanism::FoundGroup& group : structure.groups) {
+    const mechanism::GroupModel& model = *group.model;
+    std::set<std::string> joints;
+    for (const mechanism::ElementaryJointIndex joint : group.assignments.front().joints) {
+      joints.insert(structure.linkage.joints[joint].name);
+    }
     groups.push_back(
-        {group.model->group->assur_class, group.kind, group.model->number,
-         structure.names_of(group.links),
+        {model.group->assur_class, group.kind,
+         model.is_derived() ? std::nullopt : std::optional(model.number),
+         structure.names_of(group.links), std::move(joints),
+         model.rigid ? std::optional(model.max_configurations) : std::nullopt,
          group.base.exists() ? std::optional(structure.linkage.links[group.base]) : std::nullopt});
   }
   return groups;
@@ -51,12 +64,24 @@ mechanism::Plan planned_of(const mechanism::Scene& scene) {
 void bind_group(py::module_& module) {
   py::class_<GroupOfPlan>(module, "Group", "An Assur group of a plan.")
       .def_readonly("assur_class", &GroupOfPlan::assur_class,
-                    "int: 2 for a dyad, 3 for a triad, 4 for a tetrad.")
+                    "int: 2 for a dyad, 3 for a triad, 4 for a tetrad; the sides of the largest "
+                    "contour.")
       .def_readonly("kind", &GroupOfPlan::kind,
                     "str: the letters of its joints, R for revolute and P for prismatic.")
-      .def_readonly("model", &GroupOfPlan::model,
-                    "int: the number of its model, as `assur catalogue` lists it.")
+      .def_readonly(
+          "model", &GroupOfPlan::model,
+          "int or None: the number of its model, as `assur catalogue` lists it; None for a\n"
+          "group of more than four links.")
       .def_readonly("links", &GroupOfPlan::links, "list of str: the names of its links.")
+      .def_property_readonly(
+          "joints",
+          [](const GroupOfPlan& group) {
+            return std::vector<std::string>(group.joints.begin(), group.joints.end());
+          },
+          "list of str: the names of its joints, in alphabetical order.")
+      .def_readonly("complex_configurations", &GroupOfPlan::complex_configurations,
+                    "int or None: how many configurations it has in complex numbers, in general\n"
+                    "position; None where it moves.")
       .def_readonly("relative_to", &GroupOfPlan::relative_to,
                     "str or None: the moving link relative to which it is solved, if any.");
 }

@@ -20,7 +20,7 @@ CALLS = {
     "sweep_branch": lambda plan: plan.sweep_branch(),
     "svg": lambda plan: plan.scene.svg(1, 2, 3),
     "svg keyword": lambda plan: plan.scene.svg(colour="red"),
-    "page": lambda plan: plan.scene.page(1),
+    "page": lambda plan: plan.scene.page(1, 2),
     "index": lambda plan: plan.solve()["P"],
     "links": lambda plan: plan.solve().links.keys(1),
     "reason": lambda plan: assur.sample(plan.scene, 2, 1).reason(),

@@ -89,7 +89,9 @@ def expect_as_command(command, scene):
     solution = planned.solve()
     expect_solution(solution, printed, planned.parameters)
     groups = [{"class": group.assur_class, "kind": group.kind, "model": group.model,
-               "links": group.links} | (
+               "links": group.links, "joints": group.joints} | (
+                   {"complex_configurations": group.complex_configurations}
+                   if group.complex_configurations else {}) | (
                    {"relative_to": group.relative_to} if group.relative_to else {})
               for group in planned.groups]
     assert groups == printed["groups"]
