@@ -95,8 +95,9 @@ std::string file_of_page(std::string_view name) {
 std::string script_of_page() {
   std::string script;
   for (const char* name :
-       {"lzma", "library", "solver", "quantities", "film", "view", "stage", "arrows", "plot", "table", "scene",
-        "sliders", "motion", "hand", "editing", "marks", "files", "panels", "controls", "page"}) {
+       {"lzma",    "library", "solver", "quantities", "film",     "view",   "stage",
+        "arrows",  "plot",    "table",  "scene",      "sliders",  "motion", "hand",
+        "editing", "marks",   "files",  "panels",     "controls", "page"}) {
     script += file_of_page(name + std::string(".js"));
   }
   return script;

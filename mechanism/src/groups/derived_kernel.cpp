@@ -505,7 +505,7 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
   std::vector<ComplexConfiguration> real;
   for (const Enclosed& one : all.enclosed) {
     if (one.is_real) {
-      real.push_back(settled(equations, made_real(one.at)));
+      real.push_back(made_real(one.at));
     }
   }
   if (all.count() == complex_count_) {

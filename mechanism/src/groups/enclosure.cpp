@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace assur::mechanism::groups {
 
@@ -140,22 +142,6 @@ bool closes(const LoopEquations& equations, const ComplexConfiguration& at) {
 
 }  // namespace
 
-std::optional<Enclosed> enclosed(const LoopEquations& equations,
-                                 const ComplexConfiguration& approximate) {
-  const double unit = equations.size();
-  const LoopEquations own = scaled(equations);
-  ComplexConfiguration at = with_unit(approximate, 1 / unit);
-  if (!polish(own, at)) {
-    return std::nullopt;
-  }
-  std::optional<Enclosed> ball = ball_about(own, at);
-  if (ball) {
-    ball->is_real = distance(at, mirrored(at)) + ball->holds < ball->alone;
-    ball->at = with_unit(at, unit);
-  }
-  return ball;
-}
-
 AllConfigurations all_configurations(const LoopEquations& equations,
                                      const std::vector<Elimination>& eliminations,
                                      int complex_count) {
@@ -164,25 +150,18 @@ AllConfigurations all_configurations(const LoopEquations& equations,
   AllConfigurations result;
   for (const Elimination& elimination : eliminations) {
     for (ComplexConfiguration& at : candidates(own, elimination)) {
-      if (!polish(own, at)) {
-        if (closes(own, at)) {
-          result.unproven.push_back(with_unit(at, unit));
-        }
-        continue;
-      }
-      std::optional<Enclosed> ball = ball_about(own, at);
+      std::optional<Enclosed> ball = polish(own, at) ? ball_about(own, at) : std::nullopt;
       if (!ball) {
         if (closes(own, at)) {
           result.unproven.push_back(with_unit(at, unit));
         }
         continue;
       }
-      // Two balls that lie in each other's surroundings hold the same solution.
-      const bool is_known = std::ranges::any_of(result.enclosed, [&](const Enclosed& other) {
-        return distance(at, other.at) + ball->holds <= other.alone ||
-               distance(at, other.at) + other.holds <= ball->alone;
+      // Only disjoint balls are counted: they cannot hold the same solution.
+      const bool is_disjoint = std::ranges::none_of(result.enclosed, [&](const Enclosed& other) {
+        return distance(at, other.at) <= ball->holds + other.holds;
       });
-      if (!is_known) {
+      if (is_disjoint) {
         ball->is_real = distance(at, mirrored(at)) + ball->holds < ball->alone;
         result.enclosed.push_back(std::move(*ball));
       }

@@ -1,7 +1,6 @@
 // Complex configurations of a group, each enclosed in a ball that holds exactly one.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "groups/elimination.hpp"
@@ -9,10 +8,11 @@
 
 namespace assur::mechanism::groups {
 
-/// A configuration and a ball about it, in the largest of the moduli of the angles' errors and of
-/// the displacements' errors in parts of the group's size. Within `holds` of the configuration
-/// there is one exact solution of the equations as they stand in doubles, and within `alone` no
-/// other one.
+/// A configuration, as Newton's method has settled it, and a ball about it where Krawczyk's
+/// operator is a contraction, with bounds for all roundings. The ball is measured by the largest of
+/// the moduli of the angles' errors and of the displacements' errors in parts of the group's size.
+/// Within `holds` of the configuration there is one exact solution of the equations as they stand
+/// in doubles, and within `alone` no other one.
 struct Enclosed {
   ComplexConfiguration at;
   double holds;
@@ -20,13 +20,7 @@ struct Enclosed {
   bool is_real;  ///< the solution is its own mirror image theta -> 1 / conj(theta), s -> conj(s)
 };
 
-/// Newton's steps from an approximate configuration, and the ball where Krawczyk's operator is a
-/// contraction, with bounds for all roundings. Nothing where no ball is found: the approximation is
-/// none, or the configuration is too close to a multiple one.
-[[nodiscard]] std::optional<Enclosed> enclosed(const LoopEquations& equations,
-                                               const ComplexConfiguration& approximate);
-
-/// The complex configurations that were found, no two of which are the same.
+/// The complex configurations that were found, in disjoint balls.
 struct AllConfigurations {
   std::vector<Enclosed> enclosed;
   /// Where closures vanish to rounding without a ball being found: approximate.
