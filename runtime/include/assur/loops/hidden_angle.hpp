@@ -248,15 +248,16 @@ template <typename Of, typename Kernel>
   return with_displacements<Of>(equations, theta / base);
 }
 
-/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
-/// and some that close nothing.
+/// Calls `visit(configuration, eigenvalues)` for approximate complex configurations: all in general
+/// position, and some that close nothing. `eigenvalues` is 1, and 0 for further configurations that
+/// an eigenvalue may stand for.
 template <typename Of, typename Visit>
 void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
     Eigen::Matrix<Complex, Of::directions, 1> theta;
     theta.setOnes(equations.of_angles.cols());
-    visit(with_displacements<Of>(equations, theta));
+    visit(with_displacements<Of>(equations, theta), 1);
     return;
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
@@ -290,10 +291,10 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const auto x_of = [&](Eigen::Index index) {
     return PolynomialMatrix<Of>::sigma() + 1.0 / Complex(w(index));
   };
-  const auto tell = [&](const Complex& x, const auto& of) {
+  const auto tell = [&](const Complex& x, const auto& of, int eigenvalues) {
     const ComplexConfiguration<Of> told = told_configuration<Of>(equations, elimination, x, of);
     if (told.theta.allFinite() && told.s.allFinite()) {
-      visit(told);
+      visit(told, eigenvalues);
     }
   };
   // Eigenvalues that differ by less than the root of a rounding may be one.
@@ -303,7 +304,7 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       continue;
     }
     const Complex x = x_of(index);
-    tell(x, kernel(index));
+    tell(x, kernel(index), 1);
     // Two configurations with one x have a kernel of two dimensions, which does not tell them
     // apart: Newton's method begins in several places of it.
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
@@ -311,7 +312,7 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
         constexpr int places = 8;
         constexpr double turn = 6.283185307179586;
         for (int place = 0; place < places; ++place) {
-          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other));
+          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other), 0);
         }
       }
     }

@@ -106,7 +106,9 @@ class UnprovenConfigurations {
     }
     const ComplexConfiguration<Of> at = settled(equations_, near);
     const RealClosures<Of> here = real_closures(equations_, at);
-    if (!(here.f.norm() <= rounding_of(equations_, at)) || gap_between(at, near) > apart() * 100) {
+    // A complex point of a family may be far from its real ones.
+    const bool is_near = gap_between(at, near) <= apart() * 100;
+    if (!(here.f.norm() <= rounding_of(equations_, at)) || (!is_near && result_.mobility > 0)) {
       return;
     }
     for (const ComplexConfiguration<Of>& other : result_.list) {
@@ -121,7 +123,7 @@ class UnprovenConfigurations {
     }
     if (const int freedoms = mobility_at(at, here); freedoms > 0) {
       result_.mobility = (std::max)(result_.mobility, freedoms);
-    } else {
+    } else if (is_near) {
       result_.list.push_back(at);
     }
   }
