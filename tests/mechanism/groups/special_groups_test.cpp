@@ -2,10 +2,14 @@
 // the same; what is known of named groups comes out.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
+#include <assur/mechanism/sweep.hpp>
 #include <iostream>
 #include <limits>
+#include <map>
+#include <set>
 
 #include "mechanism/pinned_bodies.hpp"
 #include "whole_campaign.hpp"
@@ -63,7 +67,7 @@ TEST(SpecialGroups, OnALatticeLoseNothingAndAreLikeTheirTwins) {
   constexpr double twin = 1e-12;
   constexpr double near = 1e-3;
   std::mt19937 engine(seed);
-  const int groups = is_whole_campaign() ? 500 : 12;
+  const int groups = is_whole_campaign() ? 500 : 40;
   const int starts = is_whole_campaign() ? 200 : 50;
   int complete = 0;
   int rests = 0;
@@ -150,6 +154,136 @@ TEST(SpecialGroups, OfLoeschHas56ConfigurationsTenOfThemReal) {
     for (const mechanism::GroupProof& proof : configuration.proofs) {
       EXPECT_EQ(proof.boxes, 56);
       EXPECT_EQ(proof.of, 56);
+    }
+  }
+}
+
+/// A scene that is drawn with these points, and pins where links have one in common.
+Json drawn(const std::map<std::string, Complex>& points,
+           const std::map<std::string, std::vector<std::string>>& links) {
+  Json scene;
+  for (const auto& [name, at] : points) {
+    scene["points"][name] = {at.real(), at.imag()};
+  }
+  for (const auto& [name, of] : links) {
+    scene["links"][name] = of;
+  }
+  return scene;
+}
+
+// Two of Roberts' cognates, pinned at the tracing point, share the coupler curve. At each of its
+// three double points the four-bars may stand in two ways that differ: six configurations are
+// single, and those at real double points are real. The complex ones are found by chance.
+TEST(SpecialGroups, OfRobertsCognatesMoveAndHaveSingleConfigurationsBeside) {
+  const Complex o = 0;
+  const Complex ratio(0.5, 0.5);  // of the coupler triangles: exact in doubles, as all points are
+  const std::vector<std::array<Complex, 3>> four_bars = {
+      {Complex(1, 2), Complex(5, 3), Complex(6, 0)},
+      {Complex(3, 4), Complex(15, 9), Complex(21, 0)}};
+  const std::vector<std::size_t> at_real_double_points = {4, 2};
+  for (std::size_t place = 0; place < four_bars.size(); ++place) {
+    const auto& [a, b, q] = four_bars[place];
+    const Complex p = a + ratio * (b - a);
+    const mechanism::Solution solution = solved(drawn({{"O", o},
+                                                       {"A", a},
+                                                       {"B", b},
+                                                       {"Q", q},
+                                                       {"P", p},
+                                                       {"D", p - a},
+                                                       {"C", ratio * b},
+                                                       {"R", ratio * q}},
+                                                      {{"ground", {"O", "Q", "R"}},
+                                                       {"crank", {"O", "A"}},
+                                                       {"coupler", {"A", "B", "P"}},
+                                                       {"rocker", {"Q", "B"}},
+                                                       {"crank 2", {"O", "D"}},
+                                                       {"coupler 2", {"D", "C", "P"}},
+                                                       {"rocker 2", {"R", "C"}}}),
+                                                true);
+    EXPECT_NE(solution.incomplete, "");
+    ASSERT_EQ(solution.families.size(), 1U);
+    EXPECT_EQ(solution.families[0].mobility, 1);
+    EXPECT_EQ(solution.configurations.size(), at_real_double_points[place]);
+    for (const mechanism::Configuration& configuration : solution.configurations) {
+      for (const mechanism::GroupProof& proof : configuration.proofs) {
+        EXPECT_LE(proof.boxes, 6);
+        EXPECT_EQ(proof.of, 18);
+      }
+    }
+  }
+}
+
+/// A crank and three bars of its length turn alike, and three links between them keep their angles.
+/// Two of the bars with the link on both are flat where the crank lies along the x-axis: there this
+/// motion crosses another one.
+class SweptParallelCranks {
+ public:
+  SweptParallelCranks(double from, double to) {
+    const Complex crank = std::polar(1.0, 0.7);
+    scene_ = drawn({{"O", 0},
+                    {"A", crank},
+                    {"B", crank + Complex(0.8, 2.1)},
+                    {"C", crank + Complex(3, 3)},
+                    {"P", {-2, -1.5}},
+                    {"E", crank + Complex(-2, -1.5)},
+                    {"Q", 4},
+                    {"F", crank + 4.0},
+                    {"R", 7},
+                    {"G", crank + 7.0}},
+                   {{"ground", {"O", "P", "Q", "R"}},
+                    {"crank", {"O", "A"}},
+                    {"d", {"A", "B"}},
+                    {"b", {"B", "E", "C"}},
+                    {"c", {"C", "F", "G"}},
+                    {"e", {"P", "E"}},
+                    {"f", {"Q", "F"}},
+                    {"g", {"R", "G"}}});
+    scene_["parameters"]["phi"] = {{"value", 0.7}};
+    scene_["drivers"]["O"] = {{"position", "phi"}, {"velocity", 1}};
+    scene_["sweep"] = {{"parameter", "phi"}, {"from", from}, {"to", to}, {"count", steps}};
+    const mechanism::Plan plan(mechanism::parse_scene(scene_.dump(), "parallel cranks"));
+    (void)mechanism::sweep(
+        plan, {[this](const mechanism::SweepRecord& record) { keep(record); }, {}, {}, {}});
+  }
+
+  static constexpr int steps = 3;
+  std::set<int> kept;          ///< the steps at which the three links keep their angles
+  std::vector<double> events;  ///< the parameter at each
+
+ private:
+  void keep(const mechanism::SweepRecord& record) {
+    if (!record.event.empty()) {
+      events.push_back(record.parameter);
+      return;
+    }
+    double turned = 0;
+    for (const auto& [link, angle] : {std::pair{"d", std::arg(Complex(0.8, 2.1))},
+                                      {"b", std::arg(Complex(-2.8, -3.6))},
+                                      {"c", std::arg(Complex(1, -3))}}) {
+      const Direction<double>& by = record.state->link(link).pose.direction;
+      turned = std::max(turned, std::abs(Complex(by.cos, by.sin) - std::polar(1.0, angle)));
+    }
+    if (turned < 1e-6) {
+      kept.insert(record.step);
+    }
+  }
+
+  Json scene_;
+};
+
+// Nearer than a millionth of a radian to the change point the two motions are not told apart: there
+// is one configuration for both, and a branch of each may begin or end.
+TEST(SpecialGroups, AreSweptFromOverAndToChangePoints) {
+  const double turn = 2 * std::acos(-1);
+  const std::vector<std::array<double, 3>> ranges = {
+      {0, 0.15, 0}, {turn / 2 - 0.1, turn / 2 + 0.1, turn / 2}, {turn - 0.15, turn, turn}};
+  for (const auto& [from, to, change_point] : share_of(ranges, ranges.size())) {
+    SCOPED_TRACE(change_point);
+    const SweptParallelCranks swept(from, to);
+    EXPECT_EQ(std::ssize(swept.kept), SweptParallelCranks::steps);
+    EXPECT_LE(swept.events.size(), 2U);
+    for (const double event : swept.events) {
+      EXPECT_NEAR(event, change_point, 1e-6);
     }
   }
 }

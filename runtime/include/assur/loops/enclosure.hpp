@@ -261,12 +261,13 @@ template <typename Of, typename Eliminations>
   int before = -1;  // the first elimination is not compared
   for (const Elimination& elimination : eliminations) {
     unproven_here = 0;
-    each_candidate<Of>(own, elimination, found);
+    const bool tells_all = each_candidate<Of>(own, elimination, found);
     const int count = result.count();
-    if (count >= complex_count || (count == before && count + unproven_here >= complex_count)) {
+    if (count >= complex_count ||
+        (tells_all && count == before && count + unproven_here >= complex_count)) {
       break;
     }
-    before = count;
+    before = tells_all ? count : before;
   }
   for (Enclosed<Of>& ball : result.enclosed) {
     ball.at.s *= unit;

@@ -250,15 +250,16 @@ template <typename Of, typename Kernel>
 
 /// Calls `visit(configuration, eigenvalues)` for approximate complex configurations: all in general
 /// position, and some that close nothing. `eigenvalues` is 1, and 0 for further configurations that
-/// an eigenvalue may stand for.
+/// an eigenvalue may stand for. False where the matrix is singular to rounding for every x, as
+/// where the group moves: then any x is an eigenvalue, and single configurations come by chance.
 template <typename Of, typename Visit>
-void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
+bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
     Eigen::Matrix<Complex, Of::directions, 1> theta;
     theta.setOnes(equations.of_angles.cols());
     visit(with_displacements<Of>(equations, theta), 1);
-    return;
+    return true;
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
   // companion matrix: those at infinity and those of a singular leading coefficient become w = 0.
@@ -267,10 +268,12 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const int size = elimination.size;
   const int degree = elimination.degree;
   Pencil companion = Pencil::Zero(size * degree, size * degree);
+  bool is_regular = false;
   {
     PolynomialMatrix<Of> matrix(equations, elimination);
     const Pencil constant = matrix.coefficient(0);
     const Eigen::PartialPivLU<Pencil> factors(constant);
+    is_regular = factors.rcond() > size * epsilon;
     for (int order = 1; order <= degree; ++order) {
       const Pencil coefficient = matrix.coefficient(order);
       companion.block(0, size * (order - 1), size, size) = -factors.solve(coefficient);
@@ -278,11 +281,11 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   }
   companion.bottomLeftCorner(size * (degree - 1), size * (degree - 1)).setIdentity();
   if (!companion.allFinite()) {
-    return;
+    return false;
   }
   const Eigen::ComplexEigenSolver<Pencil> solved(companion);
   if (solved.info() != Eigen::Success) {
-    return;
+    return false;
   }
   const auto& w = solved.eigenvalues();
   const auto kernel = [&](Eigen::Index index) {
@@ -317,6 +320,7 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       }
     }
   }
+  return is_regular;
 }
 
 }  // namespace assur::loops
