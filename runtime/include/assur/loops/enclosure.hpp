@@ -73,10 +73,12 @@ template <typename Matrix>
   return largest;
 }
 
-/// Bounds of a group's closures near a configuration.
+/// Bounds of a group's closures near a configuration, of each one by itself: where a direction is
+/// long, its loop is, too, and the conjugate of the loop is not.
+template <typename Of>
 struct ClosureBounds {
-  double rounding;  ///< of each closure and of each entry of the Jacobian, as computed
-  double bending;   ///< of the second derivatives, along two vectors of length one
+  typename Of::Closures rounding;  ///< of the closure and of each of its derivatives, as computed
+  typename Of::Closures bending;   ///< of its second derivatives, along two vectors of length one
 };
 
 /// With z = (angles, displacements) the second derivatives of a closure are sums of - a theta_c,
@@ -84,9 +86,10 @@ struct ClosureBounds {
 /// reciprocal, grows by more than exp(reach). Products, sums and exponentials of a group of this
 /// size are rounded less than `operations` times.
 template <typename Of>
-[[nodiscard]] ClosureBounds bounds_of(const LoopEquations<Of>& equations,
-                                      const ComplexConfiguration<Of>& at, double reach) {
-  ClosureBounds result{0, 0};
+[[nodiscard]] ClosureBounds<Of> bounds_of(const LoopEquations<Of>& equations,
+                                          const ComplexConfiguration<Of>& at, double reach) {
+  const Eigen::Index loops = equations.loop_count();
+  ClosureBounds<Of> result{typename Of::Closures(2 * loops), typename Of::Closures(2 * loops)};
   const double grown = std::exp(reach);
   const auto operations =
       static_cast<double>(4 * (equations.of_angles.cols() + 3 * equations.slide_count() + 2));
@@ -95,7 +98,7 @@ template <typename Of>
       const double size = std::abs(at.theta(angle));
       return conjugate ? 1 / size : size;
     };
-    for (Eigen::Index loop = 0; loop < equations.loop_count(); ++loop) {
+    for (Eigen::Index loop = 0; loop < loops; ++loop) {
       double terms = std::abs(equations.of_angles(loop, 0));
       double bending = 0;
       for (Eigen::Index angle = 1; angle <= equations.angle_count(); ++angle) {
@@ -110,11 +113,19 @@ template <typename Of>
         terms += along * (std::max)(1.0, length);
         bending += angle > 0 ? along * (length + reach + 2) : 0;
       }
-      result.rounding = (std::max)(result.rounding, operations * epsilon * terms);
-      result.bending = (std::max)(result.bending, grown * bending);
+      const Eigen::Index closure = conjugate ? loops + loop : loop;
+      result.rounding(closure) = operations * epsilon * terms;
+      result.bending(closure) = grown * bending;
     }
   }
   return result;
+}
+
+/// Whether the closures vanish to their roundings.
+template <typename Of>
+[[nodiscard]] bool closes(const LoopEquations<Of>& equations, const ComplexConfiguration<Of>& at) {
+  const typename Of::Closures open = closures_at(equations, at).cwiseAbs();
+  return (open.array() <= bounds_of(equations, at, 0).rounding.array()).all();
 }
 
 /// The largest difference of two configurations, angles and displacements alike; turns are
@@ -135,6 +146,14 @@ template <typename Of>
   return {of.theta.conjugate().cwiseInverse(), of.s.conjugate()};
 }
 
+/// Whether a direction or its reciprocal is zero to rounding, or to the root of a rounding where
+/// two eigenvalues meet: the configuration is at infinity.
+template <typename Of>
+[[nodiscard]] bool is_at_infinity(const ComplexConfiguration<Of>& at) {
+  const auto sizes = at.theta.cwiseAbs();
+  return !(sizes.minCoeff() > std::sqrt(epsilon) * sizes.maxCoeff());
+}
+
 /// Newton's steps in the unit of the group; false where they do not settle.
 template <typename Of>
 [[nodiscard]] bool polish(const LoopEquations<Of>& equations, ComplexConfiguration<Of>& at) {
@@ -148,8 +167,8 @@ template <typename Of>
     if (!std::isfinite(length)) {
       return false;
     }
-    if (length >= last && length < std::sqrt(epsilon)) {
-      return true;  // rounding alone is left
+    if (length >= last && closes(equations, at)) {
+      return true;  // rounding alone is left, which moves a multiple configuration far
     }
     if (length > turn) {
       by *= turn / length;
@@ -176,18 +195,19 @@ template <typename Of>
     return false;
   }
   constexpr double largest_ball = 0.5;  // a turn: exp(reach) stays small
-  const ClosureBounds bounds = bounds_of(equations, ball.at, largest_ball);
-  const double of_inverse = norm_of(inverse);
+  const ClosureBounds<Of> bounds = bounds_of(equations, ball.at, largest_ball);
+  const typename Of::Square of_inverse = inverse.cwiseAbs();
   const auto size = static_cast<double>(jacobian.rows());
+  const double product_rounding = 4 * size * epsilon;
   const Square left = one - inverse.lazyProduct(jacobian);
-  const double still =
-      norm_of(left) +
-      of_inverse * size * (bounds.rounding + 4 * size * epsilon * norm_of(jacobian));
+  const typename Of::Closures of_rows = jacobian.cwiseAbs().rowwise().sum();
+  const typename Of::Closures of_entries = size * bounds.rounding + product_rounding * of_rows;
+  const double still = norm_of(left) + norm_of(of_inverse.lazyProduct(of_entries));
   const typename Of::ComplexClosures correction =
       inverse.lazyProduct(closures_at(equations, ball.at));
-  const double moved =
-      norm_of(correction) + of_inverse * (bounds.rounding * (1 + 4 * size * epsilon));
-  const double bent = of_inverse * bounds.bending;
+  const double moved = norm_of(correction) +
+                       norm_of(of_inverse.lazyProduct(bounds.rounding)) * (1 + product_rounding);
+  const double bent = norm_of(of_inverse.lazyProduct(bounds.bending));
   if (!(still < 0.5)) {
     return false;
   }
@@ -198,8 +218,10 @@ template <typename Of>
   return ball.holds <= ball.alone;
 }
 
-/// Searches by one elimination after another until `complex_count` balls are found, or all
-/// eliminations are used.
+/// Searches by one elimination after another until `complex_count` balls are found, or no other
+/// elimination can add one. Where configurations coincide, are at infinity or move there are fewer
+/// balls, and an elimination has as many eigenvalues for each of them as it counts: where all N are
+/// accounted for, and no ball is new, the others tell the same.
 template <typename Of, typename Eliminations>
 [[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
                                                        const Eliminations& eliminations,
@@ -208,17 +230,24 @@ template <typename Of, typename Eliminations>
   LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
   own.of_angles /= unit;
   AllConfigurations<Of> result;
-  const auto found = [&](const ComplexConfiguration<Of>& near) {
+  int unproven_here = 0;
+  const auto found = [&](const ComplexConfiguration<Of>& near, int eigenvalues) {
     if (result.count() >= complex_count) {
+      return;
+    }
+    if (is_at_infinity(near)) {
+      unproven_here += eigenvalues;
       return;
     }
     Enclosed<Of> ball{near, 0, 0, false};
     const bool is_settled = polish(own, ball.at);
     if (!is_settled || !enclose(own, ball)) {
-      if (!result.unproven.is_full() &&
-          norm_of(closures_at(own, ball.at)) <= bounds_of(own, ball.at, 0).rounding) {
+      if (closes(own, ball.at)) {
+        unproven_here += eigenvalues;
         ball.at.s *= unit;
-        result.unproven.push_back(ball.at);
+        if (!result.unproven.is_full()) {
+          result.unproven.push_back(ball.at);
+        }
       }
       return;
     }
@@ -230,11 +259,16 @@ template <typename Of, typename Eliminations>
     }
     result.enclosed.push_back(ball);
   };
+  int before = -1;  // the first elimination is not compared
   for (const Elimination& elimination : eliminations) {
-    each_candidate<Of>(own, elimination, found);
-    if (result.count() >= complex_count) {
+    unproven_here = 0;
+    const bool tells_all = each_candidate<Of>(own, elimination, found);
+    const int count = result.count();
+    if (count >= complex_count ||
+        (tells_all && count == before && count + unproven_here >= complex_count)) {
       break;
     }
+    before = tells_all ? count : before;
   }
   for (Enclosed<Of>& ball : result.enclosed) {
     ball.at.s *= unit;

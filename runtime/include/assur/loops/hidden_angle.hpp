@@ -263,16 +263,18 @@ template <typename Of, typename Kernel>
   return with_displacements<Of>(equations, theta / base);
 }
 
-/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
-/// and some that close nothing.
+/// Calls `visit(configuration, eigenvalues)` for approximate complex configurations: all in general
+/// position, and some that close nothing. `eigenvalues` is 1, and 0 for further configurations that
+/// an eigenvalue may stand for. False where the matrix is singular to rounding for every x, as
+/// where the group moves: then any x is an eigenvalue, and single configurations come by chance.
 template <typename Of, typename Visit>
-void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
+bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
     typename Of::Directions theta;
     theta.setOnes(equations.of_angles.cols());
-    visit(with_displacements<Of>(equations, theta));
-    return;
+    visit(with_displacements<Of>(equations, theta), 1);
+    return true;
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
   // companion matrix: those at infinity and those of a singular leading coefficient become w = 0.
@@ -281,10 +283,12 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const int size = elimination.size;
   const int degree = elimination.degree;
   Pencil companion = Pencil::Zero(size * degree, size * degree);
+  bool is_regular = false;
   {
     PolynomialMatrix<Of> matrix(equations, elimination);
     const Pencil constant = matrix.coefficient(0);
     const Eigen::PartialPivLU<Pencil> factors(constant);
+    is_regular = factors.rcond() > size * epsilon;
     for (int order = 1; order <= degree; ++order) {
       const Pencil coefficient = matrix.coefficient(order);
       companion.block(0, size * (order - 1), size, size) = -factors.solve(coefficient);
@@ -292,11 +296,11 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   }
   companion.bottomLeftCorner(size * (degree - 1), size * (degree - 1)).setIdentity();
   if (!companion.allFinite()) {
-    return;
+    return false;
   }
   const Eigen::ComplexEigenSolver<Pencil> solved(companion);
   if (solved.info() != Eigen::Success) {
-    return;
+    return false;
   }
   const auto& w = solved.eigenvalues();
   const auto kernel = [&](Eigen::Index index) {
@@ -305,10 +309,10 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const auto x_of = [&](Eigen::Index index) {
     return PolynomialMatrix<Of>::sigma() + 1.0 / Complex(w(index));
   };
-  const auto tell = [&](const Complex& x, const auto& of) {
+  const auto tell = [&](const Complex& x, const auto& of, int eigenvalues) {
     const ComplexConfiguration<Of> told = told_configuration<Of>(equations, elimination, x, of);
     if (told.theta.allFinite() && told.s.allFinite()) {
-      visit(told);
+      visit(told, eigenvalues);
     }
   };
   // Eigenvalues that differ by less than the root of a rounding may be one.
@@ -318,7 +322,7 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       continue;
     }
     const Complex x = x_of(index);
-    tell(x, kernel(index));
+    tell(x, kernel(index), 1);
     // Two configurations with one x have a kernel of two dimensions, which does not tell them
     // apart: Newton's method begins in several places of it.
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
@@ -326,11 +330,12 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
         constexpr int places = 8;
         constexpr double turn = 6.283185307179586;
         for (int place = 0; place < places; ++place) {
-          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other));
+          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other), 0);
         }
       }
     }
   }
+  return is_regular;
 }
 
 }  // namespace assur::loops

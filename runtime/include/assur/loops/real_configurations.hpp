@@ -104,24 +104,38 @@ class UnprovenConfigurations {
     }
     const ComplexConfiguration<Of> at = settled(equations_, near);
     const RealClosures<Of> here = real_closures(equations_, at);
-    if (!(here.f.norm() <= rounding_of(equations_, at)) || gap_between(at, near) > apart() * 100) {
+    // A complex point of a family may be far from its real ones.
+    const bool is_near = gap_between(at, near) <= apart() * 100;
+    if (!(here.f.norm() <= rounding_of(equations_, at)) || (!is_near && result_.mobility > 0)) {
       return;
     }
+    const double unsure = displacement_at(at, here);
     for (const ComplexConfiguration<Of>& other : result_.list) {
-      if (gap_between(at, other) < apart()) {
+      if (gap_between(at, other) <= unsure) {
         return;
       }
     }
     for (const Enclosed<Of>& other : all_.enclosed) {
-      if (gap_between(at, other.at) < apart()) {
+      if (gap_between(at, other.at) <= unsure) {
         return;
       }
     }
     if (const int freedoms = mobility_at(at, here); freedoms > 0) {
       result_.mobility = (std::max)(result_.mobility, freedoms);
-    } else {
+    } else if (is_near) {
       result_.list.push_back(at);
     }
+  }
+
+  /// How far what rounding leaves of the closures may move a configuration: the root of a rounding
+  /// where two meet, for J is then as small, and more where more than two do.
+  [[nodiscard]] double displacement_at(const ComplexConfiguration<Of>& at,
+                                       const RealClosures<Of>& here) const {
+    const typename Of::Square one = Of::Square::Identity(here.j.rows(), here.j.cols());
+    typename Of::Square inverse = solved<Of>(here.j, one);
+    inverse.bottomRows(equations_.slide_count()) /= size_;
+    const double by = norm_of(inverse) * rounding_of(equations_, at);
+    return by <= apart() * 100 ? by : apart() * 100;  // also where J has no inverse
   }
 
   /// How many directions of the kernel lead to configurations that close as well.

@@ -1,0 +1,162 @@
+// Chains of rigid links that are drawn with pins at given places, as scenes and as pinned bodies
+// for Newton's method: the independent truth for larger groups of revolute joints.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <algorithm>
+#include <assur/mechanism/solution.hpp>
+#include <cmath>
+#include <complex>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mechanism/larger_groups.hpp"
+
+namespace assur::test {
+
+/// Where the joints of a chain are drawn.
+using Places = std::vector<std::complex<double>>;
+
+inline Places any_places(const Chain& chain, std::mt19937& engine) {
+  std::uniform_real_distribution<double> place(-4, 4);
+  Places result(chain.size());
+  for (std::complex<double>& one : result) {
+    const double x = place(engine);
+    one = {x, place(engine)};
+  }
+  return result;
+}
+
+/// Bars between points: joint k of a chain at point Pk.
+inline nlohmann::ordered_json drawn_chain(const Chain& chain, const Places& places, int links,
+                                          int ground) {
+  nlohmann::ordered_json scene;
+  for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+    scene["points"]["P" + std::to_string(joint)] = {places[joint].real(), places[joint].imag()};
+  }
+  for (int link = 0; link < links; ++link) {
+    nlohmann::ordered_json& points =
+        scene["links"][link == ground ? "ground" : "L" + std::to_string(link)];
+    for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+      if (chain[joint].first == link || chain[joint].second == link) {
+        points.push_back("P" + std::to_string(joint));
+      }
+    }
+  }
+  return scene;
+}
+
+/// The links of a chain as rigid bodies that turn about the origin and move from where they are
+/// drawn: coordinates x, y and angle of every link but the ground. It knows no groups and no loops.
+class PinnedBodies {
+ public:
+  PinnedBodies(const Chain& chain, const Places& places, int links, int ground)
+      : chain_(chain), places_(places), ground_(ground), size_(3L * (links - 1)) {}
+
+  [[nodiscard]] Eigen::Index size() const { return size_; }
+
+  /// Newton's method with steps of a turn of one radian at most; whether it came to rest.
+  [[nodiscard]] bool assemble(Eigen::VectorXd& q) const {
+    constexpr int most_steps = 60;
+    Eigen::MatrixXd jacobian(size_, size_);
+    for (int step = 0; step < most_steps; ++step) {
+      const Eigen::VectorXd f = gaps(q, &jacobian);
+      const Eigen::VectorXd by = jacobian.partialPivLu().solve(-f);
+      if (!by.allFinite()) {
+        return false;
+      }
+      const double length = by.cwiseAbs().maxCoeff();
+      q += by / std::max(1.0, length);
+      if (length < 1e-11) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The largest gap at a joint.
+  [[nodiscard]] double gap(const Eigen::VectorXd& q) const {
+    return gaps(q, nullptr).cwiseAbs().maxCoeff();
+  }
+
+  /// The coordinates in a configuration: the frame of a link that is given by points has its origin
+  /// at the first one, and its x-axis leads to the second one.
+  [[nodiscard]] Eigen::VectorXd coordinates(const mechanism::Configuration& configuration) const {
+    Eigen::VectorXd q(size_);
+    for (int link = 0; link < static_cast<int>(size_ / 3) + 1; ++link) {
+      if (link == ground_) {
+        continue;
+      }
+      std::vector<Complex> points;
+      for (std::size_t joint = 0; joint < chain_.size(); ++joint) {
+        if (chain_[joint].first == link || chain_[joint].second == link) {
+          points.push_back(places_[joint]);
+        }
+      }
+      const Pose<double>& pose = configuration.link("L" + std::to_string(link)).pose;
+      const Complex axis = (points[1] - points[0]) / std::abs(points[1] - points[0]);
+      const Complex turn = Complex(pose.direction.cos, pose.direction.sin) / axis;
+      const Complex at = Complex(pose.x, pose.y) - turn * points[0];
+      q.segment<3>(first_of(link)) << at.real(), at.imag(), std::arg(turn);
+    }
+    return q;
+  }
+
+ private:
+  using Complex = std::complex<double>;
+
+  [[nodiscard]] Eigen::Index first_of(int link) const {
+    return 3L * (link - (link > ground_ ? 1 : 0));
+  }
+
+  [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q, Eigen::MatrixXd* jacobian) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
+    if (jacobian != nullptr) {
+      jacobian->setZero();
+    }
+    for (std::size_t joint = 0; joint < chain_.size(); ++joint) {
+      const auto row = 2 * static_cast<Eigen::Index>(joint);
+      for (const auto& [link, sign] :
+           {std::pair{chain_[joint].first, 1.0}, {chain_[joint].second, -1.0}}) {
+        if (link == ground_) {
+          result(row) += sign * places_[joint].real();
+          result(row + 1) += sign * places_[joint].imag();
+          continue;
+        }
+        const Eigen::Index first = first_of(link);
+        const Complex arm = std::polar(1.0, q(first + 2)) * places_[joint];
+        result(row) += sign * (q(first) + arm.real());
+        result(row + 1) += sign * (q(first + 1) + arm.imag());
+        if (jacobian != nullptr) {
+          (*jacobian)(row, first) = (*jacobian)(row + 1, first + 1) = sign;
+          (*jacobian)(row, first + 2) = -sign * arm.imag();
+          (*jacobian)(row + 1, first + 2) = sign * arm.real();
+        }
+      }
+    }
+    return result;
+  }
+
+  const Chain& chain_;
+  const Places& places_;
+  int ground_;
+  Eigen::Index size_;
+};
+
+/// The largest difference of coordinates, of angles modulo a turn.
+inline double distance_of(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
+  double result = 0;
+  for (Eigen::Index place = 0; place < one.size(); ++place) {
+    const double difference = one(place) - other(place);
+    result =
+        std::max(result, place % 3 == 2 ? std::abs(std::remainder(difference, 2 * std::acos(-1)))
+                                        : std::abs(difference));
+  }
+  return result;
+}
+
+}  // namespace assur::test
