@@ -110,7 +110,7 @@ class HiddenAngle {
   /// eliminated; false where the other columns are dependent.
   [[nodiscard]] bool cofactors_of(const Square& columns, Column& cofactors) const {
     const Eigen::Index size = columns.rows();
-    SmallSystem<Of, Complex> system(size - 1, size);
+    ClosureSystem<Of, Complex> system(size - 1, size);
     system.put(0, columns.leftCols(size - 1).transpose());
     if (!(system.eliminate(size, size - 1) > epsilon * static_cast<double>(size))) {
       return false;
@@ -161,17 +161,15 @@ class HiddenAngle {
 template <typename Of>
 class PolynomialMatrix {
  public:
+  using Pencil = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                               Of::eigenvalues, Of::eigenvalues>;
   /// Any point off the unit circle, on which real angles lie.
   [[nodiscard]] static Complex sigma() { return {0.37, 1.21}; }
-  using Block = Eigen::Map<Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic>>;
 
   PolynomialMatrix(const LoopEquations<Of>& equations, const Elimination& elimination)
-      : size_(elimination.size) {
-    const int degree = elimination.degree;
-    if constexpr (is_dynamic) {
-      entries_.resize(static_cast<std::size_t>(size_ * size_ * (degree + 1)));
-    }
-    std::fill(entries_.begin(), entries_.end(), Complex(0));
+      : size_(elimination.size),
+        degree_(elimination.degree),
+        entries_(size_, size_ * (degree_ + 1)) {
     const HiddenAngle<Of> hidden(equations, elimination.ground, elimination.hidden);
     for (int row = 0; row < size_; ++row) {
       double largest = 0;
@@ -179,39 +177,47 @@ class PolynomialMatrix {
                        [&](AngleSet product, int power, const Complex& coefficient) {
                          const int column = elimination.column_of(product);
                          const int of = power - elimination.lowest_powers[row];
-                         if (column < size_ && of >= 0 && of <= degree) {
+                         if (column < size_ && of >= 0 && of <= degree_) {
                            largest = (std::max)(largest, std::abs(coefficient));
                            add(row, column, of, coefficient);
                          }
                        });
-      for (int order = 0; largest > 0 && order <= degree; ++order) {
-        coefficient(order).row(row) /= largest;
+      for (int column = 0; largest > 0 && column < size_ * (degree_ + 1); ++column) {
+        entries_.entry(row, column) /= largest;
       }
     }
   }
-  /// The Taylor coefficient of an order.
-  [[nodiscard]] Block coefficient(int order) {
-    return {entries_.data() + static_cast<std::ptrdiff_t>(order) * size_ * size_, size_, size_};
+
+  /// The matrix whose eigenvalues are w = 1 / (x - sigma). `firmness` is how far the matrix at
+  /// sigma is from a singular one, in parts of its largest entries; zero where there is no
+  /// companion.
+  [[nodiscard]] Pencil companion(double& firmness) {
+    Pencil result = Pencil::Zero(size_ * degree_, size_ * degree_);
+    firmness = entries_.eliminate(size_, size_);
+    for (int row = 0; row < size_ && firmness > 0; ++row) {
+      for (int column = 0; column < size_ * degree_; ++column) {
+        result(row, column) = -entries_.entry(entries_.row_of(row), size_ + column);
+      }
+    }
+    result.bottomLeftCorner(size_ * (degree_ - 1), size_ * (degree_ - 1)).setIdentity();
+    return result;
   }
 
  private:
-  static constexpr bool is_dynamic = Of::eigenvalues == Eigen::Dynamic;
-  // size (degree + 1) is at most twice the number of eigenvalues.
-  static constexpr auto most =
-      static_cast<std::size_t>(is_dynamic ? 0 : 2 * Of::eigenvalues * Of::eigenvalues);
-
   /// Adds `coefficient` x^power: its Taylor coefficients are binomials times powers of sigma.
   void add(int row, int column, int power, Complex value) {
     double binomial = 1;
     for (int order = power; order >= 0; --order) {
-      coefficient(order)(row, column) += binomial * value;
+      entries_.entry(row, size_ * order + column) += binomial * value;
       value *= sigma();
       binomial = binomial * order / (power - order + 1);
     }
   }
 
   int size_;
-  std::conditional_t<is_dynamic, std::vector<Complex>, std::array<Complex, most>> entries_;
+  int degree_;
+  // size (degree + 1) is at most twice the number of eigenvalues.
+  SmallSystem<Complex, Of::eigenvalues, 2 * Of::eigenvalues> entries_;
 };
 
 /// The configuration with these angles; the displacements close the loops as well as they can.
@@ -278,24 +284,11 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
   // companion matrix: those at infinity and those of a singular leading coefficient become w = 0.
-  using Pencil = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
-                               Of::eigenvalues, Of::eigenvalues>;
+  using Pencil = typename PolynomialMatrix<Of>::Pencil;
   const int size = elimination.size;
-  const int degree = elimination.degree;
-  Pencil companion = Pencil::Zero(size * degree, size * degree);
-  bool is_regular = false;
-  {
-    PolynomialMatrix<Of> matrix(equations, elimination);
-    const Pencil constant = matrix.coefficient(0);
-    const Eigen::PartialPivLU<Pencil> factors(constant);
-    is_regular = factors.rcond() > size * epsilon;
-    for (int order = 1; order <= degree; ++order) {
-      const Pencil coefficient = matrix.coefficient(order);
-      companion.block(0, size * (order - 1), size, size) = -factors.solve(coefficient);
-    }
-  }
-  companion.bottomLeftCorner(size * (degree - 1), size * (degree - 1)).setIdentity();
-  if (!companion.allFinite()) {
+  double firmness = 0;
+  const Pencil companion = PolynomialMatrix<Of>(equations, elimination).companion(firmness);
+  if (!(firmness > 0) || !companion.allFinite()) {
     return false;
   }
   const Eigen::ComplexEigenSolver<Pencil> solved(companion);
@@ -335,7 +328,7 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       }
     }
   }
-  return is_regular;
+  return firmness > size * epsilon;
 }
 
 }  // namespace assur::loops

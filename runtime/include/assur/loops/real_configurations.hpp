@@ -146,7 +146,7 @@ class UnprovenConfigurations {
     typename Of::Square in_size = here.j;
     in_size.leftCols(angles) /= size_;
     const Eigen::Index unknowns = in_size.cols();
-    SmallSystem<Of, double> system(unknowns, unknowns);
+    ClosureSystem<Of, double> system(unknowns, unknowns);
     system.put(0, in_size);
     (void)system.eliminate_above(apart(), unknowns);
     int result = 0;

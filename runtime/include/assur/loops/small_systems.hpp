@@ -1,5 +1,5 @@
-// Linear systems of a group's closures. Their code depends on few sizes, so that compilers have
-// little of it: decompositions of matrices of each size would take minutes.
+// Linear systems of a group. Their code depends on no size, so that compilers have little of it:
+// decompositions of matrices of each size would take minutes.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,9 @@
 
 namespace assur::loops {
 
-/// A matrix of some rows, of the closures or fewer, and as many columns, and others beside it.
-template <typename Of, typename Scalar>
+/// A matrix of some rows and columns, of which the first ones are eliminated; zero at first. The
+/// bounds of both may be Eigen::Dynamic.
+template <typename Scalar, int MostRows, int MostColumns>
 class SmallSystem {
  public:
   SmallSystem(Eigen::Index rows, Eigen::Index columns)
@@ -52,18 +53,24 @@ class SmallSystem {
   }
 
  private:
-  static constexpr int most_rows = Of::closures == Eigen::Dynamic ? 0 : Of::closures;
-  local::Memory<Scalar, 2 * most_rows * most_rows> memory_;
+  static constexpr bool is_dynamic = MostRows == Eigen::Dynamic;
+  static constexpr int most_rows = is_dynamic ? 0 : MostRows;
+  static constexpr int most_columns = is_dynamic ? 0 : MostColumns;
+  local::Memory<Scalar, most_rows * most_columns> memory_;
   local::Table<Scalar> table_;
-  local::Pivots<most_rows, most_rows> pivots_;
+  local::Pivots<most_rows, most_columns> pivots_;
 };
+
+/// A system of as many rows as there are closures, or fewer, and up to twice as many columns.
+template <typename Of, typename Scalar>
+using ClosureSystem = SmallSystem<Scalar, Of::closures, 2 * Of::closures>;
 
 /// A^-1 B; NaN where A has no inverse.
 template <typename Of, typename Square, typename Right>
 [[nodiscard]] Right solved(const Square& A, const Right& B) {
   using Scalar = typename Right::Scalar;
   const Eigen::Index size = A.rows();
-  SmallSystem<Of, Scalar> system(size, size + B.cols());
+  ClosureSystem<Of, Scalar> system(size, size + B.cols());
   system.put(0, A);
   system.put(size, B);
   Right result(size, B.cols());
