@@ -17,6 +17,7 @@
 #include "group_words.hpp"
 #include "listed_configuration.hpp"
 #include "plan/plan_data.hpp"
+#include "plan/refusals.hpp"
 #include "redundant_joints.hpp"
 #include "search_bounds.hpp"
 #include "settled_redundancy.hpp"
@@ -65,6 +66,8 @@ class ConfigurationWalk {
   /// Whether, since the last search began, a place that groups hardly determine was found not to be
   /// a configuration: rounding may have moved it away from one.
   [[nodiscard]] bool is_unsure() const { return is_unsure_; }
+  /// See `MechanismSolver::refusal`; of the last search.
+  [[nodiscard]] const std::optional<OverConstrained>& refusal() const { return refusal_; }
 
   std::size_t run_to(std::size_t number, Solution& result) {
     nearness_.seek_nothing();
@@ -142,6 +145,7 @@ class ConfigurationWalk {
     result.breaches.clear();
     result.nearest_to_limits.reset();
     result.left_out = cuts_ ? std::nullopt : std::optional<std::size_t>(0);
+    refusal_.reset();
     is_inconsistent_ = has_settled_ = is_unsure_ = has_left_inconsistent_ = false;
     least_gap_ = std::numeric_limits<double>::infinity();
     listed_ = passed_ = 0;
@@ -346,12 +350,12 @@ class ConfigurationWalk {
       return;
     }
     if (is_inconsistent_ && lacks_all()) {
-      const OverConstrained refusal = refusal_of_redundant(plan_, least_gap_);
-      if (search_.within_limits) {
-        throw OverConstrained(refusal);
-      }
+      const OverConstrained refusal = plan::refusal_of_redundant(plan_, least_gap_);
       solution_->status = SolutionStatus::no_assembly;
       solution_->reason = refusal.what();
+      if (search_.within_limits) {
+        refusal_ = refusal;
+      }
       return;
     }
     if (solution_->configurations.empty() && solution_->dropped > 0 &&
@@ -414,6 +418,7 @@ class ConfigurationWalk {
   bool only_consistent_ = true;
   bool leaves_inconsistent_ = false;  ///< as soon as a redundant joint cannot hold
   bool has_left_inconsistent_ = false;
+  std::optional<OverConstrained> refusal_;
   bool is_inconsistent_ = false;  ///< redundant constraints did not hold somewhere
   double least_gap_ = 0;          ///< by which they failed to hold
   bool has_settled_ = false;      ///< some of them by all constraints
@@ -429,52 +434,54 @@ MechanismSolver::MechanismSolver(const Values& values)
     : walk_(std::make_unique<ConfigurationWalk>(values)), others_(values) {}
 MechanismSolver::~MechanismSolver() = default;
 
+template <typename Search, typename Question>
+auto MechanismSolver::searched(const Search& search, const Question& question, Solution& result) {
+  auto own = search(*walk_);
+  refusal_ = walk_->refusal();
+  decltype(own) other{};
+  const auto ask = [&](MechanismSolver& solver, Solution& found) {
+    other = question(solver, found);
+  };
+  return others_.settle(*this, ask, result, refusal_) ? other : own;
+}
+
 void MechanismSolver::solve(const Search& search, Solution& result) {
-  (void)others_.settle(
-      *this, [&] { walk_->run(search, result); },
-      [&](MechanismSolver& other, Solution& found) { other.solve(search, found); }, result);
+  (void)searched(
+      [&](ConfigurationWalk& walk) {
+        walk.run(search, result);
+        return true;
+      },
+      [&](MechanismSolver& other, Solution& found) {
+        other.solve(search, found);
+        return true;
+      },
+      result);
 }
 
 std::size_t MechanismSolver::solve_one(std::size_t number, Solution& result) {
-  std::size_t own = 0;
-  std::size_t other = 0;
-  const auto ask = [&](MechanismSolver& solver, Solution& found) {
-    other = solver.solve_one(number, found);
-  };
-  return others_.settle(
-             *this, [&] { own = walk_->run_to(number, result); }, ask, result)
-             ? other
-             : own;
+  return searched(
+      [&](ConfigurationWalk& walk) { return walk.run_to(number, result); },
+      [&](MechanismSolver& other, Solution& found) { return other.solve_one(number, found); },
+      result);
 }
 
 std::optional<Nearest> MechanismSolver::solve_nearest(Solution& result) {
-  std::optional<Nearest> own;
-  std::optional<Nearest> other;
-  const auto ask = [&](MechanismSolver& solver, Solution& found) {
-    other = solver.solve_nearest(found);
-  };
-  return others_.settle(
-             *this, [&] { own = walk_->run_to_nearest(result); }, ask, result)
-             ? other
-             : own;
+  return searched(
+      [&](ConfigurationWalk& walk) { return walk.run_to_nearest(result); },
+      [](MechanismSolver& other, Solution& found) { return other.solve_nearest(found); }, result);
 }
 
 std::optional<Nearest> MechanismSolver::solve_near(const SoughtPoint& point, Solution& result) {
-  std::optional<Nearest> own;
-  std::optional<Nearest> other;
-  const auto ask = [&](MechanismSolver& solver, Solution& found) {
-    other = solver.solve_near(point, found);
-  };
-  return others_.settle(
-             *this, [&] { own = walk_->run_near(point, result); }, ask, result)
-             ? other
-             : own;
+  return searched(
+      [&](ConfigurationWalk& walk) { return walk.run_near(point, result); },
+      [&](MechanismSolver& other, Solution& found) { return other.solve_near(point, found); },
+      result);
 }
 
 bool MechanismSolver::is_unsure() const { return walk_->is_unsure(); }
 
 void MechanismSolver::count_from(std::vector<NearbyConfigurations> nearby) {
-  others_.stay_away(!nearby.empty());
+  others_.keep_own_choice(!nearby.empty());
   walk_->count_from(std::move(nearby));
 }
 

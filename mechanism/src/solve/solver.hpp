@@ -1,6 +1,7 @@
 // Turns the values of a planned mechanism into every assembly configuration.
 #pragma once
 
+#include <assur/mechanism/error.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 #include <memory>
@@ -9,7 +10,7 @@
 
 #include "nearby_configurations.hpp"
 #include "nearness.hpp"
-#include "other_ways.hpp"
+#include "other_constraints.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -54,10 +55,18 @@ class MechanismSolver {
   /// Whether rounding may have kept the last search from a configuration: a place that groups
   /// hardly determine was found not to be one.
   [[nodiscard]] bool is_unsure() const;
+  /// Why the last search within limits found nothing, if redundant constraints hold in none of the
+  /// configurations. The solution has the same reason.
+  [[nodiscard]] const std::optional<OverConstrained>& refusal() const { return refusal_; }
 
  private:
+  /// Searches by the walk, and asks plans that leave out other constraints where these are needed.
+  template <typename Search, typename Question>
+  auto searched(const Search& search, const Question& question, Solution& result);
+
   std::unique_ptr<ConfigurationWalk> walk_;
-  OtherWays others_;
+  OtherConstraints others_;
+  std::optional<OverConstrained> refusal_;
 };
 
 }  // namespace assur::mechanism::solve

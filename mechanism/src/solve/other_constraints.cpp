@@ -1,4 +1,4 @@
-#include "other_ways.hpp"
+#include "other_constraints.hpp"
 
 #include <algorithm>
 #include <assur/text/names.hpp>
@@ -8,8 +8,7 @@
 #include "all_constraints.hpp"
 #include "configuration_order.hpp"
 #include "left_mobility.hpp"
-#include "plan/plan_data.hpp"
-#include "redundant_plan.hpp"
+#include "plan/other_plans.hpp"
 #include "relative_frames.hpp"
 #include "search_bounds.hpp"
 #include "settled_redundancy.hpp"
@@ -130,25 +129,19 @@ class Adoption {
 
 }  // namespace
 
-bool OtherWays::settle(const MechanismSolver& own, const std::function<void()>& search,
-                       const Question& ask, Solution& result) {
+bool OtherConstraints::settle(const MechanismSolver& own, const Question& ask, Solution& result,
+                              std::optional<OverConstrained>& refusal) {
   const PlanData& plan = values_.plan();
-  const bool has_others = plan.described != nullptr && !stays_away_;
-  std::optional<OverConstrained> refusal;
-  try {
-    search();
-  } catch (const OverConstrained& error) {
-    if (!has_others || !own.is_unsure()) {
-      throw;
-    }
-    refusal = error;
+  const bool has_others = plan.others != nullptr && !keeps_own_choice_;
+  if (!has_others || (refusal && !own.is_unsure())) {
+    return false;
   }
   const auto may_lack_all = [](const MechanismSolver& solver, const Solution& found) {
     return solver.is_unsure() && found.left_out.value_or(0) == 0 &&
            std::ranges::none_of(found.configurations, &Configuration::is_consistent);
   };
   const bool lacks_all = may_lack_all(own, result);
-  if (!has_others || (result.families.empty() && !lacks_all)) {
+  if (result.families.empty() && !lacks_all) {
     return false;
   }
   if (!lacks_all) {
@@ -158,32 +151,28 @@ bool OtherWays::settle(const MechanismSolver& own, const std::function<void()>& 
       return false;
     }
   }
-  if (!plans_) {
-    plans_ = other_plans(plan);
-  }
-  for (const std::shared_ptr<const PlanData>& other : *plans_) {
+  for (const std::shared_ptr<const PlanData>& other : plan.others->all()) {
     const Values values(other, values_.replaced());
     MechanismSolver solver(values);
     try {
       Solution solution;
       ask(solver, solution);
-      if (are_left(solution.families, values) && !may_lack_all(solver, solution)) {
+      if (solver.refusal()) {
+        if (!lacks_all && !solver.is_unsure()) {
+          refusal = solver.refusal();
+          return false;
+        }
+      } else if (are_left(solution.families, values) && !may_lack_all(solver, solution)) {
         Adoption(values_, *other).adopt(solution);
         result = std::move(solution);
+        refusal.reset();
         return true;
-      }
-    } catch (const OverConstrained&) {
-      if (!lacks_all && !solver.is_unsure()) {
-        throw;
       }
     } catch (const MechanismError&) {
       continue;  // as where a slot has no direction
     }
   }
-  if (refusal) {
-    throw OverConstrained(*refusal);
-  }
-  if (SettledRedundancy::can_close(plan)) {
+  if (!refusal && SettledRedundancy::can_close(plan)) {
     tell_what_is_left(result.families, values_);
   }
   return false;
