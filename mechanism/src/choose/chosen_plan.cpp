@@ -39,15 +39,15 @@ Trial tried(const std::shared_ptr<const PlanData>& plan, Families families) {
   const Values values(plan, {});
   Solution solution;
   solve::MechanismSolver solver(values);
-  solver.solve({}, solution);
-  if (solver.refusal()) {
-    return {.refusal = solver.refusal()};
+  solve::Answer answer = solver.solve({}, solve::SoughtAll{}, solution);
+  if (answer.refusal) {
+    return {.refusal = std::move(answer.refusal)};
   }
   if (solution.left_out.value_or(0) > 0) {  // it holds, beyond limits
     return {.holds = true};
   }
   if (solution.status == SolutionStatus::no_assembly) {
-    solver.solve({.measures_gap = true}, solution);
+    (void)solver.solve({.measures_gap = true}, solve::SoughtAll{}, solution);
     return {.assembles = false, .refusal = plan::refusal_without_assembly(*plan, solution.reason)};
   }
   if (!solution.configurations.empty()) {

@@ -15,11 +15,14 @@ namespace assur::mechanism::choose {
 
 namespace {
 
-/// Throws OverConstrained where the last search found that redundant constraints do not hold.
-void expect_no_refusal(const solve::MechanismSolver& solver) {
-  if (solver.refusal()) {
-    throw OverConstrained(*solver.refusal());
+/// Solves the values. Throws OverConstrained where redundant constraints hold nowhere.
+solve::Answer answered(const Values& values, const solve::Search& search,
+                       const solve::Sought& sought, Solution& result) {
+  const solve::Answer answer = solve::MechanismSolver(values).solve(search, sought, result);
+  if (answer.refusal) {
+    throw OverConstrained(*answer.refusal);
   }
+  return answer;
 }
 
 }  // namespace
@@ -71,9 +74,7 @@ Solution Plan::solve(const Values& values) const {
 
 void Plan::solve(const Values& values, Solution& result) const {
   expect_usable(values);
-  solve::MechanismSolver solver(values);
-  solver.solve({}, result);
-  choose::expect_no_refusal(solver);
+  (void)choose::answered(values, {}, solve::SoughtAll{}, result);
 }
 
 double Plan::most_configurations() const { return solve::most_configurations(data_->structure); }
@@ -81,10 +82,7 @@ double Plan::most_configurations() const { return solve::most_configurations(dat
 std::optional<Nearest> Plan::solve_nearest(const Values& values, Solution& result) const {
   expect_usable(values);
   solve::expect_reference(data_->request);
-  solve::MechanismSolver solver(values);
-  std::optional<Nearest> found = solver.solve_nearest(result);
-  choose::expect_no_refusal(solver);
-  return found;
+  return choose::answered(values, {}, solve::SoughtReference{}, result).nearest;
 }
 
 std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& result) const {
@@ -92,14 +90,10 @@ std::size_t Plan::solve_one(const Values& values, std::size_t number, Solution& 
   if (number == 0) {
     throw MechanismError("", "there is no configuration 0; they are numbered from 1");
   }
-  solve::MechanismSolver solver(values);
   if (most_configurations() > most_listed) {
-    const std::size_t passed = solver.solve_one(number, result);
-    choose::expect_no_refusal(solver);
-    return passed;
+    return choose::answered(values, {}, solve::SoughtNumber{number}, result).passed;
   }
-  solver.solve({}, result);
-  choose::expect_no_refusal(solver);
+  solve(values, result);
   std::vector<Configuration>& all = result.configurations;
   const std::size_t passed = std::min(number, all.size());
   if (passed == number) {
@@ -143,7 +137,7 @@ std::string Plan::obstacle(const Values& values) const {
   expect_usable(values);
   Solution result;
   try {
-    solve::MechanismSolver(values).solve({.measures_gap = true}, result);
+    (void)solve::MechanismSolver(values).solve({.measures_gap = true}, solve::SoughtAll{}, result);
   } catch (const MechanismError& error) {  // a law has no value where everything else closes
     return error.what();
   }
@@ -153,9 +147,7 @@ std::string Plan::obstacle(const Values& values) const {
 std::optional<NearestToLimits> Plan::nearest_to_limits(const Values& values) const {
   expect_usable(values);
   Solution result;
-  solve::MechanismSolver solver(values);
-  solver.solve({.measures_gap = true}, result);
-  choose::expect_no_refusal(solver);
+  (void)choose::answered(values, {.measures_gap = true}, solve::SoughtAll{}, result);
   return std::move(result.nearest_to_limits);
 }
 

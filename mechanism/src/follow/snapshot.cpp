@@ -281,7 +281,7 @@ void SnapshotSolver::count_turns_at(double parameter, double from) {
 
 SnapshotPointer SnapshotSolver::solved_here(double parameter) {
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
-  solver_.solve({.within_limits = false}, snapshot->solution);
+  (void)solver_.solve({.within_limits = false}, solve::SoughtAll{}, snapshot->solution);
   is_count_in_doubt_ = solver_.is_count_in_doubt();
   is_count_ambiguous_ = solver_.is_count_ambiguous();
   if (snapshot->solution.configurations.size() > most_followed) {
@@ -313,7 +313,7 @@ bool SnapshotSolver::has_less_than_beside(const Snapshot& set) {
   std::shared_ptr<const Snapshot> neighbour;
   try {
     auto snapshot = begun(set.parameter + std::copysign(little * way_of_size(set), inward));
-    solver_.solve({.within_limits = false}, snapshot->solution);
+    (void)solver_.solve({.within_limits = false}, solve::SoughtAll{}, snapshot->solution);
     neighbour = completed(std::move(snapshot));
   } catch (const MechanismError&) {
     return false;  // A formula may have no value there.
@@ -334,7 +334,10 @@ void SnapshotSolver::mark_known_paths(Solution& solution) const {
 SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   if (number == 0) {
-    (void)solver_.solve_nearest(snapshot->solution);
+    const solve::Answer answer = solver_.solve({}, solve::SoughtReference{}, snapshot->solution);
+    if (answer.refusal) {
+      throw OverConstrained(*answer.refusal);
+    }
   } else {
     (void)plan_.solve_one(values_, number, snapshot->solution);
   }
@@ -350,7 +353,8 @@ SnapshotPointer SnapshotSolver::near(double parameter, const Eigen::VectorXd& po
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
   sought_.at = point;
   sought_.farthest = farthest;
-  const std::optional<Nearest> found = solver_.solve_near(sought_, snapshot->solution);
+  const std::optional<Nearest> found =
+      solver_.solve({.within_limits = false}, &sought_, snapshot->solution).nearest;
   const std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
   if (found && found->runner_up) {
     set->closest = *found->runner_up - found->distance;

@@ -129,26 +129,26 @@ class Adoption {
 
 }  // namespace
 
-bool OtherConstraints::settle(const MechanismSolver& own, const Question& ask, Solution& result,
-                              std::optional<OverConstrained>& refusal) {
+Answer OtherConstraints::settled(const Search& search, const Sought& sought, Answer own,
+                                 Solution& result) const {
   const PlanData& plan = values_.plan();
   const bool has_others = plan.others != nullptr && !keeps_own_choice_;
-  if (!has_others || (refusal && !own.is_unsure())) {
-    return false;
+  if (!has_others || (own.refusal && !own.is_unsure)) {
+    return own;
   }
-  const auto may_lack_all = [](const MechanismSolver& solver, const Solution& found) {
-    return solver.is_unsure() && found.left_out.value_or(0) == 0 &&
+  const auto may_lack_all = [](const Answer& answer, const Solution& found) {
+    return answer.is_unsure && found.left_out.value_or(0) == 0 &&
            std::ranges::none_of(found.configurations, &Configuration::is_consistent);
   };
   const bool lacks_all = may_lack_all(own, result);
   if (result.families.empty() && !lacks_all) {
-    return false;
+    return own;
   }
   if (!lacks_all) {
     std::vector<Family> left = result.families;
     if (are_left(left, values_)) {
       result.families = std::move(left);
-      return false;
+      return own;
     }
   }
   for (const std::shared_ptr<const PlanData>& other : plan.others->all()) {
@@ -156,26 +156,24 @@ bool OtherConstraints::settle(const MechanismSolver& own, const Question& ask, S
     MechanismSolver solver(values);
     try {
       Solution solution;
-      ask(solver, solution);
-      if (solver.refusal()) {
-        if (!lacks_all && !solver.is_unsure()) {
-          refusal = solver.refusal();
-          return false;
+      Answer answer = solver.solve(search, sought, solution);
+      if (answer.refusal) {
+        if (!lacks_all && !answer.is_unsure) {
+          return answer;
         }
-      } else if (are_left(solution.families, values) && !may_lack_all(solver, solution)) {
+      } else if (are_left(solution.families, values) && !may_lack_all(answer, solution)) {
         Adoption(values_, *other).adopt(solution);
         result = std::move(solution);
-        refusal.reset();
-        return true;
+        return answer;
       }
     } catch (const MechanismError&) {
       continue;  // as where a slot has no direction
     }
   }
-  if (!refusal && SettledRedundancy::can_close(plan)) {
+  if (!own.refusal && SettledRedundancy::can_close(plan)) {
     tell_what_is_left(result.families, values_);
   }
-  return false;
+  return own;
 }
 
 }  // namespace assur::mechanism::solve

@@ -2,15 +2,12 @@
 // these does not determine the configurations.
 #pragma once
 
-#include <assur/mechanism/error.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
-#include <functional>
-#include <optional>
+
+#include "search.hpp"
 
 namespace assur::mechanism::solve {
-
-class MechanismSolver;
 
 /// Every configuration of a mechanism is one of the mechanism without some of its constraints,
 /// whichever these are. If the rest moves freely for one choice of the constraints left out, or
@@ -18,19 +15,16 @@ class MechanismSolver;
 /// these are listed.
 class OtherConstraints {
  public:
-  using Question = std::function<void(MechanismSolver&, Solution&)>;
-
   /// The values must outlive it.
   explicit OtherConstraints(const Values& values) : values_(values) {}
 
-  /// Takes the `result` of a search of `own` for the mechanism's own choice of constraints to leave
-  /// out, and the `refusal` of that search. Where rounding may have kept it from all
-  /// configurations, or it has families that do not remain under all constraints, `result` becomes
-  /// that of the first choice without either. If there is no such choice, families that do not
-  /// remain get mobility zero and a reason. Returns whether `result` is for another choice, for
-  /// which the question was then asked last. The refusal becomes that of the mechanism as a whole.
-  [[nodiscard]] bool settle(const MechanismSolver& own, const Question& ask, Solution& result,
-                            std::optional<OverConstrained>& refusal);
+  /// Takes the answer and the `result` of a search for the mechanism's own choice of constraints to
+  /// leave out. Where rounding may have kept it from all configurations, or it has families that do
+  /// not remain under all constraints, `result` becomes that of the first choice without either,
+  /// and so does the answer. If there is no such choice, families that do not remain get mobility
+  /// zero and a reason.
+  [[nodiscard]] Answer settled(const Search& search, const Sought& sought, Answer own,
+                               Solution& result) const;
   /// If set, answers stay as they are, since other choices do not continue the counts of turns.
   void keep_own_choice(bool keeps) { keeps_own_choice_ = keeps; }
 
