@@ -28,14 +28,14 @@ enum class Families : unsigned char {
 
 /// Whether a plan without redundant joints can be assembled, whether these then hold in some
 /// configuration, and if not, the error to report.
-struct Trial {
+struct PlanTrial {
   bool holds = false;
   bool assembles = true;
   bool moves = false;  ///< without those joints; whether they leave a motion was not examined
   std::optional<OverConstrained> refusal = {};
 };
 
-Trial tried(const std::shared_ptr<const PlanData>& plan, Families families) {
+PlanTrial tried(const std::shared_ptr<const PlanData>& plan, Families families) {
   const Values values(plan, {});
   Solution solution;
   solve::MechanismSolver solver(values);
@@ -166,7 +166,7 @@ class Chooser {
                                             : std::make_shared<const PlanData>(std::move(data));
     };
     const std::shared_ptr<const PlanData> plan = reduced(part.mechanism, described_);
-    Trial trial = tried(plan, families);
+    PlanTrial trial = tried(plan, families);
     if (trial.moves && !moving_) {
       moving_ = part;
     }
@@ -182,7 +182,7 @@ class Chooser {
         }
         const auto driven = std::make_shared<const plan::Described>(plan::Described{
             described_->mechanism.driven_on(by, length), described_->request, described_->excess});
-        const Trial further =
+        const PlanTrial further =
             tried(reduced(part.mechanism.driven_on(by, length), driven), families);
         if (further.holds) {
           return with_others(*plan, described_);

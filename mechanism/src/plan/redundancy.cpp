@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "own_places.hpp"
+#include "point_places.hpp"
 
 namespace assur::mechanism::plan {
 
@@ -56,8 +56,8 @@ Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
 class Balancer {
  public:
   /// `described` is the number of features that were described; the further ones are stand-ins.
-  Balancer(const Mechanism& mechanism, std::size_t described, const OwnPlaces& places, LeftOut most,
-           const std::vector<std::string>& kept)
+  Balancer(const Mechanism& mechanism, std::size_t described, const PointPlaces& places,
+           LeftOut most, const std::vector<std::string>& kept)
       : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
 
   /// Returns the steps from a mechanism with this fault, the best one first.
@@ -174,7 +174,7 @@ class Balancer {
 
   const Mechanism& mechanism_;
   std::size_t described_;
-  const OwnPlaces& places_;
+  const PointPlaces& places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int surplus_ = 0;
@@ -214,7 +214,7 @@ class BalanceSearch {
 
  private:
   std::size_t described_;
-  OwnPlaces places_;
+  PointPlaces places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int rounds_ = 0;

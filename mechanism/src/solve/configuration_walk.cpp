@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 #include "plan/plan_data.hpp"
 #include "search_bounds.hpp"
 

@@ -4,7 +4,7 @@
 #include <assur/numeric/order.hpp>
 #include <cmath>
 
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 #include "search_bounds.hpp"
 
 namespace assur::mechanism::solve {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 #include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
