@@ -5,8 +5,6 @@
 #include <assur/text/numbers.hpp>
 #include <vector>
 
-#include "plan_data.hpp"
-
 namespace assur::mechanism::plan {
 
 namespace {

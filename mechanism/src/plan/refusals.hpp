@@ -4,9 +4,7 @@
 #include <assur/mechanism/error.hpp>
 #include <string>
 
-namespace assur::mechanism {
-struct PlanData;
-}
+#include "plan_data.hpp"
 
 namespace assur::mechanism::plan {
 

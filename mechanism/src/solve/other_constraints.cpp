@@ -1,6 +1,7 @@
 #include "other_constraints.hpp"
 
 #include <algorithm>
+#include <assur/mechanism/plan.hpp>
 #include <assur/text/names.hpp>
 #include <limits>
 #include <utility>
