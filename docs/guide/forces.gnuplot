@@ -1,6 +1,6 @@
 # Turns the CSV of two sweeps into docs/guide/forces_crane.svg and docs/guide/forces_four_bar.svg:
-#   build/assur solve examples/crane.json --nearest --format csv > crane.csv
-#   build/assur solve examples/four_bar_torque.json --nearest --format csv > four_bar.csv
+#   build/assur sweep examples/crane.json --nearest > crane.csv
+#   build/assur sweep examples/four_bar_torque.json --nearest > four_bar.csv
 #   gnuplot -e "crane='crane.csv'; four_bar='four_bar.csv'" docs/guide/forces.gnuplot
 set terminal svg size 460,300 font "sans,12" background "white"
 set key off

@@ -1,5 +1,5 @@
 # Turns the CSV of a sweep of the worked mechanism into docs/guide/sweeps.svg:
-#   build/assur solve examples/quintero_2011_rrp_rrr.json --format csv > sweep.csv
+#   build/assur sweep examples/quintero_2011_rrp_rrr.json > sweep.csv
 #   gnuplot -e "csv='sweep.csv'" docs/guide/sweeps.gnuplot
 set terminal svg size 900,480 font "sans,13" background "white"
 set output "docs/guide/sweeps.svg"

@@ -1,5 +1,5 @@
 # Turns the CSV of the third-class six-bar's sweep into the figures of docs/reports/zhauyt_2017.md:
-#   assur solve examples/zhauyt_2017_six_bar.json --format csv > six_bar.csv
+#   assur sweep examples/zhauyt_2017_six_bar.json > six_bar.csv
 #   gnuplot -e "csv='six_bar.csv'" docs/reports/zhauyt_2017.gnuplot
 # Branch 2 is the one whose output dwells. The paper's figures 2 to 8 are named in the titles.
 select(columns) = sprintf("< awk -F, 'NR==1 {for (i=1; i<=NF; i++) c[$i]=i; next} \

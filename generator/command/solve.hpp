@@ -2,19 +2,16 @@
 #pragma once
 
 #include <string>
-#include <vector>
+
+#include "command/sweep.hpp"
 
 namespace assur::generator::command {
 
-struct SolveOptions {
-  std::string scene;
-  std::vector<std::string> settings;
-  std::string format = "text";
-  int branch = 0;
-  bool prove = false;      ///< enclose all complex configurations of every group
-  bool nearest = false;    ///< the configuration, or the branch, nearest to the scene's reference
-  bool circuits = false;   ///< also the branch and the circuit of each configuration in the sweep
-  bool unwrapped = false;  ///< angles of a sweep continue by whole turns along a branch
+/// What a solution and a sweep are asked for alike, and what only a solution is.
+struct SolveOptions : SweepOptions {
+  std::string format = "text";  ///< csv: over the scene's sweep, if it has one
+  bool prove = false;           ///< enclose all complex configurations of every group
+  bool circuits = false;        ///< also the branch and circuit of each configuration in the sweep
 };
 
 /// Solves or sweeps the scene, prints the result to standard output, and returns whether it is

@@ -54,8 +54,8 @@ TEST(Tables, KeepTheirColumnsWithAnyName) {
       << output;
 }
 
-constexpr std::array subcommands = {"catalogue", "derive", "emit",  "solve",  "draw",
-                                    "sample",    "map",    "merge", "schema", "audit"};
+constexpr std::array subcommands = {"catalogue", "derive", "emit", "solve", "sweep",  "draw",
+                                    "import",    "sample", "map",  "merge", "schema", "audit"};
 
 TEST(Help, FitsATerminal) {
   expect_narrow_tables(run_assur("--help").output);

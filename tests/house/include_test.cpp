@@ -69,6 +69,7 @@ House house() {
           part("plan", {"description", "models", "groups"}, {}),
           part("values", {"description", "models", "plan"}),
           part("solve", {"description", "models", "groups", "plan", "values"}),
+          part("choose", {"description", "plan", "values", "solve"}, {}),
           part("follow", {"description", "models", "plan", "values", "solve"}),
           part("forces", {"description", "plan", "values", "solve"}),
           part("campaign", {"description", "plan", "values", "solve", "forces"}),

@@ -4,8 +4,8 @@
 #include <assur/mechanism/plan.hpp>
 
 #include "draw/force_arrows.hpp"
+#include "draw/sweep_traces.hpp"
 #include "draw/symbols.hpp"
-#include "draw/ways.hpp"
 
 namespace assur::mechanism::draw {
 
@@ -105,23 +105,23 @@ Drawing drawing_of(const Mechanism& mechanism, const Request& request,
   for (const auto& [number, place] : chosen.drawn) {
     numbers.push_back(number);
   }
-  draw::Ways ways = draw::ways_of(mechanism, positions, numbers);
+  draw::SweepTraces swept = draw::traces_of_sweep(mechanism, positions, numbers);
   if (request.sweep) {
     drawing.parameter = mechanism.parameters()[request.sweep->parameter].name;
   }
-  drawing.traces = std::move(ways.traces);
-  drawing.marks = std::move(ways.marks);
+  drawing.traces = std::move(swept.traces);
+  drawing.marks = std::move(swept.marks);
 
   const draw::FeatureFrames frames = draw::feature_frames(mechanism, values);
   std::vector<draw::LinkPoses> poses;
   for (std::size_t place = 0; place < numbers.size(); ++place) {
     const Configuration& configuration = chosen.solution.configurations[chosen.drawn[place].second];
     poses.push_back(draw::link_poses(mechanism, plan.mechanism(), configuration));
-    draw::include_displacements(mechanism, plan.mechanism(), configuration, ways.reaches[place]);
+    draw::include_displacements(mechanism, plan.mechanism(), configuration, swept.reaches[place]);
   }
   const double size = draw::size_of(mechanism, frames, poses[chosen.emphasised]);
   draw::Symbols symbols = draw::symbols_of(
-      {mechanism, frames, poses[chosen.emphasised], ways.reaches[chosen.emphasised], size});
+      {mechanism, frames, poses[chosen.emphasised], swept.reaches[chosen.emphasised], size});
   if (symbols.shapes.empty()) {
     throw MechanismError("",
                          "there is nothing to draw: the mechanism has no joints and no outputs");
@@ -131,7 +131,7 @@ Drawing drawing_of(const Mechanism& mechanism, const Request& request,
     Stance stance{numbers[place], {}};
     for (const draw::Anchor& anchor : symbols.points) {
       stance.points.push_back(
-          position(anchor, mechanism, frames, poses[place], ways.reaches[place], size));
+          position(anchor, mechanism, frames, poses[place], swept.reaches[place], size));
     }
     drawing.stances.push_back(std::move(stance));
   }

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "draw/film_details.hpp"
+#include "draw/sweep_traces.hpp"
 #include "draw/symbols.hpp"
-#include "draw/ways.hpp"
 
 namespace assur::mechanism::draw {
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "branch_matching.hpp"
+#include "snapshot_solver.hpp"
 #include "solve/reference.hpp"
 #include "sweep_range.hpp"
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "singular_event.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

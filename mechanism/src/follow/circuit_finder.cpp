@@ -125,7 +125,7 @@ Shapes CircuitFinder::shapes_at(double parameter) {
   return shapes;
 }
 
-Circuits CircuitFinder::found(const ToldBranches& told) {
+Circuits CircuitFinder::found(const ShownBranches& told) {
   const auto shown = static_cast<std::size_t>(told.count());
   Circuits circuits{std::vector<int>(shown, 0), std::vector<int>(shown, 0)};
   const std::vector<int> trackers = told.in_order();

@@ -3,7 +3,8 @@
 
 #include <vector>
 
-#include "told_branches.hpp"
+#include "shown_branches.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -26,7 +27,7 @@ class CircuitFinder {
   void join_at_step(double parameter, const std::vector<StepRow>& rows);
   /// The circuits of the branches that are shown. Branches that end the sweep at its last value
   /// must have been joined last.
-  [[nodiscard]] Circuits found(const ToldBranches& told);
+  [[nodiscard]] Circuits found(const ShownBranches& told);
 
  private:
   /// A branch at the first step.

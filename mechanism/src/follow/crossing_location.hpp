@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "event_location.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

@@ -1,6 +1,8 @@
 // Turns weighted configurations near a singular one into the singular configuration.
 #pragma once
 
+#include <assur/mechanism/plan.hpp>
+
 #include "snapshot.hpp"
 
 namespace assur::mechanism::follow {

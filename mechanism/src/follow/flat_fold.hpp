@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fold_location.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

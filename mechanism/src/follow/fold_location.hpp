@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "event_location.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

@@ -6,6 +6,7 @@
 
 #include "branch_matching.hpp"
 #include "event_location.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

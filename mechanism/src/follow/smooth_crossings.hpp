@@ -7,6 +7,7 @@
 
 #include "branch_matching.hpp"
 #include "singular_event.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 

@@ -8,11 +8,11 @@
 #include "branch_tracker.hpp"
 #include "circuit_finder.hpp"
 #include "event_text.hpp"
-#include "passage.hpp"
-#include "set_beside.hpp"
+#include "followable_set.hpp"
+#include "shown_branches.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
-#include "told_branches.hpp"
+#include "unfollowed_interval.hpp"
 
 namespace assur::mechanism::follow {
 namespace {
@@ -63,10 +63,10 @@ class Sweeper {
       }
       const SnapshotPointer set = solver_.at_step(value_at(step));
       observer_.solved(set->parameter, set->solution);
-      if (passage_ && passage_->covers(value_at(step), sense())) {
+      if (unfollowed_ && unfollowed_->covers(value_at(step), sense())) {
         pass_later(step, *set);
       } else if (set->separable) {
-        passage_.reset();
+        unfollowed_.reset();
         pass(step, set);
       } else {
         pass_beside(step, set);
@@ -109,8 +109,10 @@ class Sweeper {
   void pass_beside(int step, const SnapshotPointer& set) {
     const double value = set->parameter;
     const EventKind kind = set->is_degenerate() ? EventKind::degenerate : EventKind::unresolved;
-    const SnapshotPointer before = set_beside(solver_, tracker_.current(), {step, set, -1});
-    const SnapshotPointer after = set_beside(solver_, tracker_.current(), {step, set, 1});
+    const SnapshotPointer before =
+        nearest_followable_set(solver_, tracker_.current(), {step, set, -1});
+    const SnapshotPointer after =
+        nearest_followable_set(solver_, tracker_.current(), {step, set, 1});
     if ((!before || !after) && !solver_.looks_closely()) {
       look_closely_beside(step, set);
       return;
@@ -120,7 +122,7 @@ class Sweeper {
     } else if (before) {
       begin(before, before->parameter);
     }
-    PassageEnd from;
+    IntervalEnd from;
     if (tracker_.running()) {
       from = {tracker_.current(), tracker_.branches()};
     }
@@ -144,20 +146,20 @@ class Sweeper {
     const bool is_explained = std::ssize(later_) > told;
     const bool is_gap = !is_explained && kind == EventKind::degenerate && !is_told_before;
     std::vector<int> gone_before = from.branches.items();
-    PassageEnd to;
+    IntervalEnd to;
     if (after) {
       to = {after, tracker_.branches()};
     }
     std::vector<int> gone_after = to.branches.items();
-    // In a passage of more than a step it is not known on which side of an event a row is.
+    // In an interval of more than a step it is not known on which side of an event a row is.
     const bool is_wide =
         from.set && to.set && std::abs(to.set->parameter - from.set->parameter) > step_width();
     unresolved_ =
         is_wide ? left_unresolved({later_.begin() + told, later_.end()}) : std::set<int>();
     forget_outside(from);
     forget_outside(to);
-    passage_.emplace(std::move(from), std::move(to), solver_.length());
-    std::vector<StepRow> rows = passage_->rows(*set);
+    unfollowed_.emplace(std::move(from), std::move(to), solver_.length());
+    std::vector<StepRow> rows = unfollowed_->rows(*set);
     if (is_gap) {
       later_.push_back(gap_event(kind, value, untold(std::move(gone_before), rows, {}),
                                  untold(std::move(gone_after), rows, {})));
@@ -175,7 +177,7 @@ class Sweeper {
   void look_closely_beside(int step, const SnapshotPointer& set) {
     const SnapshotSolver::CloseLook look(solver_);
     if (const SnapshotPointer closely = solver_.at(set->parameter); closely->separable) {
-      passage_.reset();
+      unfollowed_.reset();
       pass(step, closely);
     } else {
       pass_beside(step, set);
@@ -186,34 +188,34 @@ class Sweeper {
   /// branches that neither rows nor events name; and where none can be followed on either side of a
   /// step, for the gap that begins there.
   void add_unresolved(int step, double value, const std::vector<StepRow>& rows) {
-    const bool is_new_gap = !passage_->leads_in() && !passage_->leads_on() && !gap_;
+    const bool is_new_gap = !unfollowed_->leads_in() && !unfollowed_->leads_on() && !gap_;
     if (is_new_gap) {
       gap_ = EventKind::unresolved;
     }
     std::vector<int> ended;
     std::vector<int> begun;
-    if (step + 1 == count() && !passage_->leads_on()) {
-      ended = untold(passage_->branches_before(), rows, {until(value), later_.end()});
+    if (step + 1 == count() && !unfollowed_->leads_on()) {
+      ended = untold(unfollowed_->branches_before(), rows, {until(value), later_.end()});
     }
-    if (step == 0 && !passage_->leads_in()) {
-      begun = untold(passage_->branches_after(), rows, {until(value), later_.end()});
+    if (step == 0 && !unfollowed_->leads_in()) {
+      begun = untold(unfollowed_->branches_after(), rows, {until(value), later_.end()});
     }
     if (is_new_gap || !ended.empty() || !begun.empty()) {
       later_.push_back(gap_event(EventKind::unresolved, value, std::move(ended), std::move(begun)));
     }
   }
 
-  /// Handles a step that the passage of an earlier step covers.
+  /// Handles a step that the interval of an earlier step covers.
   void pass_later(int step, const Snapshot& set) {
-    const std::vector<StepRow> rows = passage_->rows(set);
+    const std::vector<StepRow> rows = unfollowed_->rows(set);
     if (set.is_degenerate()) {
       const auto place = std::ranges::find_if(later_, [&](const BranchEvent& event) {
         return sense() * (event.parameter - set.parameter) >= 0;
       });
       if (place == later_.end() || place->parameter != set.parameter) {
         later_.insert(place, gap_event(EventKind::degenerate, set.parameter,
-                                       untold(passage_->branches_before(), rows, {}),
-                                       untold(passage_->branches_after(), rows, {})));
+                                       untold(unfollowed_->branches_before(), rows, {}),
+                                       untold(unfollowed_->branches_after(), rows, {})));
       }
     }
     report(step, set, rows);
@@ -231,10 +233,10 @@ class Sweeper {
   /// Goes on to the watched value between two steps.
   void look_between() {
     const SnapshotPointer set = solver_.at(*watched_);
-    if (passage_ && passage_->covers(*watched_, sense())) {
-      note_watched(*set, passage_->rows(*set));
+    if (unfollowed_ && unfollowed_->covers(*watched_, sense())) {
+      note_watched(*set, unfollowed_->rows(*set));
     } else if (tracker_.running() && set->separable) {
-      passage_.reset();
+      unfollowed_.reset();
       advance(set);
       note_watched(*set, rows_of_tracker(*set));
     }
@@ -385,10 +387,10 @@ class Sweeper {
            !(only_begins && event.parameter == solver_.to());
   }
 
-  /// Removes branches from an end of a passage: those that events outside the sweep end or begin,
+  /// Removes branches from an end of an interval: those that events outside the sweep end or begin,
   /// those that violate the redundant constraints, and unresolved ones, which have no rows in the
-  /// passage.
-  void forget_outside(PassageEnd& end) const {
+  /// interval.
+  void forget_outside(IntervalEnd& end) const {
     for (const PointIndex point : end.branches.keys()) {
       int& branch = end.branches[point];
       if (outside_.contains(branch) || unresolved_.contains(branch) || told_.is_foreign(branch) ||
@@ -437,13 +439,13 @@ class Sweeper {
   BranchTracker tracker_;
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep
-  std::set<int> unresolved_;        ///< numbers of branches that have no rows in the passage
-  ToldBranches told_;
+  std::set<int> unresolved_;        ///< numbers of branches that have no rows in the interval
+  ShownBranches told_;
   std::optional<CircuitFinder> circuits_;  ///< where they are asked for
   std::optional<double> watched_;
   std::vector<int> watched_branches_;
-  std::optional<EventKind> gap_;    ///< why no branch is followed at present
-  std::optional<Passage> passage_;  ///< the last that was not followed step by step
+  std::optional<EventKind> gap_;                  ///< why no branch is followed at present
+  std::optional<UnfollowedInterval> unfollowed_;  ///< the last that was not followed step by step
 };
 
 /// Solving throws where redundant constraints do not hold as the sweep begins.

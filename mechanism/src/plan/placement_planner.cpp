@@ -9,6 +9,7 @@
 #include "decomposition.hpp"
 #include "driver_laws.hpp"
 #include "grouping.hpp"
+#include "redundancy.hpp"
 
 namespace assur::mechanism::plan {
 
@@ -28,7 +29,7 @@ class PlacementPlanner {
     bodies_.read.resize(structure_.linkage.joints.size());
   }
 
-  Structure run() {
+  FoundStructure run() {
     (void)laws_in_order(mechanism_);  // what follows walks through laws that have an order
     if (!structure_.linkage.ground.exists()) {
       throw MechanismError("links",
@@ -36,7 +37,13 @@ class PlacementPlanner {
                            "fixed link this name");
     }
     tie_driven_links();
-    find_groups();
+    Decomposition decomposition = decompose(structure_.linkage, bodies_);
+    if (decomposition.overloaded.surplus > 0) {
+      return excess_of(decomposition.overloaded, decomposition.free);
+    }
+    expect_driven(decomposition.free);
+    expect_order(decomposition);
+    find_groups(std::move(decomposition));
     return std::move(structure_);
   }
 
@@ -122,10 +129,7 @@ class PlacementPlanner {
     return {};
   }
 
-  void find_groups() {
-    Decomposition decomposition = decompose(structure_.linkage, bodies_);
-    expect_balance(decomposition);
-    expect_order(decomposition);
+  void find_groups(Decomposition decomposition) {
     structure_.linkage = std::move(decomposition.linkage);
     for (Component& component : decomposition.components) {
       if (component.joints.empty()) {
@@ -331,7 +335,7 @@ class PlacementPlanner {
   }
 
   /// Which joints are too many, and for which links.
-  [[nodiscard]] std::string excess_of(const Imbalance& over) const {
+  [[nodiscard]] std::string told_excess(const Imbalance& over) const {
     const std::string ending = over.joints.size() == 1 ? "s" : "";
     std::string fault;
     if (over.links.empty()) {
@@ -367,14 +371,12 @@ class PlacementPlanner {
                      " has a frame of its own, so that no point pins it: name its joints";
   }
 
-  void expect_balance(const Decomposition& decomposition) const {
-    const Imbalance& over = decomposition.overloaded;
-    const Imbalance& under = decomposition.free;
-    if (over.surplus > 0) {
-      const std::string lack = under.surplus > 0 ? "; elsewhere " + lack_of(under) : "";
-      throw OverConstrained("joints", excess_of(over) + lack, over.surplus, over.joints,
-                            under.surplus);
-    }
+  [[nodiscard]] OverConstrained excess_of(const Imbalance& over, const Imbalance& under) const {
+    const std::string lack = under.surplus > 0 ? "; elsewhere " + lack_of(under) : "";
+    return {"joints", told_excess(over) + lack, over.surplus, over.joints, under.surplus};
+  }
+
+  void expect_driven(const Imbalance& under) const {
     if (under.surplus > 0) {
       throw MechanismError("links", lack_of(under));
     }
@@ -387,12 +389,27 @@ class PlacementPlanner {
 
 }  // namespace
 
+FoundStructure found_structure(const Mechanism& mechanism) {
+  try {
+    return PlacementPlanner(mechanism).run();
+  } catch (const MechanismError& fault) {
+    return fault;
+  }
+}
+
 }  // namespace assur::mechanism::plan
 
 namespace assur::mechanism {
 
 Structure structure_of(const Mechanism& mechanism) {
-  return plan::PlacementPlanner(mechanism).run();
+  plan::FoundStructure found = plan::found_structure(mechanism);
+  if (const auto* const excess = std::get_if<OverConstrained>(&found)) {
+    throw OverConstrained(*excess);
+  }
+  if (const auto* const fault = std::get_if<MechanismError>(&found)) {
+    throw MechanismError(*fault);
+  }
+  return std::get<Structure>(std::move(found));
 }
 
 }  // namespace assur::mechanism

@@ -11,6 +11,10 @@
 #include "plan/evaluation_order.hpp"
 #include "plan/redundancy.hpp"
 
+namespace assur::mechanism::plan {
+class OtherPlans;
+}
+
 namespace assur::mechanism {
 
 /// What is planned once: the mechanism, what is wanted of it, the order of its links and formulas.
@@ -23,8 +27,18 @@ struct PlanData {
   /// Joints that hold beside those of the structure, and the error to report where they do not.
   std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
-  /// The mechanism with all constraints, where others may be left out in place of these; else null.
-  std::shared_ptr<const plan::Described> described;
+  /// The plans that leave out others in place of these; null where these are the only ones tried.
+  std::shared_ptr<const plan::OtherPlans> others;
 };
 
 }  // namespace assur::mechanism
+
+namespace assur::mechanism::plan {
+
+/// The plan of a mechanism with a structure. `more` are features that are evaluated beside those
+/// that the structure and the request read. Throws MechanismError where formulas go round in a
+/// circle.
+[[nodiscard]] PlanData plan_of(const Mechanism& mechanism, const Request& request,
+                               Structure structure, const std::vector<FeatureIndex>& more = {});
+
+}  // namespace assur::mechanism::plan

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <utility>
 
-#include "own_places.hpp"
+#include "point_places.hpp"
 
 namespace assur::mechanism::plan {
 
@@ -56,8 +56,8 @@ Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
 class Balancer {
  public:
   /// `described` is the number of features that were described; the further ones are stand-ins.
-  Balancer(const Mechanism& mechanism, std::size_t described, const OwnPlaces& places, LeftOut most,
-           const std::vector<std::string>& kept)
+  Balancer(const Mechanism& mechanism, std::size_t described, const PointPlaces& places,
+           LeftOut most, const std::vector<std::string>& kept)
       : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
 
   /// Returns the steps from a mechanism with this fault, the best one first.
@@ -156,11 +156,12 @@ class Balancer {
   /// decrease by `less`, the step has set links free elsewhere and is not listed.
   void consider(Step step, int less) {
     step.mechanism = relaxed(mechanism_, step.redundant);
-    try {
-      step.structure = structure_of(step.mechanism);
-    } catch (const OverConstrained& fault) {
-      step.fault = fault;
-    } catch (const MechanismError&) {
+    FoundStructure found = found_structure(step.mechanism);
+    if (auto* const structure = std::get_if<Structure>(&found)) {
+      step.structure = std::move(*structure);
+    } else if (const auto* const fault = std::get_if<OverConstrained>(&found)) {
+      step.fault = *fault;
+    } else {
       return;
     }
     if (step.surplus() > surplus_ - less) {
@@ -173,7 +174,7 @@ class Balancer {
 
   const Mechanism& mechanism_;
   std::size_t described_;
-  const OwnPlaces& places_;
+  const PointPlaces& places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int surplus_ = 0;
@@ -213,7 +214,7 @@ class BalanceSearch {
 
  private:
   std::size_t described_;
-  OwnPlaces places_;
+  PointPlaces places_;
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int rounds_ = 0;
@@ -229,7 +230,8 @@ std::size_t largest_group(const Structure& structure) {
   return largest;
 }
 
-BalancedMechanism without_all(const Mechanism& mechanism, std::vector<RedundantJoint> redundant) {
+std::optional<BalancedMechanism> without_all(const Mechanism& mechanism,
+                                             std::vector<RedundantJoint> redundant) {
   std::ranges::stable_sort(redundant, {}, &RedundantJoint::name);
   BalancedMechanism whole{mechanism, {}, {}};
   for (RedundantJoint& joint : redundant) {
@@ -245,7 +247,12 @@ BalancedMechanism without_all(const Mechanism& mechanism, std::vector<RedundantJ
     whole.mechanism = relaxed(whole.mechanism, joint);
     whole.redundant.push_back(std::move(joint));
   }
-  whole.structure = structure_of(whole.mechanism);
+  FoundStructure found = found_structure(whole.mechanism);
+  auto* const structure = std::get_if<Structure>(&found);
+  if (structure == nullptr) {
+    return std::nullopt;
+  }
+  whole.structure = std::move(*structure);
   return whole;
 }
 

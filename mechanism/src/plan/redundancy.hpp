@@ -2,18 +2,19 @@
 #pragma once
 
 #include <assur/mechanism/error.hpp>
-#include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
+#include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace assur::mechanism::plan {
 
-/// What was described of a mechanism that is planned without some of its constraints.
-struct Described {
-  Mechanism mechanism;
-  Request request;
-};
+/// The structure of a mechanism, or the excess of its constraints, which may be redundant, or
+/// another fault.
+using FoundStructure = std::variant<Structure, OverConstrained, MechanismError>;
+/// Finds what `structure_of` returns or throws.
+[[nodiscard]] FoundStructure found_structure(const Mechanism& mechanism);
 
 struct BalancedMechanism {
   Mechanism mechanism;
@@ -34,9 +35,9 @@ enum class LeftOut : unsigned char {
 };
 
 /// The mechanism without the given constraints, which are left out in the order of names; one that
-/// is given twice is left out once. Throws MechanismError where that leaves no known groups.
-[[nodiscard]] BalancedMechanism without_all(const Mechanism& mechanism,
-                                            std::vector<RedundantJoint> redundant);
+/// is given twice is left out once. Nothing where that leaves no known groups.
+[[nodiscard]] std::optional<BalancedMechanism> without_all(const Mechanism& mechanism,
+                                                           std::vector<RedundantJoint> redundant);
 
 /// The largest surplus for which constraints to leave out are sought; more would take too long.
 inline constexpr int most_surplus = 8;

@@ -144,7 +144,7 @@ Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
   return result;
 }
 
-bool AllConstraints::let_on(Links links) const {
+bool AllConstraints::allow_velocities(Links links) const {
   constexpr double least_firmness = 1e-6;
   constexpr double rounding_of_rates = 1e-6;
   constexpr double rounding_of_second_rates = 1e-5;

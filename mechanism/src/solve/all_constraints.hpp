@@ -68,7 +68,7 @@ class AllConstraints {
   /// Whether the constraints allow the velocities v of the links: all of them hold to first order
   /// and, with some accelerations a, to second order, J a + f''(v, v) = 0. Directions of J below
   /// its rounding cannot provide a.
-  [[nodiscard]] bool let_on(Links links) const;
+  [[nodiscard]] bool allow_velocities(Links links) const;
 
  private:
   [[nodiscard]] Body::Pairs held() const;

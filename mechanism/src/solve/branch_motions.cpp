@@ -98,7 +98,7 @@ bool is_motion_of_all(const Values& values, const Configuration& motion) {
   }
   AllConstraints constraints(values);
   constraints.measure(poses_of(motion.links));
-  return constraints.let_on(motion.links);
+  return constraints.allow_velocities(motion.links);
 }
 
 }  // namespace

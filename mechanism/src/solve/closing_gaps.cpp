@@ -5,7 +5,7 @@
 #include <assur/text/numbers.hpp>
 #include <numbers>
 
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 #include "longest_on_links.hpp"
 #include "plan/plan_data.hpp"
 

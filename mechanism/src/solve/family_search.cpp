@@ -4,7 +4,7 @@
 #include <assur/numeric/order.hpp>
 #include <cmath>
 
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 #include "search_bounds.hpp"
 
 namespace assur::mechanism::solve {
@@ -50,7 +50,7 @@ void FamilySearch::leave_out(GroupIndex group, Unplaced& unplaced) const {
 }
 
 void FamilySearch::find_behind(std::size_t depth, Unplaced unplaced) {
-  if (!placement_.move_carried_links(depth, &unplaced) || depth == structure_.groups.size()) {
+  if (!placement_.move_carried_links(depth, unplaced) || depth == structure_.groups.size()) {
     return;
   }
   const GroupIndex group(depth);
@@ -74,7 +74,7 @@ void FamilySearch::find_behind(std::size_t depth, Unplaced unplaced) {
 }
 
 bool FamilySearch::rest_assembles(std::size_t depth, Unplaced unplaced) {
-  if (!placement_.move_carried_links(depth, &unplaced)) {
+  if (!placement_.move_carried_links(depth, unplaced)) {
     return false;
   }
   if (depth == structure_.groups.size()) {

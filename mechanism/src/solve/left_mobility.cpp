@@ -16,7 +16,7 @@ namespace {
 using Poses = AllConstraints::Poses;
 
 /// What became of a motion that was followed along the kernel of J in small steps.
-struct Way {
+struct FollowedMotion {
   bool goes_on = false;
   int mobility = 0;  ///< the least dimension of the kernel on the way
 };
@@ -51,8 +51,8 @@ class FamilyTrial {
         continue;
       }
       ++closed;
-      if (const Way way = followed(poses); way.goes_on) {
-        return std::min(way.mobility, family_.mobility);
+      if (const FollowedMotion motion = followed(poses); motion.goes_on) {
+        return std::min(motion.mobility, family_.mobility);
       }
     }
     return 0;
@@ -126,14 +126,14 @@ class FamilyTrial {
   }
 
   /// Whether the links move from where they are closed, and by how many freedoms at least.
-  [[nodiscard]] Way followed(Poses poses) const {
+  [[nodiscard]] FollowedMotion followed(Poses poses) const {
     constexpr int steps = 4;
     constexpr double length = 0.03;
-    Way way{true, static_cast<int>(3 * loose_.size())};
+    FollowedMotion motion{true, static_cast<int>(3 * loose_.size())};
     Eigen::VectorXd last;
-    for (int step = 0; step < steps && way.goes_on; ++step) {
+    for (int step = 0; step < steps && motion.goes_on; ++step) {
       const Eigen::MatrixXd kernel = kernel_at(poses);
-      way.mobility = std::min(way.mobility, static_cast<int>(kernel.cols()));
+      motion.mobility = std::min(motion.mobility, static_cast<int>(kernel.cols()));
       if (kernel.cols() == 0) {
         return {};
       }
@@ -142,11 +142,12 @@ class FamilyTrial {
       along.normalize();
       Poses moved = poses;
       constraints_.move(in_all(length * along), moved);
-      way.goes_on = close(moved) && constraints_.step(poses, moved).dot(in_all(along)) > length / 2;
+      motion.goes_on =
+          close(moved) && constraints_.step(poses, moved).dot(in_all(along)) > length / 2;
       poses = std::move(moved);
       last = along;
     }
-    return way;
+    return motion;
   }
 
   [[nodiscard]] Eigen::MatrixXd kernel_at(const Poses& poses) const {

@@ -1,6 +1,7 @@
 #include "nearness.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "plan/plan_data.hpp"
@@ -34,7 +35,13 @@ Nearness::Nearness(const Placement& placement)
   }
 }
 
+void Nearness::seek_nothing() {
+  is_sought_ = false;
+  farthest_square_ = std::numeric_limits<double>::infinity();
+}
+
 void Nearness::seek_reference() {
+  seek_nothing();
   is_sought_ = true;
   point_ = nullptr;
 }
@@ -42,6 +49,37 @@ void Nearness::seek_reference() {
 void Nearness::seek(const SoughtPoint& point) {
   is_sought_ = true;
   point_ = &point;
+  farthest_square_ = point.farthest * point.farthest;
+}
+
+void Nearness::begin() {
+  square_ = 0;
+  least_square_ = std::numeric_limits<double>::infinity();
+  next_square_ = farthest_square_;
+}
+
+double Nearness::enter(std::size_t groups) {
+  const double before = square_;
+  if (is_sought_) {
+    square_ += square_of(angles_[groups], links_[groups]);
+  }
+  return before;
+}
+
+bool Nearness::is_nearest() {
+  if (square_ >= least_square_) {
+    next_square_ = square_;
+    return false;
+  }
+  next_square_ = std::min(next_square_, least_square_);
+  least_square_ = square_;
+  return true;
+}
+
+Nearest Nearness::found() const {
+  const bool has_runner_up = std::isfinite(next_square_);
+  return {0, std::sqrt(least_square_),
+          has_runner_up ? std::optional(std::sqrt(next_square_)) : std::nullopt};
 }
 
 double Nearness::square_of(const std::vector<ReferenceAngle>& angles,

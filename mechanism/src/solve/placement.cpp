@@ -2,10 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
-#include "limits.hpp"
 #include "plan/plan_data.hpp"
 #include "search_bounds.hpp"
 
@@ -31,7 +28,9 @@ Placement::Placement(const Values& values)
                    ? std::nullopt
                    : std::optional(values)),
       values_(settled_ ? *settled_ : given_),
-      chosen_(structure_.groups.size(), 0) {
+      chosen_(structure_.groups.size(), 0),
+      turns_(values_, placed_),
+      all_placed_(structure_.linkage.links.size(), false) {
   const auto parameters = static_cast<Eigen::Index>(values.columns().size());
   placed_.links.resize(structure_.linkage.links.size());
   placed_.links[structure_.linkage.ground] = Frame::identity(parameters, values.second_order());
@@ -67,20 +66,17 @@ void Placement::begin() {
   placed_.rates_known = true;
   placed_.is_crossing = true;
   placed_.residual = 0;
-  countings_.assign(structure_.reading.size(), {});
-  listed_ = {};
-  is_continued_.resize(nearby_.size());
-  for (std::size_t set = 0; set < nearby_.size(); ++set) {
-    is_continued_[set].assign(nearby_[set].configurations->size(), false);
-  }
+  turns_.begin();
   steps_ = 0;
 }
 
-bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* unplaced) {
+bool Placement::move_carried_links(std::size_t groups) {
+  return move_carried_links(groups, all_placed_);
+}
+
+bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>& unplaced) {
   placed_groups_ = groups;
-  const auto is_missing = [unplaced](LinkIndex link) {
-    return unplaced != nullptr && (*unplaced)[link];
-  };
+  const auto is_missing = [&unplaced](LinkIndex link) { return unplaced[link]; };
   const auto is_unread = [&](const ReadingDriver& one) {
     return std::ranges::any_of(one.reads, is_missing);
   };
@@ -106,7 +102,7 @@ bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* u
           structure_.reading,
           [&](const ReadingDriver& one) { return one.driver == link.driver && is_unread(one); });
       if (is_missing(link.from) || reads_nothing) {
-        (*unplaced)[link.to] = true;
+        unplaced[link.to] = true;
       } else {
         place_carried_link(place);
       }
@@ -115,128 +111,12 @@ bool Placement::move_carried_links(std::size_t groups, Table<LinkIndex, bool>* u
   return settle_what_reads(structure_.carried.size());
 }
 
-JointMotion Placement::counted_coordinate(JointIndex joint, Counting& counting) {
-  JointMotion motion = coordinate_of(values_, placed_.links, placed_.slides, joint);
-  if (plan_->mechanism.joints()[joint].type == JointType::revolute) {
-    const std::optional<double> turns = turns_of(joint, motion.position.value(), counting);
-    counting.doubts.begins = counting.doubts.begins || !turns;
-    motion.position = motion.position + values_.constant(2 * std::numbers::pi * turns.value_or(0));
-    const double angle = motion.position.value();
-    const auto known = std::ranges::find(placed_.counted, joint, &CountedAngle::joint);
-    if (known == placed_.counted.end()) {
-      placed_.counted.push_back({joint, angle});
-    } else {
-      known->angle = angle;
-    }
-  }
-  return motion;
-}
-
-/// Whether the groups that are placed so far have loop Jacobians of the signs that they have in a
-/// configuration nearby. Along a branch, signs change in singular configurations only.
-bool Placement::has_signs_of(const NearbyConfigurations& nearby, const Configuration& there) const {
-  for (GroupIndex group(0); group.place() < placed_groups_; group = GroupIndex(group.place() + 1)) {
-    if (values_.group(group).roles == (*nearby.roles)[group] &&
-        there.determinants[group] * placed_.determinants[group] < 0) {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// The whole turns to add to an angle, from the configuration nearby that the joint's links, and
-/// all links of groups placed before, continue best; nothing if the joint's links continue none: a
-/// configuration that continues no branch, such as the mirror image of one, has a count of its own.
-/// Where a change of sign shows that branches have met, the continuation leads straight on; a step
-/// across such a place is too wide to tell whether branches meet there or miss one another.
-std::optional<double> Placement::turns_of(JointIndex joint, double angle, Counting& counting) {
-  constexpr double clearly = 4;
-  constexpr double indistinct = 1e-6;  // where branches meet, rounding moves links by less
-  counts_.clear();
-  for (std::size_t set = 0; set < nearby_.size(); ++set) {
-    const NearbyConfigurations& nearby = nearby_[set];
-    for (std::size_t place = 0; place < nearby.configurations->size(); ++place) {
-      const Configuration& there = (*nearby.configurations)[place];
-      const auto counted = std::ranges::find(there.counted, joint, &CountedAngle::joint);
-      if (counted == there.counted.end()) {
-        continue;
-      }
-      Continuation continuation;
-      for (const FeatureIndex feature : plan_->mechanism.joints()[joint].between) {
-        const LinkIndex link = plan_->mechanism.features()[feature].link;
-        continuation.add(nearby, there, link, placed_.links[link].pose.direction);
-      }
-      if (std::min(continuation.error, continuation.away) < continuation.reach) {
-        counting.continued.emplace_back(set, place);
-        counts_.push_back({continuation.error + error_of_groups(nearby, there),
-                           std::round((counted->angle - angle) / (2 * std::numbers::pi)),
-                           has_signs_of(nearby, there)});
-      }
-    }
-  }
-  if (counts_.empty()) {
-    return std::nullopt;
-  }
-  const Count best = *std::ranges::min_element(counts_, {}, &Count::error);
-  CountDoubts& doubts = counting.doubts;
-  doubts.leads_across = doubts.leads_across || !best.has_signs;
-  for (const Count& other : counts_) {
-    doubts.is_ambiguous = doubts.is_ambiguous || (other.turns != best.turns &&
-                                                  other.error <= indistinct + clearly * best.error);
-  }
-  return best.turns;
-}
-
-double Placement::error_of_groups(const NearbyConfigurations& nearby,
-                                  const Configuration& there) const {
-  Continuation continuation;
-  for (GroupIndex group(0); group.place() < placed_groups_; group = GroupIndex(group.place() + 1)) {
-    for (const LinkIndex link : structure_.groups[group].links) {
-      if (link.place() < there.links.size()) {
-        continuation.add(nearby, there, link, placed_.links[link].pose.direction);
-      }
-    }
-  }
-  return continuation.error;
-}
-
-void Placement::note_listed() {
-  for (const auto& [doubts, continued] : countings_) {
-    note_doubts(doubts);
-    listed_.begins = listed_.begins || doubts.begins;
-    for (const auto& [set, place] : continued) {
-      is_continued_[set][place] = true;
-    }
-  }
-}
-
-void Placement::note_doubts(const CountDoubts& doubts) {
-  listed_.is_ambiguous = listed_.is_ambiguous || doubts.is_ambiguous;
-  listed_.leads_across = listed_.leads_across || doubts.leads_across;
-}
-
-bool Placement::is_count_in_doubt() const {
-  if (listed_.is_ambiguous || listed_.leads_across || (listed_.begins && !nearby_.empty())) {
-    return true;
-  }
-  for (std::size_t set = 0; set < nearby_.size(); ++set) {
-    const std::vector<bool>& is_continued = is_continued_[set];
-    if (nearby_[set].go_on && std::ranges::find(is_continued, false) != is_continued.end()) {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool Placement::settle(const ReadingDriver& reading) {
-  Counting& counting = countings_[static_cast<std::size_t>(&reading - structure_.reading.data())];
-  counting = {};
+  turns_.begin_law(static_cast<std::size_t>(&reading - structure_.reading.data()), placed_groups_);
   try {
-    settled_->settle(reading.driver,
-                     [&](JointIndex joint) { return counted_coordinate(joint, counting); });
+    settled_->settle(reading.driver, [&](JointIndex joint) { return turns_.coordinate(joint); });
   } catch (const MechanismError& error) {
-    // If turns were counted otherwise, the law might have a value, and the configuration be listed.
-    note_doubts(counting.doubts);
+    turns_.lose_law();
     flaw_ = error.what();
     return false;
   }

@@ -4,13 +4,11 @@
 #include <array>
 #include <assur/mechanism/held_pairs.hpp>
 #include <assur/support/redundant.hpp>
-#include <assur/text/names.hpp>
-#include <assur/text/numbers.hpp>
 #include <cmath>
 #include <limits>
 
-#include "group_words.hpp"
-#include "plan/redundancy.hpp"
+#include "group_reasons.hpp"
+#include "plan/plan_data.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -167,20 +165,6 @@ bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& link
   });
 }
 
-/// The error for a mechanism with too many constraints; `without` says what it does without them.
-OverConstrained refused(const PlanData& plan, const std::string& without) {
-  std::vector<std::string> names;
-  for (const RedundantJoint& joint : plan.redundant) {
-    if (std::ranges::find(names, joint.name) == names.end()) {
-      names.push_back(joint.name);
-    }
-  }
-  return {"",
-          std::string(plan.excess->what()) + "; without constraints of " + text::listed(names) +
-              " the mechanism " + without,
-          plan.excess->surplus, plan.excess->joints};
-}
-
 }  // namespace
 
 double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,
@@ -237,47 +221,6 @@ bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& li
 
 bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
   return all_stay_together(values, links, {1e-6, 1e-6});
-}
-
-OverConstrained refusal_of_redundant(const PlanData& plan, double gap) {
-  if (gap == 0) {
-    return refusal_where_driven_on(plan, true);
-  }
-  OverConstrained refusal =
-      refused(plan, "can be assembled, but then these constraints are violated by " +
-                        text::short_number(gap, 3) + " at least");
-  refusal.gap = gap;
-  return refusal;
-}
-
-OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
-  OverConstrained refusal =
-      refused(plan, std::string("can be assembled, and these constraints hold in this position, ") +
-                        (assembles ? "but not after the drivers advance"
-                                   : "but after the drivers advance, or go back, the mechanism "
-                                     "cannot be assembled"));
-  refusal.gap = 0;
-  return refusal;
-}
-
-OverConstrained refusal_without_groups(const OverConstrained& excess) {
-  if (excess.surplus > plan::most_surplus) {
-    return {"",
-            std::string(excess.what()) + "; at most " + std::to_string(plan::most_surplus) +
-                " can be left out to check whether they hold; remove some of the joints",
-            excess.surplus, excess.joints};
-  }
-  const std::string constraints =
-      excess.surplus == 1 ? "constraint was" : std::to_string(excess.surplus) + " constraints were";
-  return {"",
-          std::string(excess.what()) + "; no " + constraints +
-              " found without which the links form groups that are known, so that it was not "
-              "checked whether they hold",
-          excess.surplus, excess.joints};
-}
-
-OverConstrained refusal_without_assembly(const PlanData& plan, const std::string& reason) {
-  return refused(plan, "cannot be assembled either" + (reason.empty() ? reason : ": " + reason));
 }
 
 }  // namespace assur::mechanism::solve

@@ -1,4 +1,4 @@
-#include "own_places.hpp"
+#include "point_places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ Table<ParameterIndex, double> values_of_parameters(const Mechanism& mechanism) {
 
 }  // namespace
 
-OwnPlaces::OwnPlaces(const Mechanism& mechanism) {
+PointPlaces::PointPlaces(const Mechanism& mechanism) {
   const Table<ParameterIndex, double> values = values_of_parameters(mechanism);
   const auto value = [&](NumberIndex number) {
     return mechanism.numbers()[number].formula.evaluate<double>(
@@ -40,7 +40,7 @@ OwnPlaces::OwnPlaces(const Mechanism& mechanism) {
   }
 }
 
-bool OwnPlaces::coincide(FeatureIndex one, FeatureIndex other) const {
+bool PointPlaces::coincide(FeatureIndex one, FeatureIndex other) const {
   constexpr double rounding = 1e-9;
   const auto [x, y] = places_[one];
   const auto [other_x, other_y] = places_[other];

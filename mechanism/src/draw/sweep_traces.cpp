@@ -1,4 +1,4 @@
-#include "draw/ways.hpp"
+#include "draw/sweep_traces.hpp"
 
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
@@ -20,10 +20,10 @@ class WayFollower {
   WayFollower(const Mechanism& mechanism, const Request& request,
               const std::vector<int>& configurations)
       : mechanism_(mechanism), request_(request), configurations_(configurations) {
-    ways_.reaches.assign(configurations.size(), Reaches(mechanism.joints().size()));
+    swept_.reaches.assign(configurations.size(), Reaches(mechanism.joints().size()));
   }
 
-  Ways followed() {
+  SweepTraces followed() {
     const Plan plan(mechanism_, request_);
     const Values values = plan.values();
     const double from = values.value_of(request_.sweep->from);
@@ -31,7 +31,7 @@ class WayFollower {
     const double here = values.parameter(request_.sweep->parameter);
     const bool one_alone = plan.most_configurations() > most_followed;
     if (request_.sweep->count < 2 || from == to || (one_alone && configurations_.size() > 1)) {
-      return std::move(ways_);
+      return std::move(swept_);
     }
     one_alone_ = one_alone;
     const double part = (here - from) / (to - from);
@@ -39,23 +39,23 @@ class WayFollower {
       if (!one_alone) {
         follow(from, to, pieces);
       }
-      return std::move(ways_);
+      return std::move(swept_);
     }
     // A branch has the number of its configuration where its sweep begins, so that it is followed
     // from there both ways.
     starts_here_ = true;
     follow(here, from, static_cast<int>(std::lround(part * pieces)));
-    for (Trace& trace : ways_.traces) {
+    for (Trace& trace : swept_.traces) {
       std::reverse(trace.points.begin(), trace.points.end());
     }
     open_ = first_;
     last_step_.clear();
     follow(here, to, static_cast<int>(std::lround((1 - part) * pieces)));
-    return std::move(ways_);
+    return std::move(swept_);
   }
 
  private:
-  using Way = std::pair<int, OutputIndex>;
+  using TraceKey = std::pair<int, OutputIndex>;
 
   void follow(double from, double to, int steps) {
     if (from == to) {
@@ -93,25 +93,25 @@ class WayFollower {
       return;
     }
     if (starts_here_) {
-      include_displacements(mechanism_, plan.mechanism(), *row.state, ways_.reaches[place]);
+      include_displacements(mechanism_, plan.mechanism(), *row.state, swept_.reaches[place]);
     }
     const auto last = last_step_.find(row.branch);
     const bool goes_on = last == last_step_.end() ? row.step == 0 : row.step == last->second + 1;
     last_step_[row.branch] = row.step;
     for (const OutputIndex output : plan.mechanism().outputs().keys()) {
-      const Way way(row.branch, output);
-      const auto open = open_.find(way);
+      const TraceKey key(row.branch, output);
+      const auto open = open_.find(key);
       if (open == open_.end() || !goes_on) {
-        open_[way] = ways_.traces.size();
-        ways_.traces.push_back(
+        open_[key] = swept_.traces.size();
+        swept_.traces.push_back(
             {starts_here_ ? row.branch : 0, plan.mechanism().outputs()[output].name, {}});
         if (row.step == 0) {
-          first_[way] = open_[way];
+          first_[key] = open_[key];
         }
       } else if (row.step == 0) {
         continue;  // the other half has this point already
       }
-      ways_.traces[open_[way]].points.push_back(row.state->outputs[output].position);
+      swept_.traces[open_[key]].points.push_back(row.state->outputs[output].position);
     }
   }
 
@@ -134,18 +134,19 @@ class WayFollower {
     }
     for (const OutputIndex output : plan.mechanism().outputs().keys()) {
       for (const int branch : branches) {
-        const auto open = open_.find(Way(branch, output));
+        const auto open = open_.find(TraceKey(branch, output));
         if (kind == "fold" && open != open_.end()) {
-          ways_.traces[open->second].points.push_back(mark.points[output.place()]);
+          swept_.traces[open->second].points.push_back(mark.points[output.place()]);
         }
       }
     }
-    const bool is_new = std::none_of(ways_.marks.begin(), ways_.marks.end(), [&](const Mark& one) {
-      return one.event == mark.event && one.parameter == mark.parameter &&
-             one.configurations == mark.configurations;
-    });
+    const bool is_new =
+        std::none_of(swept_.marks.begin(), swept_.marks.end(), [&](const Mark& one) {
+          return one.event == mark.event && one.parameter == mark.parameter &&
+                 one.configurations == mark.configurations;
+        });
     if (is_new) {
-      ways_.marks.push_back(std::move(mark));
+      swept_.marks.push_back(std::move(mark));
     }
   }
 
@@ -154,8 +155,8 @@ class WayFollower {
   const std::vector<int>& configurations_;
   bool starts_here_ = false;
   bool one_alone_ = false;
-  Ways ways_;
-  std::map<Way, std::size_t> open_, first_;  ///< the traces that go on, and that begin here
+  SweepTraces swept_;
+  std::map<TraceKey, std::size_t> open_, first_;  ///< the traces that go on, and that begin here
   std::map<int, int> last_step_;
 };
 
@@ -172,14 +173,14 @@ std::pair<std::string, std::vector<int>> parts_of_event(const std::string& event
   return {event.substr(0, event.find(' ')), branches};
 }
 
-Ways ways_of(const Mechanism& mechanism, const Request& request,
-             const std::vector<int>& configurations) {
+SweepTraces traces_of_sweep(const Mechanism& mechanism, const Request& request,
+                            const std::vector<int>& configurations) {
   WayFollower follower(mechanism, request, configurations);
   return request.sweep ? follower.followed()
-                       : Ways{{},
-                              {},
-                              std::vector<Reaches>(configurations.size(),
-                                                   Reaches(mechanism.joints().size()))};
+                       : SweepTraces{{},
+                                     {},
+                                     std::vector<Reaches>(configurations.size(),
+                                                          Reaches(mechanism.joints().size()))};
 }
 
 }  // namespace assur::mechanism::draw

@@ -9,9 +9,9 @@ namespace assur::mechanism::plan {
 /// The places of points in the frames of their links, computed from the mechanism's own numbers. A
 /// point whose numbers cannot be computed, as when parameters read one another, has no place and
 /// coincides with no other point.
-class OwnPlaces {
+class PointPlaces {
  public:
-  explicit OwnPlaces(const Mechanism& mechanism);
+  explicit PointPlaces(const Mechanism& mechanism);
 
   /// Whether two points of one link are apart by rounding at most, so that no line leads from one
   /// to the other.

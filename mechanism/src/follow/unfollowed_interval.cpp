@@ -1,4 +1,4 @@
-#include "passage.hpp"
+#include "unfollowed_interval.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ std::size_t room(const Snapshot& step, PointIndex point) {
 
 }  // namespace
 
-Passage::Passage(PassageEnd before, PassageEnd after, double length)
+UnfollowedInterval::UnfollowedInterval(IntervalEnd before, IntervalEnd after, double length)
     : before_(std::move(before)), after_(std::move(after)), length_(length) {
   Table<PointIndex, bool> continues(after_.branches.size(), false);
   for (const PointIndex point : before_.branches.keys()) {
@@ -45,8 +45,8 @@ Passage::Passage(PassageEnd before, PassageEnd after, double length)
   }
 }
 
-std::vector<StepRow> Passage::rows(const Snapshot& step) const {
-  const Table<PointIndex, std::vector<const Lead*>> leads = assigned(step);
+std::vector<StepRow> UnfollowedInterval::rows(const Snapshot& step) const {
+  const Table<PointIndex, std::vector<const BranchAtEnd*>> leads = assigned(step);
   std::vector<StepRow> rows;
   for (const PointIndex point : leads.keys()) {
     add_rows(step, point, leads[point], rows);
@@ -54,8 +54,8 @@ std::vector<StepRow> Passage::rows(const Snapshot& step) const {
   return rows;
 }
 
-/// Where a branch is expected: on the cubic through the passage, or straight on from one end.
-Eigen::VectorXd Passage::expected(const Lead& lead, double parameter) const {
+/// Where a branch is expected: on the cubic through the interval, or straight on from one end.
+Eigen::VectorXd UnfollowedInterval::expected(const BranchAtEnd& lead, double parameter) const {
   const ConfigurationPoint& start = lead.from->set->points[lead.point];
   const double move = parameter - lead.from->set->parameter;
   if (!lead.goes_through()) {
@@ -65,14 +65,15 @@ Eigen::VectorXd Passage::expected(const Lead& lead, double parameter) const {
   return cubic(start, after_.set->points[lead.later], step, move / step);
 }
 
-Table<PointIndex, std::vector<const Passage::Lead*>> Passage::assigned(const Snapshot& step) const {
+Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> UnfollowedInterval::assigned(
+    const Snapshot& step) const {
   struct Choice {
     double distance;
-    const Lead* lead;
+    const BranchAtEnd* lead;
     PointIndex point;
   };
   std::vector<Choice> choices;
-  for (const Lead& lead : leads_) {
+  for (const BranchAtEnd& lead : leads_) {
     const Eigen::VectorXd place = expected(lead, step.parameter);
     for (const PointIndex point : step.points.keys()) {
       if (step.configuration(point).is_consistent) {
@@ -83,8 +84,8 @@ Table<PointIndex, std::vector<const Passage::Lead*>> Passage::assigned(const Sna
   std::stable_sort(choices.begin(), choices.end(), [](const Choice& one, const Choice& other) {
     return one.distance < other.distance;
   });
-  Table<PointIndex, std::vector<const Lead*>> result(step.count());
-  std::vector<const Lead*> placed;
+  Table<PointIndex, std::vector<const BranchAtEnd*>> result(step.count());
+  std::vector<const BranchAtEnd*> placed;
   const auto place = [&](const auto& has_room) {
     for (const Choice& choice : choices) {
       if (std::find(placed.begin(), placed.end(), choice.lead) == placed.end() &&
@@ -103,22 +104,23 @@ Table<PointIndex, std::vector<const Passage::Lead*>> Passage::assigned(const Sna
   return result;
 }
 
-void Passage::add_rows(const Snapshot& step, PointIndex point, std::vector<const Lead*> leads,
-                       std::vector<StepRow>& rows) const {
+void UnfollowedInterval::add_rows(const Snapshot& step, PointIndex point,
+                                  std::vector<const BranchAtEnd*> leads,
+                                  std::vector<StepRow>& rows) const {
   const Configuration& here = step.configuration(point);
   const auto first = rows.size();
   // The redundant constraints leave one of several motions.
   if (here.rates_known && leads.size() > 1 && !here.plan->redundant.empty()) {
-    const auto rank = [&](const Lead* lead) {
+    const auto rank = [&](const BranchAtEnd* lead) {
       return std::pair(difference_of_rates(*lead, here), lead->branch);
     };
-    leads = {*std::min_element(leads.begin(), leads.end(), [&](const Lead* one, const Lead* other) {
-      return rank(one) < rank(other);
-    })};
+    leads = {*std::min_element(
+        leads.begin(), leads.end(),
+        [&](const BranchAtEnd* one, const BranchAtEnd* other) { return rank(one) < rank(other); })};
   }
   for (const Configuration& branch : here.branches) {
-    const auto best =
-        std::min_element(leads.begin(), leads.end(), [&](const Lead* one, const Lead* other) {
+    const auto best = std::min_element(
+        leads.begin(), leads.end(), [&](const BranchAtEnd* one, const BranchAtEnd* other) {
           return difference_of_rates(*one, branch) < difference_of_rates(*other, branch);
         });
     if (best != leads.end()) {
@@ -127,13 +129,13 @@ void Passage::add_rows(const Snapshot& step, PointIndex point, std::vector<const
     }
   }
   int least = 0;
-  for (const Lead* lead : leads) {
+  for (const BranchAtEnd* lead : leads) {
     least = least == 0 ? lead->branch : std::min(least, lead->branch);
   }
   const auto through = std::count_if(leads.begin(), leads.end(),
-                                     [](const Lead* lead) { return lead->goes_through(); });
+                                     [](const BranchAtEnd* lead) { return lead->goes_through(); });
   const bool one_row = rows.size() == first && through < 2;
-  for (const Lead* lead : leads) {
+  for (const BranchAtEnd* lead : leads) {
     if (!one_row && lead->goes_through()) {
       rows.push_back({point, lead->branch, &here});
     }
@@ -145,7 +147,8 @@ void Passage::add_rows(const Snapshot& step, PointIndex point, std::vector<const
             [](const StepRow& one, const StepRow& other) { return one.branch < other.branch; });
 }
 
-double Passage::difference_of_rates(const Lead& lead, const Configuration& state) const {
+double UnfollowedInterval::difference_of_rates(const BranchAtEnd& lead,
+                                               const Configuration& state) const {
   const Configuration& beside = lead.from->set->configuration(lead.point);
   double difference = 0;
   for (const LinkIndex link : state.links.keys()) {

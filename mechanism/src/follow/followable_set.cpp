@@ -1,4 +1,4 @@
-#include "set_beside.hpp"
+#include "followable_set.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,8 @@ constexpr double farthest_beside = 0.25;
 
 }  // namespace
 
-SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& followed,
-                           const StepSide& of) {
+SnapshotPointer nearest_followable_set(SnapshotSolver& solver, const SnapshotPointer& followed,
+                                       const StepSide& of) {
   const Snapshot& set = *of.set;
   const double value = set.parameter;
   const double range = solver.to() - solver.from();

@@ -1,4 +1,4 @@
-#include "told_branches.hpp"
+#include "shown_branches.hpp"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ std::set<int> left_unresolved(std::span<const BranchEvent> events) {
   return branches;
 }
 
-void ToldBranches::note(const StepRow& row) {
+void ShownBranches::note(const StepRow& row) {
   if (!row.state->is_consistent && row.state->regularity == Status::ok) {
     foreign_.insert(row.branch);
   }
@@ -40,7 +40,7 @@ void ToldBranches::note(const StepRow& row) {
   }
 }
 
-bool ToldBranches::keeps_own(BranchEvent& event) const {
+bool ShownBranches::keeps_own(BranchEvent& event) const {
   if (!has_foreign_ || (event.ended.empty() && event.begun.empty())) {
     return true;
   }
@@ -53,7 +53,7 @@ bool ToldBranches::keeps_own(BranchEvent& event) const {
   return befallen >= (event.kind == EventKind::crossing ? 2U : 1U);
 }
 
-void ToldBranches::renumber(BranchEvent& event) {
+void ShownBranches::renumber(BranchEvent& event) {
   event.through = shown(event.through);
   for (std::vector<int>* list : {&event.ended, &event.begun}) {
     std::ranges::transform(*list, list->begin(), [this](int branch) { return shown(branch); });
@@ -61,7 +61,7 @@ void ToldBranches::renumber(BranchEvent& event) {
   }
 }
 
-int ToldBranches::shown(int branch) {
+int ShownBranches::shown(int branch) {
   const auto place = static_cast<std::size_t>(branch);
   numbers_.resize(std::max(numbers_.size(), place + 1), 0);
   if (branch > 0 && numbers_[place] == 0) {
@@ -70,7 +70,7 @@ int ToldBranches::shown(int branch) {
   return numbers_[place];
 }
 
-std::vector<int> ToldBranches::in_order() const {
+std::vector<int> ShownBranches::in_order() const {
   std::vector<int> branches(static_cast<std::size_t>(last_shown_), 0);
   for (std::size_t branch = 0; branch < numbers_.size(); ++branch) {
     if (numbers_[branch] > 0) {

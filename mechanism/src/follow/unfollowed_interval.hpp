@@ -8,8 +8,8 @@
 
 namespace assur::mechanism::follow {
 
-/// One end of a passage: a set that can be followed, and the numbers of its branches.
-struct PassageEnd {
+/// One end of an interval: a set that can be followed, and the numbers of its branches.
+struct IntervalEnd {
   SnapshotPointer set;
   Table<PointIndex, int> branches;  ///< 0 for those that are not reported
 };
@@ -23,12 +23,12 @@ struct StepRow {
 
 /// An interval within which sets of configurations are not followed. The rows of its steps are
 /// assigned to the branches that lead into it and out of it.
-class Passage {
+class UnfollowedInterval {
  public:
   /// Either end may be missing. `length` is the unit of the points.
-  Passage(PassageEnd before, PassageEnd after, double length);
-  Passage(const Passage&) = delete;  // the leads point to the ends
-  Passage& operator=(const Passage&) = delete;
+  UnfollowedInterval(IntervalEnd before, IntervalEnd after, double length);
+  UnfollowedInterval(const UnfollowedInterval&) = delete;  // the leads point to the ends
+  UnfollowedInterval& operator=(const UnfollowedInterval&) = delete;
 
   /// Whether a value lies inside, seen in the sense of a sweep.
   [[nodiscard]] bool covers(double parameter, double sense) const {
@@ -48,28 +48,30 @@ class Passage {
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
 
  private:
-  [[nodiscard]] static std::vector<int> told(const PassageEnd& end) {
+  [[nodiscard]] static std::vector<int> told(const IntervalEnd& end) {
     std::vector<int> numbers = end.branches.items();
     std::erase(numbers, 0);
     return numbers;
   }
-  /// A branch at one end of the passage.
-  struct Lead {
+  /// A branch at one end of the interval.
+  struct BranchAtEnd {
     int branch;
-    const PassageEnd* from;
+    const IntervalEnd* from;
     PointIndex point;
     PointIndex later;  ///< at the other end, if the branch goes through
     [[nodiscard]] bool goes_through() const { return later.exists(); }
   };
-  [[nodiscard]] Eigen::VectorXd expected(const Lead& lead, double parameter) const;
-  [[nodiscard]] double difference_of_rates(const Lead& lead, const Configuration& state) const;
-  [[nodiscard]] Table<PointIndex, std::vector<const Lead*>> assigned(const Snapshot& step) const;
-  void add_rows(const Snapshot& step, PointIndex point, std::vector<const Lead*> leads,
+  [[nodiscard]] Eigen::VectorXd expected(const BranchAtEnd& lead, double parameter) const;
+  [[nodiscard]] double difference_of_rates(const BranchAtEnd& lead,
+                                           const Configuration& state) const;
+  [[nodiscard]] Table<PointIndex, std::vector<const BranchAtEnd*>> assigned(
+      const Snapshot& step) const;
+  void add_rows(const Snapshot& step, PointIndex point, std::vector<const BranchAtEnd*> leads,
                 std::vector<StepRow>& rows) const;
 
-  PassageEnd before_, after_;
+  IntervalEnd before_, after_;
   double length_;
-  std::vector<Lead> leads_;
+  std::vector<BranchAtEnd> leads_;
 };
 
 }  // namespace assur::mechanism::follow

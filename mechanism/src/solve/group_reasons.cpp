@@ -1,4 +1,4 @@
-#include "group_words.hpp"
+#include "group_reasons.hpp"
 
 #include <algorithm>
 #include <assur/text/names.hpp>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "branch_tracker.hpp"
-#include "passage.hpp"
+#include "unfollowed_interval.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -23,11 +23,11 @@ namespace assur::mechanism::follow {
 [[nodiscard]] std::set<int> left_unresolved(std::span<const BranchEvent> events);
 
 /// Records which branches have had rows, and by which numbers they are shown.
-class ToldBranches {
+class ShownBranches {
  public:
   /// `has_foreign`: whether there may be foreign branches, which violate the redundant constraints
   /// of the mechanism.
-  explicit ToldBranches(bool has_foreign) : has_foreign_(has_foreign) {}
+  explicit ShownBranches(bool has_foreign) : has_foreign_(has_foreign) {}
 
   /// Records that a branch has a row, or that it violates the redundant constraints.
   void note(const StepRow& row);

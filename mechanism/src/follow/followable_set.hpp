@@ -1,7 +1,7 @@
 // Turns a step at which configurations cannot be followed into a set beside it at which they can.
 #pragma once
 
-#include "snapshot.hpp"
+#include "snapshot_solver.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -15,7 +15,8 @@ struct StepSide {
 /// The nearest set that can be followed on one side of a step. It is not searched for before
 /// `followed`, the last set of the branches (null if there is none), nor far beyond the step's
 /// neighbours where solutions are degenerate. Null if there is none.
-[[nodiscard]] SnapshotPointer set_beside(SnapshotSolver& solver, const SnapshotPointer& followed,
-                                         const StepSide& of);
+[[nodiscard]] SnapshotPointer nearest_followable_set(SnapshotSolver& solver,
+                                                     const SnapshotPointer& followed,
+                                                     const StepSide& of);
 
 }  // namespace assur::mechanism::follow

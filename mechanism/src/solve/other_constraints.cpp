@@ -1,6 +1,7 @@
-#include "other_ways.hpp"
+#include "other_constraints.hpp"
 
 #include <algorithm>
+#include <assur/mechanism/plan.hpp>
 #include <assur/text/names.hpp>
 #include <limits>
 #include <utility>
@@ -8,8 +9,7 @@
 #include "all_constraints.hpp"
 #include "configuration_order.hpp"
 #include "left_mobility.hpp"
-#include "plan/plan_data.hpp"
-#include "redundant_plan.hpp"
+#include "plan/other_plans.hpp"
 #include "relative_frames.hpp"
 #include "search_bounds.hpp"
 #include "settled_redundancy.hpp"
@@ -130,63 +130,51 @@ class Adoption {
 
 }  // namespace
 
-bool OtherWays::settle(const MechanismSolver& own, const std::function<void()>& search,
-                       const Question& ask, Solution& result) {
+Answer OtherConstraints::settled(const Search& search, const Sought& sought, Answer own,
+                                 Solution& result) const {
   const PlanData& plan = values_.plan();
-  const bool has_others = plan.described != nullptr && !stays_away_;
-  std::optional<OverConstrained> refusal;
-  try {
-    search();
-  } catch (const OverConstrained& error) {
-    if (!has_others || !own.is_unsure()) {
-      throw;
-    }
-    refusal = error;
+  const bool has_others = plan.others != nullptr && !keeps_own_choice_;
+  if (!has_others || (own.refusal && !own.is_unsure)) {
+    return own;
   }
-  const auto may_lack_all = [](const MechanismSolver& solver, const Solution& found) {
-    return solver.is_unsure() && found.left_out.value_or(0) == 0 &&
+  const auto may_lack_all = [](const Answer& answer, const Solution& found) {
+    return answer.is_unsure && found.left_out.value_or(0) == 0 &&
            std::ranges::none_of(found.configurations, &Configuration::is_consistent);
   };
   const bool lacks_all = may_lack_all(own, result);
-  if (!has_others || (result.families.empty() && !lacks_all)) {
-    return false;
+  if (result.families.empty() && !lacks_all) {
+    return own;
   }
   if (!lacks_all) {
     std::vector<Family> left = result.families;
     if (are_left(left, values_)) {
       result.families = std::move(left);
-      return false;
+      return own;
     }
   }
-  if (!plans_) {
-    plans_ = other_plans(plan);
-  }
-  for (const std::shared_ptr<const PlanData>& other : *plans_) {
+  for (const std::shared_ptr<const PlanData>& other : plan.others->all()) {
     const Values values(other, values_.replaced());
     MechanismSolver solver(values);
     try {
       Solution solution;
-      ask(solver, solution);
-      if (are_left(solution.families, values) && !may_lack_all(solver, solution)) {
+      Answer answer = solver.solve(search, sought, solution);
+      if (answer.refusal) {
+        if (!lacks_all && !answer.is_unsure) {
+          return answer;
+        }
+      } else if (are_left(solution.families, values) && !may_lack_all(answer, solution)) {
         Adoption(values_, *other).adopt(solution);
         result = std::move(solution);
-        return true;
-      }
-    } catch (const OverConstrained&) {
-      if (!lacks_all && !solver.is_unsure()) {
-        throw;
+        return answer;
       }
     } catch (const MechanismError&) {
       continue;  // as where a slot has no direction
     }
   }
-  if (refusal) {
-    throw OverConstrained(*refusal);
-  }
-  if (SettledRedundancy::can_close(plan)) {
+  if (!own.refusal && SettledRedundancy::can_close(plan)) {
     tell_what_is_left(result.families, values_);
   }
-  return false;
+  return own;
 }
 
 }  // namespace assur::mechanism::solve

@@ -1,0 +1,60 @@
+// Walks through the configurations of a mechanism, group by group, to those that are sought.
+#pragma once
+
+#include <array>
+#include <assur/mechanism/solution.hpp>
+
+#include "closing_gaps.hpp"
+#include "family_search.hpp"
+#include "found_configurations.hpp"
+#include "group_order.hpp"
+#include "nearness.hpp"
+#include "placement.hpp"
+#include "redundant_joints.hpp"
+#include "search.hpp"
+#include "watched_limits.hpp"
+
+namespace assur::mechanism::solve {
+
+/// Walks depth first through the configurations of the groups: what is placed stays placed while
+/// the groups behind it are solved, and is overwritten by the next configuration.
+class ConfigurationWalk {
+ public:
+  /// The values must outlive the walk, and stay where they are.
+  explicit ConfigurationWalk(const Values& values);
+
+  /// Solves all groups as far as what is sought needs them, and writes the solution. Throws as
+  /// `MechanismSolver::solve` does.
+  [[nodiscard]] Answer walk(const Search& search, const Sought& sought, Solution& result);
+
+  [[nodiscard]] TurnCount& turns() { return placement_.turns(); }
+
+ private:
+  using Squares = std::array<double, models::most_configurations>;
+
+  void begin(const Search& search, std::size_t number, Solution& result);
+  void descend(std::size_t depth);
+  void descend_on(std::size_t depth);
+  [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count, Squares& squares);
+
+  Placement placement_;
+  PlacedLinks& placed_;  ///< those of the placement
+  const Structure& structure_;
+  const Values& values_;
+  ClosingGaps gaps_;
+  FamilySearch families_;
+  Nearness nearness_;
+  GroupOrder group_order_;
+  WatchedLimits limits_;
+  WatchedRedundancy watched_;
+  FoundConfigurations found_;
+  /// Where there may be more configurations than can be listed, they are numbered as they are met,
+  /// so that the first of them are found without the others.
+  bool is_ordered_by_groups_;
+  bool cuts_ = false;                 ///< whether what is beyond limits is left as soon as placed
+  bool has_cut_ = false;              ///< whether something was left like that
+  bool leaves_inconsistent_ = false;  ///< as soon as a redundant joint cannot hold
+  bool has_left_inconsistent_ = false;
+};
+
+}  // namespace assur::mechanism::solve
