@@ -248,18 +248,16 @@ template <typename Of, typename Kernel>
   return with_displacements<Of>(equations, theta / base);
 }
 
-/// Calls `visit(configuration, eigenvalues)` for approximate complex configurations: all in general
-/// position, and some that close nothing. `eigenvalues` is 1, and 0 for further configurations that
-/// an eigenvalue may stand for. False where the matrix is singular to rounding for every x, as
-/// where the group moves: then any x is an eigenvalue, and single configurations come by chance.
+/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
+/// and some that close nothing.
 template <typename Of, typename Visit>
-bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
+void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
     Eigen::Matrix<Complex, Of::directions, 1> theta;
     theta.setOnes(equations.of_angles.cols());
-    visit(with_displacements<Of>(equations, theta), 1);
-    return true;
+    visit(with_displacements<Of>(equations, theta));
+    return;
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
   // companion matrix: those at infinity and those of a singular leading coefficient become w = 0.
@@ -268,12 +266,10 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const int size = elimination.size;
   const int degree = elimination.degree;
   Pencil companion = Pencil::Zero(size * degree, size * degree);
-  bool is_regular = false;
   {
     PolynomialMatrix<Of> matrix(equations, elimination);
     const Pencil constant = matrix.coefficient(0);
     const Eigen::PartialPivLU<Pencil> factors(constant);
-    is_regular = factors.rcond() > size * epsilon;
     for (int order = 1; order <= degree; ++order) {
       const Pencil coefficient = matrix.coefficient(order);
       companion.block(0, size * (order - 1), size, size) = -factors.solve(coefficient);
@@ -281,11 +277,11 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   }
   companion.bottomLeftCorner(size * (degree - 1), size * (degree - 1)).setIdentity();
   if (!companion.allFinite()) {
-    return false;
+    return;
   }
   const Eigen::ComplexEigenSolver<Pencil> solved(companion);
   if (solved.info() != Eigen::Success) {
-    return false;
+    return;
   }
   const auto& w = solved.eigenvalues();
   const auto kernel = [&](Eigen::Index index) {
@@ -294,10 +290,10 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const auto x_of = [&](Eigen::Index index) {
     return PolynomialMatrix<Of>::sigma() + 1.0 / Complex(w(index));
   };
-  const auto tell = [&](const Complex& x, const auto& of, int eigenvalues) {
+  const auto tell = [&](const Complex& x, const auto& of) {
     const ComplexConfiguration<Of> told = told_configuration<Of>(equations, elimination, x, of);
     if (told.theta.allFinite() && told.s.allFinite()) {
-      visit(told, eigenvalues);
+      visit(told);
     }
   };
   // Eigenvalues that differ by less than the root of a rounding may be one.
@@ -307,7 +303,7 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       continue;
     }
     const Complex x = x_of(index);
-    tell(x, kernel(index), 1);
+    tell(x, kernel(index));
     // Two configurations with one x have a kernel of two dimensions, which does not tell them
     // apart: Newton's method begins in several places of it.
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
@@ -315,12 +311,11 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
         constexpr int places = 8;
         constexpr double turn = 6.283185307179586;
         for (int place = 0; place < places; ++place) {
-          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other), 0);
+          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other));
         }
       }
     }
   }
-  return is_regular;
 }
 
 }  // namespace assur::loops
