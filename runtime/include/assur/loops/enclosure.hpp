@@ -1,7 +1,6 @@
 // Complex configurations of a group, each enclosed in a ball that holds exactly one.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <assur/loops/hidden_angle.hpp>
@@ -163,7 +162,7 @@ template <typename Of>
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     typename Of::ComplexClosures by =
-        -jacobian_at(equations, at).partialPivLu().solve(closures_at(equations, at));
+        -solved<Of>(jacobian_at(equations, at), closures_at(equations, at));
     const double length = norm_of(by);
     if (!std::isfinite(length)) {
       return false;
@@ -190,7 +189,8 @@ template <typename Of>
 [[nodiscard]] bool enclose(const LoopEquations<Of>& equations, Enclosed<Of>& ball) {
   using Square = typename Of::ComplexSquare;
   const Square jacobian = jacobian_at(equations, ball.at);
-  const Square inverse = jacobian.partialPivLu().inverse();
+  const Square one = Square::Identity(jacobian.rows(), jacobian.cols());
+  const Square inverse = solved<Of>(jacobian, one);
   if (!inverse.allFinite()) {
     return false;
   }
@@ -199,14 +199,15 @@ template <typename Of>
   const typename Of::Square of_inverse = inverse.cwiseAbs();
   const auto size = static_cast<double>(jacobian.rows());
   const double product_rounding = 4 * size * epsilon;
-  const Square left = Square::Identity(jacobian.rows(), jacobian.cols()) - inverse * jacobian;
+  const Square left = one - inverse.lazyProduct(jacobian);
   const typename Of::Closures of_rows = jacobian.cwiseAbs().rowwise().sum();
-  const double still =
-      norm_of(left) + norm_of(of_inverse * (size * bounds.rounding + product_rounding * of_rows));
-  const typename Of::ComplexClosures correction = inverse * closures_at(equations, ball.at);
-  const double moved =
-      norm_of(correction) + norm_of(of_inverse * bounds.rounding) * (1 + product_rounding);
-  const double bent = norm_of(of_inverse * bounds.bending);
+  const typename Of::Closures of_entries = size * bounds.rounding + product_rounding * of_rows;
+  const double still = norm_of(left) + norm_of(of_inverse.lazyProduct(of_entries));
+  const typename Of::ComplexClosures correction =
+      inverse.lazyProduct(closures_at(equations, ball.at));
+  const double moved = norm_of(correction) +
+                       norm_of(of_inverse.lazyProduct(bounds.rounding)) * (1 + product_rounding);
+  const double bent = norm_of(of_inverse.lazyProduct(bounds.bending));
   if (!(still < 0.5)) {
     return false;
   }
