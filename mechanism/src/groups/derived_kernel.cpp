@@ -402,12 +402,11 @@ Status DerivedKernel::gap(const FlatVariables& d, const FlatVariables& u, double
   }
   result = std::numeric_limits<double>::infinity();
   for (const assur::loops::Elimination& elimination : eliminations_.list()) {
-    assur::loops::each_candidate(
-        equations, elimination, [&](const ComplexConfiguration& near, int) {
-          const ComplexConfiguration at =
-              assur::loops::settled(equations, assur::loops::made_real(near));
-          result = std::min(result, assur::loops::real_closures(equations, at).f.norm());
-        });
+    assur::loops::each_candidate(equations, elimination, [&](const ComplexConfiguration& near) {
+      const ComplexConfiguration at =
+          assur::loops::settled(equations, assur::loops::made_real(near));
+      result = std::min(result, assur::loops::real_closures(equations, at).f.norm());
+    });
     if (std::isfinite(result)) {
       break;
     }

@@ -218,10 +218,8 @@ template <typename Of>
   return ball.holds <= ball.alone;
 }
 
-/// Searches by one elimination after another until `complex_count` balls are found, or no other
-/// elimination can add one. Where configurations coincide, are at infinity or move there are fewer
-/// balls, and an elimination has as many eigenvalues for each of them as it counts: where all N are
-/// accounted for, and no ball is new, the others tell the same.
+/// Searches by one elimination after another until `complex_count` balls are found, or all
+/// eliminations are used.
 template <typename Of, typename Eliminations>
 [[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
                                                        const Eliminations& eliminations,
@@ -230,20 +228,14 @@ template <typename Of, typename Eliminations>
   LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
   own.of_angles /= unit;
   AllConfigurations<Of> result;
-  int unproven_here = 0;
-  const auto found = [&](const ComplexConfiguration<Of>& near, int eigenvalues) {
-    if (result.count() >= complex_count) {
-      return;
-    }
-    if (is_at_infinity(near)) {
-      unproven_here += eigenvalues;
+  const auto found = [&](const ComplexConfiguration<Of>& near) {
+    if (result.count() >= complex_count || is_at_infinity(near)) {
       return;
     }
     Enclosed<Of> ball{near, 0, 0, false};
     const bool is_settled = polish(own, ball.at);
     if (!is_settled || !enclose(own, ball)) {
       if (closes(own, ball.at)) {
-        unproven_here += eigenvalues;
         ball.at.s *= unit;
         if (!result.unproven.is_full()) {
           result.unproven.push_back(ball.at);
@@ -259,16 +251,11 @@ template <typename Of, typename Eliminations>
     }
     result.enclosed.push_back(ball);
   };
-  int before = -1;  // the first elimination is not compared
   for (const Elimination& elimination : eliminations) {
-    unproven_here = 0;
-    const bool tells_all = each_candidate<Of>(own, elimination, found);
-    const int count = result.count();
-    if (count >= complex_count ||
-        (tells_all && count == before && count + unproven_here >= complex_count)) {
+    each_candidate<Of>(own, elimination, found);
+    if (result.count() >= complex_count) {
       break;
     }
-    before = tells_all ? count : before;
   }
   for (Enclosed<Of>& ball : result.enclosed) {
     ball.at.s *= unit;

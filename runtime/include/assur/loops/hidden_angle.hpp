@@ -188,19 +188,19 @@ class PolynomialMatrix {
     }
   }
 
-  /// The matrix whose eigenvalues are w = 1 / (x - sigma). `firmness` is how far the matrix at
-  /// sigma is from a singular one, in parts of its largest entries; zero where there is no
-  /// companion.
-  [[nodiscard]] Pencil companion(double& firmness) {
-    Pencil result = Pencil::Zero(size_ * degree_, size_ * degree_);
-    firmness = entries_.eliminate(size_, size_);
-    for (int row = 0; row < size_ && firmness > 0; ++row) {
+  /// Sets a matrix of zeros to that whose eigenvalues are w = 1 / (x - sigma); false where the
+  /// matrix at sigma has no inverse.
+  [[nodiscard]] bool put_companion(Pencil& companion) {
+    if (entries_.eliminate(size_, size_) == 0) {
+      return false;
+    }
+    for (int row = 0; row < size_; ++row) {
       for (int column = 0; column < size_ * degree_; ++column) {
-        result(row, column) = -entries_.entry(entries_.row_of(row), size_ + column);
+        companion(row, column) = -entries_.entry(entries_.row_of(row), size_ + column);
       }
     }
-    result.bottomLeftCorner(size_ * (degree_ - 1), size_ * (degree_ - 1)).setIdentity();
-    return result;
+    companion.bottomLeftCorner(size_ * (degree_ - 1), size_ * (degree_ - 1)).setIdentity();
+    return true;
   }
 
  private:
@@ -269,31 +269,29 @@ template <typename Of, typename Kernel>
   return with_displacements<Of>(equations, theta / base);
 }
 
-/// Calls `visit(configuration, eigenvalues)` for approximate complex configurations: all in general
-/// position, and some that close nothing. `eigenvalues` is 1, and 0 for further configurations that
-/// an eigenvalue may stand for. False where the matrix is singular to rounding for every x, as
-/// where the group moves: then any x is an eigenvalue, and single configurations come by chance.
+/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
+/// and some that close nothing.
 template <typename Of, typename Visit>
-bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
+void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
     typename Of::Directions theta;
     theta.setOnes(equations.of_angles.cols());
-    visit(with_displacements<Of>(equations, theta), 1);
-    return true;
+    visit(with_displacements<Of>(equations, theta));
+    return;
   }
   // About a point sigma that is no eigenvalue, w = 1 / (x - sigma) is an eigenvalue of the
   // companion matrix: those at infinity and those of a singular leading coefficient become w = 0.
   using Pencil = typename PolynomialMatrix<Of>::Pencil;
   const int size = elimination.size;
-  double firmness = 0;
-  const Pencil companion = PolynomialMatrix<Of>(equations, elimination).companion(firmness);
-  if (!(firmness > 0) || !companion.allFinite()) {
-    return false;
+  Pencil companion = Pencil::Zero(elimination.eigenvalues(), elimination.eigenvalues());
+  if (!PolynomialMatrix<Of>(equations, elimination).put_companion(companion) ||
+      !companion.allFinite()) {
+    return;
   }
   const Eigen::ComplexEigenSolver<Pencil> solved(companion);
   if (solved.info() != Eigen::Success) {
-    return false;
+    return;
   }
   const auto& w = solved.eigenvalues();
   const auto kernel = [&](Eigen::Index index) {
@@ -302,10 +300,10 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
   const auto x_of = [&](Eigen::Index index) {
     return PolynomialMatrix<Of>::sigma() + 1.0 / Complex(w(index));
   };
-  const auto tell = [&](const Complex& x, const auto& of, int eigenvalues) {
+  const auto tell = [&](const Complex& x, const auto& of) {
     const ComplexConfiguration<Of> told = told_configuration<Of>(equations, elimination, x, of);
     if (told.theta.allFinite() && told.s.allFinite()) {
-      visit(told, eigenvalues);
+      visit(told);
     }
   };
   // Eigenvalues that differ by less than the root of a rounding may be one.
@@ -315,7 +313,7 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       continue;
     }
     const Complex x = x_of(index);
-    tell(x, kernel(index), 1);
+    tell(x, kernel(index));
     // Two configurations with one x have a kernel of two dimensions, which does not tell them
     // apart: Newton's method begins in several places of it.
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
@@ -323,12 +321,11 @@ bool each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
         constexpr int places = 8;
         constexpr double turn = 6.283185307179586;
         for (int place = 0; place < places; ++place) {
-          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other), 0);
+          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other));
         }
       }
     }
   }
-  return firmness > size * epsilon;
 }
 
 }  // namespace assur::loops
