@@ -90,7 +90,7 @@ class GroupSpecialiser {
     }
     if (numbers_.forces) {
       const model::ForceFunction forces = model::force_function(
-          forces::group_forces(equations_, derivatives_.pose_unknown_jacobian, structured_));
+          forces::group_forces(equations_, derivatives_, structured_));
       for (const auto& [symbol, entry] : forces.loads) {
         spelling.take_out(symbol, entry);
       }
