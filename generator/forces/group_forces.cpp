@@ -199,7 +199,8 @@ class ForceWalk {
       sum += is_named(motion) && is_computed(entry) ? dot(motion, vector_of(row, solved[row]))
                                                     : entry * solved[row];
     }
-    return sum;
+    const std::string& name = equations_.unknowns[unknown].name;
+    return named("known_" + name, sum, "what the known forces do along " + name);
   }
   /// Whether an entry of the Jacobian is more than a number or a dimension.
   [[nodiscard]] bool is_computed(const GiNaC::ex& entry) const {
