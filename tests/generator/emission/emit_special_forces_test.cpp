@@ -190,7 +190,9 @@ TEST(EmitSpecialForces, OfASpringWithoutADirectionAreThoseOfSolve) {
   scenes.push_back({"with_damper", scene});
   const Compared compared = compare(scenes);
   EXPECT_GT(compared.unknown, 0);
-  EXPECT_GT(compare({scenes.front()}, "float", 1e-4).unknown, 0);
+  if (is_whole_campaign()) {
+    EXPECT_GT(compare({scenes.front()}, "float", 1e-4).unknown, 0);
+  }
 }
 
 /// With moving drivers nothing is known of rates at the change point; at rest the resultant on the
