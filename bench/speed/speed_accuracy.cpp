@@ -26,8 +26,9 @@ struct Part {
   const char* name;
   std::vector<Task> (*tasks)(const TaskSizes& sizes);
 };
-constexpr std::array<Part, 7> parts = {{
+constexpr std::array<Part, 8> parts = {{
     {"everyday", everyday_tasks},
+    {"forces", force_tasks},
     {"derivatives", derivative_tasks},
     {"positions", position_tasks},
     {"tracking", tracking_tasks},

@@ -1,8 +1,9 @@
 // Maps the motor torques of a five-bar leg to the force at its foot and back, along a step.
 //
-// With the foot at p(y), y the angles of the two motors, and the Jacobian G = dp/dy, the power of
-// the motors is that of the force with which the foot pushes on the floor: tau . y' = f . p', so
-// that tau = G^T f. Neither G nor its inverse maps efforts forward: it is the transpose.
+// With the foot at p(y), y the angles of the two motors, and the Jacobian G = dp/dy, which the
+// solver tells as first coefficients, the power of the motors is that of the force with which the
+// foot pushes on the floor: tau . y' = f . p', so that tau = G^T f. Neither G nor its inverse maps
+// efforts forward: it is the transpose.
 #include <Eigen/LU>
 #include <array>
 #include <assur/scenes/five_bar_leg.hpp>
@@ -10,38 +11,6 @@
 #include <cstdio>
 
 using Leg = assur::scenes::FiveBarLeg;
-
-/// The foot and how it follows the motors.
-struct Foot {
-  Eigen::Vector2d position, velocity;
-  Eigen::Matrix2d jacobian;  ///< a column for each motor, metres
-};
-
-/// Moves the leg to other angles of the motors. False where the leg does not reach them on the
-/// branch that it is on. The columns of G are the velocities of the foot at unit speeds.
-bool move(const std::array<double, 2>& angles, const std::array<double, 2>& speeds,
-          Leg::Branch& branch, Leg::State<double>& state, Foot& foot) {
-  Leg::Drivers<double> drivers;
-  drivers.A.position = angles[0];
-  drivers.B.position = angles[1];
-  const auto at_speeds = [&](double first, double second) {
-    drivers.A.velocity = first;
-    drivers.B.velocity = second;
-    return Leg::track(drivers, branch, state).status == assur::Status::ok;
-  };
-  for (int motor = 0; motor < 2; ++motor) {
-    if (!at_speeds(motor == 0 ? 1 : 0, motor == 1 ? 1 : 0)) {
-      return false;
-    }
-    foot.jacobian.col(motor) = state.outputs.P.velocity;
-  }
-  if (!at_speeds(speeds[0], speeds[1])) {
-    return false;
-  }
-  foot.position = state.outputs.P.position;
-  foot.velocity = state.outputs.P.velocity;
-  return true;
-}
 
 int main() {
   const Leg::Drivers<double> drawn;
@@ -59,19 +28,22 @@ int main() {
   std::printf("   foot [m]           torques [N m]      force back [N]\n");
   for (int step = 0; step < 5; ++step) {
     const double phase = 0.3 * step;
-    const std::array<double, 2> angles{drawn.A.position + 0.2 * std::sin(phase),
-                                       drawn.B.position + 0.2 * (1 - std::cos(phase))};
-    const std::array<double, 2> speeds{0.2 * std::cos(phase), 0.2 * std::sin(phase)};
-    Foot foot;
-    if (!move(angles, speeds, branch, state, foot)) {
-      return 1;
+    Leg::Drivers<double> motors;
+    motors.A.position = drawn.A.position + 0.2 * std::sin(phase);
+    motors.B.position = drawn.B.position + 0.2 * (1 - std::cos(phase));
+    motors.A.velocity = 0.2 * std::cos(phase);
+    motors.B.velocity = 0.2 * std::sin(phase);
+    if (Leg::track(motors, branch, state).status != assur::Status::ok) {
+      return 1;  // the leg does not reach them on the branch that it is on
     }
-    const Eigen::Vector2d torques = foot.jacobian.transpose() * push;
-    const Eigen::Vector2d back = foot.jacobian.transpose().inverse() * torques;
-    std::printf("%8.4f %8.4f   %8.3f %8.3f   %8.3f %8.3f\n", foot.position.x(), foot.position.y(),
+    const auto& foot = state.outputs.P;
+    const Eigen::Matrix2d G = state.coefficients.outputs.P.first;  // a column for each motor
+    const Eigen::Vector2d torques = G.transpose() * push;
+    const Eigen::Vector2d back = G.transpose().inverse() * torques;
+    std::printf("%8.4f %8.4f   %8.3f %8.3f   %8.3f %8.3f\n", foot.position(0), foot.position(1),
                 torques.x(), torques.y(), back.x(), back.y());
-    const double power_in = torques.x() * speeds[0] + torques.y() * speeds[1];
-    const double power_out = push.dot(foot.velocity);
+    const double power_in = torques.dot(Eigen::Vector2d(motors.A.velocity, motors.B.velocity));
+    const double power_out = push.dot(Eigen::Vector2d(foot.velocity(0), foot.velocity(1)));
     worst = std::fmax(worst, std::fabs(power_in - power_out));
     worst = std::fmax(worst, (back - push).norm());
   }

@@ -1,6 +1,7 @@
 // A leg whose knee is moved by a rod, as a transmission for robot software: the joint angles
 // q = gamma(y) of hip and knee for the angles y of the motors, the Jacobian G = dq/dy, and the bias
-// G' y', called once a millisecond for a second.
+// G' y', called once a millisecond for a second. The solver tells G and its derivatives as first
+// and second coefficients of the joints.
 //
 // Efforts at the joints become those of the motors by tau_y = G^T tau_q, and a controller of joint
 // accelerations asks the motors for y'' = G^-1 (q'' - G' y').
@@ -16,6 +17,9 @@ struct Transmission {
   Eigen::Vector2d joints;    ///< q: hip, and knee as the angle of the shank on the thigh
   Eigen::Matrix2d jacobian;  ///< G
   Eigen::Vector2d bias;      ///< G' y'
+  /// The rates of the joints, and their accelerations at constant speeds of the motors, from the
+  /// motion of the links.
+  Eigen::Vector2d rate, acceleration;
 };
 
 /// Follows the branch that is drawn.
@@ -36,33 +40,32 @@ class Leg {
     return {drivers.hip.position, drivers.motor.position};
   }
 
-  /// False where the transmission does not reach the angles. The columns of G are rates at unit
-  /// speeds of the motors, and the bias is the acceleration at constant speeds.
+  /// False where the transmission does not reach the angles.
   bool at(const Eigen::Vector2d& y, const Eigen::Vector2d& speeds, Transmission& result) {
     drivers_.hip.position = y(0);
     drivers_.motor.position = y(1);
-    for (int motor = 0; motor < 2; ++motor) {
-      if (!track(Eigen::Vector2d::Unit(motor))) {
-        return false;
-      }
-      result.jacobian.col(motor) = rates(state_.links.thigh.velocity, state_.links.shank.velocity);
-    }
-    if (!track(speeds)) {
+    drivers_.hip.velocity = speeds(0);
+    drivers_.motor.velocity = speeds(1);
+    if (Drive::track(drivers_, branch_, state_).status != assur::Status::ok) {
       return false;
     }
     knee_ = knee();
     result.joints = {y(0), knee_};
-    result.bias = rates(state_.links.thigh.acceleration, state_.links.shank.acceleration);
+    const auto& joints = state_.coefficients.joints;
+    result.jacobian << joints.hip.first, joints.knee.first;
+    result.bias.setZero();
+    for (int motor = 0; motor < 2; ++motor) {
+      const auto place = static_cast<std::size_t>(motor);
+      Eigen::Matrix2d change;
+      change << joints.hip.second[place], joints.knee.second[place];
+      result.bias += change * speeds * speeds(motor);
+    }
+    result.rate = rates(state_.links.thigh.velocity, state_.links.shank.velocity);
+    result.acceleration = rates(state_.links.thigh.acceleration, state_.links.shank.acceleration);
     return true;
   }
 
  private:
-  bool track(const Eigen::Vector2d& speeds) {
-    drivers_.hip.velocity = speeds(0);
-    drivers_.motor.velocity = speeds(1);
-    return Drive::track(drivers_, branch_, state_).status == assur::Status::ok;
-  }
-
   /// The knee's angle, next to the last one.
   [[nodiscard]] double knee() const {
     const auto& thigh = state_.links.thigh.pose.direction;
@@ -91,6 +94,7 @@ int main() {
   const Eigen::Vector2d load(-12, 30);  // torques at hip and knee, N m
   double error = 0;
   double power = 0;
+  double bias = 0;
   Transmission before, here;
   Eigen::Vector2d rate_before;
   for (int cycle = 0; cycle <= cycles; ++cycle) {
@@ -105,7 +109,8 @@ int main() {
     const Eigen::Vector2d rate = here.jacobian * speeds;
     const Eigen::Vector2d acceleration = here.jacobian * second + here.bias;
     const Eigen::Vector2d motors = here.jacobian.transpose() * load;
-    power = std::fmax(power, std::fabs(motors.dot(speeds) - load.dot(rate)));
+    power = std::fmax(power, std::fabs(motors.dot(speeds) - load.dot(here.rate)));
+    bias = std::fmax(bias, (here.acceleration - here.bias).cwiseAbs().maxCoeff());
     if (cycle % 250 == 0) {
       std::printf("%.2f s: knee %8.4f, rate %8.4f, bias %8.4f, motors %8.3f %8.3f\n", t,
                   here.joints(1), rate(1), here.bias(1), motors(0), motors(1));
@@ -119,7 +124,8 @@ int main() {
     before = here;
     rate_before = rate;
   }
+  const bool agree = error < 1e-7 && power < 1e-11 && bias < 1e-11;
   std::printf("%d cycles, %s\n", cycles,
-              error < 1e-7 && power < 1e-11 ? "q, G and G' y' agree" : "THEY DISAGREE");
-  return error < 1e-7 && power < 1e-11 ? 0 : 1;
+              agree ? "q, G and G' y' agree, power in equals power out" : "THEY DISAGREE");
+  return agree ? 0 : 1;
 }

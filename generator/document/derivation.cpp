@@ -5,9 +5,12 @@
 
 #include "derivatives/mobility.hpp"
 #include "document/formula_writer.hpp"
+#include "document/phrases.hpp"
 #include "elimination/eliminate.hpp"
 #include "equations/symbols.hpp"
+#include "forces/group_forces.hpp"
 #include "pivoting/structured_jacobian.hpp"
+#include "program/program.hpp"
 
 namespace assur::generator::document {
 
@@ -52,8 +55,10 @@ class DerivationGatherer {
     result_.mobility = mobility.freedom;
     result_.reason = mobility.reason;
     if (mobility.rigid) {
-      gather_determinant();
+      const pivoting::StructuredJacobian structured(equations_);
+      gather_determinant(structured);
       gather_elimination();
+      gather_forces(derivatives, structured);
     }
     return std::move(result_);
   }
@@ -110,8 +115,7 @@ class DerivationGatherer {
     result_.quantities = newly_used(equations_.vocabulary, used);
   }
 
-  void gather_determinant() {
-    const pivoting::StructuredJacobian structured(equations_);
+  void gather_determinant(const pivoting::StructuredJacobian& structured) {
     const pivoting::FramedClosures& framed = structured.closures();
     DerivedDeterminant& result = result_.determinant.emplace();
     std::vector<GiNaC::ex> used;
@@ -185,6 +189,86 @@ class DerivationGatherer {
     result.max_configurations = elimination.max_configurations;
   }
 
+  void gather_forces(const derivatives::Derivatives& derivatives,
+                     const pivoting::StructuredJacobian& structured) {
+    const forces::GroupForces forces = forces::group_forces(equations_, derivatives, structured);
+    DerivedForces& result = result_.forces.emplace();
+    std::vector<GiNaC::symbol> given;
+    for (const forces::LinkLoad& load : forces.loads) {
+      given.insert(given.end(), {load.x, load.y, load.moment});
+      result.loads.add({load.x.get_name(), load.y.get_name(), load.moment.get_name()});
+    }
+    for (const GiNaC::symbol& symbol : given) {
+      write_.declare(symbol);
+    }
+    for (const equations::NamedQuantity& quantity : forces.vocabulary.quantities()) {
+      write_.declare(quantity.symbol);
+    }
+    std::vector<GiNaC::ex> multipliers;
+    for (const equations::Vector2& force : forces.multipliers) {
+      multipliers.insert(multipliers.end(), {force.x, force.y});
+    }
+    std::vector<GiNaC::ex> reactions;
+    std::vector<GiNaC::ex> couples;
+    for (const forces::JointReaction& joint : forces.joints) {
+      reactions.insert(reactions.end(), {joint.force.x, joint.force.y});
+      couples.push_back(joint.couple.value_or(0));
+    }
+    result.generalised = newly_used(forces.vocabulary, forces.generalised);
+    result.multipliers = newly_used(forces.vocabulary, multipliers);
+    result.reactions = newly_used(forces.vocabulary, reactions);
+    result.couples = newly_used(forces.vocabulary, couples);
+    for (std::size_t unknown = 0; unknown < forces.generalised.size(); ++unknown) {
+      GiNaC::ex sum = forces.generalised[unknown];
+      for (std::size_t row = 0; row < multipliers.size(); ++row) {
+        sum += derivatives.jacobian[row][unknown] * multipliers[row];
+      }
+      result.equations.push_back(write_(sum));
+    }
+    gather_reactions(forces, result);
+    count_operations(forces, given, result);
+  }
+
+  /// The reactions on the second links, and on the neighbours that hold the external joints.
+  void gather_reactions(const forces::GroupForces& forces, DerivedForces& result) const {
+    const structure::Group& group = *equations_.model->group;
+    const auto reaction = [&](structure::JointIndex index, const std::string& on, int sign) {
+      const forces::JointReaction& joint = forces.joints[index];
+      return DerivedReaction{{group.joints()[index].name},
+                             on,
+                             {write_(sign * joint.force.x), write_(sign * joint.force.y)},
+                             joint.couple ? write_(sign * *joint.couple) : ""};
+    };
+    for (const structure::JointIndex index : group.joints().keys()) {
+      const structure::Joint& joint = group.joints()[index];
+      const bool is_second = joint.second == structure::base_link;
+      if (is_second || joint.first == structure::base_link) {
+        result.neighbours.push_back(
+            reaction(index, "neighbour at " + std::string(1, joint.name), is_second ? 1 : -1));
+      }
+      result.joints.push_back(reaction(index, is_second ? "base" : group.links()[joint.second], 1));
+    }
+  }
+
+  void count_operations(const forces::GroupForces& forces, const std::vector<GiNaC::symbol>& given,
+                        DerivedForces& result) const {
+    const std::vector<equations::NamedQuantity>& quantities = forces.vocabulary.quantities();
+    const program::SymbolOrder order =
+        program::symbol_order(equations_, equations_.vocabulary, quantities, given);
+    std::vector<program::Result> results;
+    const auto add = [&](const GiNaC::ex& value) {
+      results.push_back({std::to_string(results.size()), value});
+    };
+    std::ranges::for_each(forces.generalised, add);
+    result.of_loads = program::Program(order, quantities, results).count();
+    for (const forces::JointReaction& joint : forces.joints) {
+      add(joint.force.x);
+      add(joint.force.y);
+      add(joint.couple.value_or(0));
+    }
+    result.operations = program::Program(order, quantities, results).count();
+  }
+
   [[nodiscard]] std::vector<std::string> written(const std::vector<GiNaC::ex>& list) const {
     std::vector<std::string> texts;
     texts.reserve(list.size());
@@ -201,6 +285,15 @@ class DerivationGatherer {
     return texts;
   }
 
+  [[nodiscard]] DerivedQuantity quantity_of(const equations::NamedQuantity& quantity) const {
+    const std::string definition = write_(quantity.definition);
+    const std::string name = quantity.symbol.get_name();
+    return quantity.form == equations::NamedQuantity::Form::reciprocal
+               ? DerivedQuantity{name, "1/" + bracketed(definition),
+                                 "a zero divisor means " + quantity.meaning, false}
+               : DerivedQuantity{name, definition, quantity.meaning, false};
+  }
+
   /// The quantities that expressions need, in the order of their definition, except those that were
   /// given before.
   std::vector<DerivedQuantity> newly_used(const equations::Vocabulary& vocabulary,
@@ -215,8 +308,7 @@ class DerivationGatherer {
       const equations::NamedQuantity& quantity = quantities[at];
       if (occurring.contains(quantity.symbol) && given_.insert(quantity.symbol.get_name()).second) {
         occurring.merge(equations::symbols_of(quantity.definition));
-        list.push_back(
-            {quantity.symbol.get_name(), write_(quantity.definition), quantity.meaning, false});
+        list.push_back(quantity_of(quantity));
       }
     }
     std::reverse(list.begin(), list.end());

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "program/expression_graph.hpp"
 #include "structure/kind.hpp"
 
 namespace assur::generator::document {
@@ -103,6 +104,29 @@ struct DerivedElimination {
   std::size_t max_configurations;
 };
 
+/// The force of a joint, and of a slide its couple, on a link or on a neighbour of the group.
+struct DerivedReaction {
+  std::string joint;
+  std::string on;
+  std::array<std::string, 2> force;
+  std::string couple;  ///< empty for a revolute joint
+};
+
+/// The forces in the joints under given loads, by the elimination transposed.
+struct DerivedForces {
+  /// Of each link: the names of x and y of the force that acts on it, and of the moment.
+  structure::LinkTable<std::array<std::string, 3>> loads;
+  std::vector<DerivedQuantity> generalised;  ///< the loads along the unknowns, and what is in them
+  std::vector<DerivedQuantity> multipliers;  ///< the forces in the cut joints, and what they need
+  std::vector<std::string> equations;        ///< J^T lambda + Q, which vanish
+  std::vector<DerivedQuantity> reactions;    ///< the other forces, from the leaves to the base
+  std::vector<DerivedQuantity> couples;
+  std::vector<DerivedReaction> joints;      ///< on the second link of each joint
+  std::vector<DerivedReaction> neighbours;  ///< what the group passes on
+  program::OperationCount operations;       ///< all of them
+  program::OperationCount of_loads;         ///< those of the loads along the unknowns
+};
+
 struct Derivation {
   const structure::Model* model;
   structure::Kind kind;                      ///< the kind asked for
@@ -123,6 +147,7 @@ struct Derivation {
   std::string reason;
   std::optional<DerivedDeterminant> determinant;  ///< of a rigid model
   std::optional<DerivedElimination> elimination;  ///< of a rigid model
+  std::optional<DerivedForces> forces;            ///< of a rigid model
 };
 
 /// The derivation of the model that `kind` belongs to.

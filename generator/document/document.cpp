@@ -27,6 +27,7 @@ class DocumentBuilder {
     singularities();
     if (from_.elimination) {
       elimination();
+      forces();
     }
     return std::move(document_);
   }
@@ -260,6 +261,69 @@ class DocumentBuilder {
     if (!whole) {
       prose("The denominator vanishes where " + back.degeneracy + ".");
     }
+  }
+
+  void forces() {
+    begin("Forces");
+    const DerivedForces& forces = *from_.forces;
+    prose(
+        "On each link act a force and a moment about the origin of its frame, in the directions "
+        "of the fixed frame: weight, inertia, and what is passed on by other groups.");
+    for (const structure::LinkIndex link : group_.links().keys()) {
+      const auto& load = forces.loads[link];
+      add(Given{{load.begin(), load.end()}, "force and moment on link " + group_.links()[link]});
+    }
+    add(Heading{"Step 1: the loads along the unknowns"});
+    prose("The links move along the tree that cuts one joint of each loop.");
+    add(Definitions{forces.generalised});
+    add(Heading{"Step 2: the forces in the cut joints"});
+    prose(
+        "They are the multipliers of the closures, and the steps that solve for rates solve for "
+        "them in reverse, with the same pivots: the transposed Jacobian times the multipliers is "
+        "minus the loads.");
+    add(Definitions{forces.multipliers});
+    for (const std::string& equation : forces.equations) {
+      add(Equation{++number_, equation});
+    }
+    add(Heading{"Step 3: the other forces"});
+    prose("From the leaves of the tree to the base, the forces on a link add up to zero.");
+    add(Definitions{forces.reactions});
+    if (!forces.couples.empty()) {
+      add(Heading{"Step 4: the couples of slides"});
+      prose("From the last links that slides tie, the moments on a link add up to zero.");
+      add(Definitions{forces.couples});
+    }
+    prose(
+        "A force acts on the second link of its joint, and the opposite one on the first: at the "
+        "joint, or at a slide at the foot of the perpendicular from the origin of the second "
+        "link's frame, with the couple.");
+    add(reactions(forces.joints));
+    prose("What is passed on to the neighbours of the group:");
+    add(reactions(forces.neighbours));
+    prose("In all " + operations(forces.operations) +
+          ", of which the loads along the unknowns take " + operations(forces.of_loads) + ".");
+  }
+
+  [[nodiscard]] static Table reactions(const std::vector<DerivedReaction>& list) {
+    Table table{{{"joint", false}, {"on", false}, {"force, x", true}, {"force, y", true}}, {}};
+    const bool has_couples = std::ranges::any_of(
+        list, [](const DerivedReaction& reaction) { return !reaction.couple.empty(); });
+    if (has_couples) {
+      table.columns.push_back({"couple", true});
+    }
+    for (const DerivedReaction& reaction : list) {
+      table.rows.push_back({reaction.joint, reaction.on, reaction.force[0], reaction.force[1]});
+      if (has_couples) {
+        table.rows.back().push_back(reaction.couple.empty() ? "0" : reaction.couple);
+      }
+    }
+    return table;
+  }
+
+  [[nodiscard]] static std::string operations(const program::OperationCount& count) {
+    return text::with_noun(count.multiplications, "multiplication") + ", " +
+           text::with_noun(count.additions, "addition") + " and " +
+           text::with_noun(count.divisions, "division");
   }
 
   const Derivation& from_;

@@ -33,6 +33,18 @@ struct Definitions {
   std::vector<DerivedQuantity> quantities;
 };
 
+/// Symbols that stand for numbers which are given.
+struct Given {
+  std::vector<std::string> names;
+  std::string meaning;
+};
+
+/// A numbered formula that vanishes.
+struct Equation {
+  int number;
+  std::string value;
+};
+
 /// A numbered formula for reading.
 struct Formula {
   int number;
@@ -54,8 +66,8 @@ struct MatrixDisplay {
   bool derivatives;
 };
 
-using Block =
-    std::variant<Prose, Heading, Table, Definitions, Formula, ScalarClosure, MatrixDisplay>;
+using Block = std::variant<Prose, Heading, Table, Definitions, Given, Equation, Formula,
+                           ScalarClosure, MatrixDisplay>;
 
 struct Section {
   std::string title;

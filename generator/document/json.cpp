@@ -83,6 +83,35 @@ Json elimination_json(const DerivedElimination& elimination) {
                })}};
 }
 
+Json reactions(const std::vector<DerivedReaction>& list) {
+  return array_of(list, [](const DerivedReaction& reaction) {
+    Json entry{{"joint", reaction.joint}, {"on", reaction.on}, {"force", reaction.force}};
+    if (!reaction.couple.empty()) {
+      entry["couple"] = reaction.couple;
+    }
+    return entry;
+  });
+}
+
+Json operations(const program::OperationCount& count) {
+  return Json{{"multiplications", count.multiplications},
+              {"additions", count.additions},
+              {"divisions", count.divisions}};
+}
+
+Json forces_json(const DerivedForces& forces) {
+  return Json{{"loads", array_of(forces.loads, [](const auto& load) { return Json(load); })},
+              {"generalised", quantities(forces.generalised)},
+              {"multipliers", quantities(forces.multipliers)},
+              {"equations", forces.equations},
+              {"reactions", quantities(forces.reactions)},
+              {"couples", quantities(forces.couples)},
+              {"joints", reactions(forces.joints)},
+              {"neighbours", reactions(forces.neighbours)},
+              {"operations", operations(forces.operations)},
+              {"operations_of_loads", operations(forces.of_loads)}};
+}
+
 Json roles(const Derivation& derivation) {
   Json map = Json::object();
   for (const structure::JointIndex joint : derivation.roles.keys()) {
@@ -129,6 +158,7 @@ std::string derivation_json(const Derivation& derivation) {
   }
   if (derivation.elimination) {
     root["elimination"] = elimination_json(*derivation.elimination);
+    root["forces"] = forces_json(*derivation.forces);
   }
   return root.dump() + "\n";
 }

@@ -99,6 +99,16 @@ class LatexRenderer {
     }
   }
 
+  void show(const Given& given) {
+    text_ += "\\defined{" +
+             text::joined(given.names, ",\\; ",
+                          [](const std::string& name) { return latex_formula(name); }) +
+             "}{" + latex_prose(given.meaning) + "}\n";
+  }
+  void show(const Equation& equation) {
+    numbered(latex_formula(equation.value + " = 0"), equation.number);
+  }
+
   void numbered(const std::string& latex, int number) {
     text_ += "\\numbered{" + latex + "}{" + std::to_string(number) + "}\n";
   }

@@ -34,10 +34,11 @@ std::string subscript(const std::vector<std::string>& parts, std::size_t from) {
     const std::string& part = parts[at];
     const bool negative =
         part.size() > 1 && part[0] == 'm' && std::isdigit(static_cast<unsigned char>(part[1])) != 0;
-    text += (text.empty() ? "" : ",") + (negative                       ? "-" + part.substr(1)
-                                         : part == "re" || part == "im" ? "\\mathrm{" + part + "}"
-                                         : is_word(part)                ? latex_word(part)
-                                                                        : part);
+    text += (text.empty() ? "" : ",") + (negative ? "-" + part.substr(1)
+                                         : part == "re" || part == "im" || part == "moment"
+                                             ? "\\mathrm{" + part + "}"
+                                         : is_word(part) ? latex_word(part)
+                                                         : part);
   }
   return text.empty() ? "" : "_{" + text + "}";
 }
@@ -77,6 +78,17 @@ LatexName component_name(const std::string& turning, const std::string& sign,
   return {"v_{" + angle_of(turning) + "}" + "^{" + sign + seen + "}", ""};
 }
 
+/// `force_along_CD` and `F_along_CD_x`: a part of the force in the joint that closes a loop, and a
+/// component of it.
+LatexName force_part(const std::string& head, const std::string& sign, const std::string& frame) {
+  const bool is_component = head == "F";
+  const std::string of = is_component ? frame.substr(0, frame.size() - 2) : frame;
+  const std::string seen = of.starts_with("slide_") ? "s_{" + of.substr(6) + "}" : latex_word(of);
+  return {(is_component ? "F_{" + frame.substr(frame.size() - 1) + "}" : "\\lambda") + "^{" + sign +
+              seen + "}",
+          ""};
+}
+
 }  // namespace
 
 std::string latex_word(const std::string& letters) {
@@ -98,15 +110,29 @@ LatexName latex_name(const std::string& name) {
       return direction_name("\\" + function, name.substr(4));
     }
   }
+  if (name.starts_with("inverse_")) {
+    return {"\\bigl(" + latex_name(name.substr(8)).whole() + "\\bigr)^{-1}", ""};
+  }
   for (const auto& [separator, sign] :
        {std::pair<std::string, std::string>{"_along_", "\\parallel "}, {"_across_", "\\perp "}}) {
     const std::vector<std::string> parts = split(name, separator);
+    if (parts.size() == 2 && (parts[0] == "force" || parts[0] == "F")) {
+      return force_part(parts[0], sign, parts[1]);
+    }
     if (parts.size() == 2) {
       return component_name(parts[0], sign, parts[1]);
     }
   }
+  if (name == "pivot_product") {
+    return {"\\Pi", ""};
+  }
   const std::vector<std::string> parts = split(name, "_");
   const std::string& head = parts[0];
+  if (head == "load" && parts.size() > 1) {
+    return {greek.contains(parts[1]) ? "Q_{" + latex_name(name.substr(5)).whole() + "}"
+                                     : "Q" + subscript(parts, 1),
+            ""};
+  }
   if ((head == "v" || head == "a") && parts.size() > 2) {
     const std::string of = name.substr(2);
     return {(head == "v" ? "\\dot{" : "\\ddot{") + split(of, "_")[0] + "}" +

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-/// A line broken at spaces; every line but the first begins with `lead`.
+/// A line broken at spaces, or before a factor where a product is too long; every line but the
+/// first begins with `lead`.
 std::string broken(const std::string& line, const std::string& lead) {
   std::string text;
   std::string rest = line;
@@ -24,11 +25,16 @@ std::string broken(const std::string& line, const std::string& lead) {
            std::string("+-").find(rest[at - 1]) != std::string::npos && rest[at - 2] == ' ') {
       at = rest.rfind(' ', at - 1);
     }
+    std::size_t next = at + 1;
     if (at == std::string::npos || at <= lead.size()) {
-      break;
+      next = rest.rfind('*', line_width - 1);
+      if (next == std::string::npos || next <= lead.size()) {
+        break;
+      }
+      at = next - 1;
     }
     text += rest.substr(0, rest.find_last_not_of(' ', at) + 1) + "\n";
-    rest = lead + rest.substr(at + 1);
+    rest = lead + rest.substr(next);
   }
   return text + rest + "\n";
 }
@@ -114,6 +120,14 @@ class TextRenderer {
         text_ += "printed equation " + quantity.name + " : " + quantity.name + " = 0\n";
       }
     }
+  }
+
+  void show(const Given& given) {
+    text_ += statement("length " + text::joined(given.names, " ") + " : " + given.meaning);
+  }
+  void show(const Equation& equation) {
+    text_ += statement("printed equation (" + std::to_string(equation.number) +
+                       ") : " + equation.value + " = 0");
   }
 
   void show(const Formula& formula) {

@@ -42,6 +42,18 @@ void Vocabulary::define(const GiNaC::symbol& symbol, const GiNaC::ex& definition
   quantities_.push_back({symbol, definition, symbol, meaning});
 }
 
+void Vocabulary::rewrite(const GiNaC::symbol& symbol, const GiNaC::ex& definition) {
+  const auto found = std::ranges::find_if(
+      quantities_, [&](const NamedQuantity& quantity) { return quantity.symbol.is_equal(symbol); });
+  const GiNaC::exset used = symbols_of(definition);
+  const bool comes_later =
+      std::any_of(found, quantities_.end(),
+                  [&](const NamedQuantity& quantity) { return used.contains(quantity.symbol); });
+  if (found != quantities_.end() && found->form == Form::itself && !comes_later) {
+    found->definition = definition;
+  }
+}
+
 GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                                       const std::string& degeneracy) {
   if (GiNaC::is_a<GiNaC::numeric>(denominator)) {

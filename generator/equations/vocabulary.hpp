@@ -37,6 +37,9 @@ class Vocabulary {
 
   /// Gives a quantity the caller's symbol. `expand` keeps the symbol instead of the definition.
   void define(const GiNaC::symbol& symbol, const GiNaC::ex& definition, const std::string& meaning);
+  /// Writes a quantity that equals its definition in another way, if all names in that come before
+  /// it. Other symbols are left alone.
+  void rewrite(const GiNaC::symbol& symbol, const GiNaC::ex& definition);
 
   /// Names one over a denominator; `degeneracy` says what its vanishing means, and is empty if it
   /// cannot vanish or its root says so. The reciprocal of a number is returned as a number.

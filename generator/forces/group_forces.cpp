@@ -7,6 +7,7 @@ namespace assur::generator::forces {
 
 namespace {
 
+using equations::NamedQuantity;
 using equations::Vector2;
 using structure::JointIndex;
 using structure::LinkIndex;
@@ -15,24 +16,30 @@ GiNaC::ex cross(const Vector2& left, const Vector2& right) {
   return left.x * right.y - left.y * right.x;
 }
 
+GiNaC::ex dot(const Vector2& left, const Vector2& right) {
+  return left.x * right.x + left.y * right.y;
+}
+
 /// Builds the equations in the order in which they are solved: loads, cut joints, the other joints
 /// from the leaves to the base, couples.
 class ForceWalk {
  public:
   ForceWalk(const equations::ClosureEquations& equations,
-            const derivatives::ExpressionMatrix& tree_motion,
+            const derivatives::Derivatives& derivatives,
             const pivoting::StructuredJacobian& jacobian)
       : equations_(equations),
         group_(*equations.model->group),
         tree_(structure::spanning_tree(group_)),
-        tree_motion_(tree_motion),
-        jacobian_(jacobian) {
-    result_.vocabulary = jacobian.vocabulary();
+        tree_motion_(derivatives.pose_unknown_jacobian),
+        loop_motion_(derivatives.jacobian),
+        jacobian_(jacobian),
+        parts_(equations.unknowns.size()) {
     result_.joints.resize(group_.joints().size());
   }
 
   GroupForces run() {
     declare_loads();
+    name_elimination();
     project_loads();
     solve_cut_joints();
     for (auto link = tree_.visit_order.rbegin(); link != tree_.visit_order.rend(); ++link) {
@@ -90,28 +97,142 @@ class ForceWalk {
     }
   }
 
+  [[nodiscard]] std::size_t row_count() const { return equations_.unknowns.size(); }
+  /// How the end of a loop moves with an unknown.
+  [[nodiscard]] Vector2 motion_of(std::size_t loop, std::size_t unknown) const {
+    return {loop_motion_[2 * loop][unknown], loop_motion_[2 * loop + 1][unknown]};
+  }
+  /// The unit vector of a row, along or across the frame of a loop.
+  [[nodiscard]] Vector2 unit_of(std::size_t row) const {
+    const Vector2& frame = jacobian_.closures().frame_direction(row / 2);
+    return row % 2 == 0 ? frame : Vector2{-frame.y, frame.x};
+  }
+
+  /// Whether the end of a loop moves along or across a single vector, which has a name.
+  [[nodiscard]] static bool is_named(const Vector2& motion) {
+    return equations::is_plain(motion.x) && equations::is_plain(motion.y);
+  }
+
+  /// Takes over the names of the elimination. The components that a vector has in the frame of its
+  /// loop are projections: the vector is needed itself.
+  void name_elimination() {
+    result_.vocabulary = jacobian_.vocabulary();
+    for (std::size_t row = 0; row < row_count(); ++row) {
+      for (std::size_t unknown = 0; unknown < row_count(); ++unknown) {
+        const GiNaC::ex& entry = jacobian_.entry(row, unknown);
+        const Vector2 motion = motion_of(row / 2, unknown);
+        const GiNaC::ex projection = dot(motion, unit_of(row));
+        for (const int sign : {1, -1}) {
+          const GiNaC::ex symbol = sign * entry;
+          if (is_named(motion) && GiNaC::is_a<GiNaC::symbol>(symbol)) {
+            result_.vocabulary.rewrite(GiNaC::ex_to<GiNaC::symbol>(symbol), sign * projection);
+          }
+        }
+      }
+    }
+  }
+
   /// The residual of a loop is the place of the cut joint on its second link, less that on its
   /// first: so lambda acts on the second.
   void solve_cut_joints() {
+    if (!intersect_lines()) {
+      eliminate();
+    }
+    for (const equations::LoopClosure& loop : equations_.loops) {
+      result_.multipliers.push_back(result_.joints[loop.chord].force);
+    }
+  }
+
+  /// A loop alone has two unknowns, and what each of them loads is the moment of one force about a
+  /// point, or its part in a direction: the force lies on two lines, which intersect. Where the
+  /// frame of the loop makes a pivot one, elimination has fewer operations.
+  bool intersect_lines() {
+    if (equations_.loops.size() != 1 || jacobian_.pivots().size() != row_count()) {
+      return false;
+    }
+    const Vector2 one = motion_of(0, 0);
+    const Vector2 other = motion_of(0, 1);
+    const auto& quantities = result_.vocabulary.quantities();
+    const auto inverse =
+        std::ranges::find(quantities, NamedQuantity::Form::reciprocal, &NamedQuantity::form);
+    const int sign = jacobian_.sign();
+    const GiNaC::ex factor = sign * inverse->symbol;
+    result_.vocabulary.rewrite(GiNaC::ex_to<GiNaC::symbol>(inverse->definition),
+                               sign * cross(one, other));
+    const Vector2 lines{result_.generalised[1] * one.y - result_.generalised[0] * other.y,
+                        result_.generalised[0] * other.x - result_.generalised[1] * one.x};
+    set_force(equations_.loops[0].chord, {factor * lines.x, factor * lines.y});
+    return true;
+  }
+
+  /// Finds the parts of the forces along and across the frames of their loops by the steps of the
+  /// elimination in reverse. Beside single unknowns a part counts as a vector.
+  void eliminate() {
     const pivoting::FramedClosures& closures = jacobian_.closures();
     std::vector<GiNaC::ex> rhs;
     for (const GiNaC::ex& load : result_.generalised) {
       rhs.push_back(-load);
     }
     std::vector<GiNaC::symbol> symbols;
-    for (std::size_t row = 0; row < closures.row_count(); ++row) {
+    for (std::size_t row = 0; row < row_count(); ++row) {
       symbols.emplace_back("force_" + closures.row_name(row));
     }
     const std::vector<GiNaC::ex> framed = jacobian_.transposed().solve(
-        rhs, symbols, "force in the cut joint in the frame of its loop", result_.vocabulary);
+        rhs, symbols, "force in the cut joint in the frame of its loop", result_.vocabulary,
+        [&](std::size_t unknown, const std::vector<GiNaC::ex>& solved) {
+          return known_part(unknown, solved);
+        });
     for (std::size_t loop = 0; loop < equations_.loops.size(); ++loop) {
-      const Vector2& frame = closures.frame_direction(loop);
-      const GiNaC::ex& along = framed[2 * loop];
-      const GiNaC::ex& across = framed[2 * loop + 1];
-      const JointIndex cut = equations_.loops[loop].chord;
-      set_force(cut, {along * frame.x - across * frame.y, along * frame.y + across * frame.x});
-      result_.multipliers.push_back(result_.joints[cut].force);
+      set_force(equations_.loops[loop].chord, force_in(loop, framed));
     }
+  }
+
+  /// What the known parts of the forces do per unit of an unknown.
+  GiNaC::ex known_part(std::size_t unknown, const std::vector<GiNaC::ex>& solved) {
+    GiNaC::ex sum;
+    for (std::size_t row = 0; row < row_count(); ++row) {
+      const GiNaC::ex& entry = jacobian_.entry(row, unknown);
+      if (entry.is_zero() || solved[row].is_zero()) {
+        continue;
+      }
+      const Vector2 motion = motion_of(row / 2, unknown);
+      sum += is_named(motion) && is_computed(entry) ? dot(motion, vector_of(row, solved[row]))
+                                                    : entry * solved[row];
+    }
+    const std::string& name = equations_.unknowns[unknown].name;
+    return named("known_" + name, sum, "what the known forces do along " + name);
+  }
+  /// Whether an entry of the Jacobian is more than a number or a dimension.
+  [[nodiscard]] bool is_computed(const GiNaC::ex& entry) const {
+    const auto is_known = [&](const GiNaC::ex& value) {
+      return std::ranges::any_of(result_.vocabulary.quantities(), [&](const auto& quantity) {
+        return value.is_equal(quantity.symbol);
+      });
+    };
+    return !equations::is_plain(entry) || is_known(entry) || is_known(-entry);
+  }
+  /// One part of the force in a cut joint as a vector, under a name.
+  Vector2 vector_of(std::size_t row, const GiNaC::ex& size) {
+    std::optional<Vector2>& part = parts_[row];
+    if (!part) {
+      const Vector2 unit = unit_of(row);
+      const std::string name = "F_" + jacobian_.closures().row_name(row);
+      const std::string meaning = "part of the force in the cut joint, ";
+      part = Vector2{named(name + "_x", size * unit.x, meaning + "x"),
+                     named(name + "_y", size * unit.y, meaning + "y")};
+    }
+    return *part;
+  }
+  /// The force in the cut joint of a loop: the sum of its parts.
+  [[nodiscard]] Vector2 force_in(std::size_t loop, const std::vector<GiNaC::ex>& framed) const {
+    Vector2 sum;
+    for (const std::size_t row : {2 * loop, 2 * loop + 1}) {
+      const Vector2 unit = unit_of(row);
+      const Vector2 part =
+          parts_[row].value_or(Vector2{framed[row] * unit.x, framed[row] * unit.y});
+      sum = {sum.x + part.x, sum.y + part.y};
+    }
+    return sum;
   }
 
   /// Sets the force on the second link.
@@ -180,16 +301,18 @@ class ForceWalk {
   const structure::Group& group_;
   structure::SpanningTree tree_;
   const derivatives::ExpressionMatrix& tree_motion_;
+  const derivatives::ExpressionMatrix& loop_motion_;
   const pivoting::StructuredJacobian& jacobian_;
+  std::vector<std::optional<Vector2>> parts_;  ///< that elimination needs as vectors, by row
   GroupForces result_;
 };
 
 }  // namespace
 
 GroupForces group_forces(const equations::ClosureEquations& equations,
-                         const derivatives::ExpressionMatrix& tree_motion,
+                         const derivatives::Derivatives& derivatives,
                          const pivoting::StructuredJacobian& jacobian) {
-  return ForceWalk(equations, tree_motion, jacobian).run();
+  return ForceWalk(equations, derivatives, jacobian).run();
 }
 
 }  // namespace assur::generator::forces

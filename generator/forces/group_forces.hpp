@@ -41,9 +41,9 @@ struct GroupForces {
   equations::Vocabulary vocabulary;  ///< the names of all this, after those of the elimination
 };
 
-/// `tree_motion`: the derivatives of the links' poses by the unknowns, along the same tree.
+/// `derivatives`, of the same equations: the links' poses have theirs along the same tree.
 [[nodiscard]] GroupForces group_forces(const equations::ClosureEquations& equations,
-                                       const derivatives::ExpressionMatrix& tree_motion,
+                                       const derivatives::Derivatives& derivatives,
                                        const pivoting::StructuredJacobian& jacobian);
 
 }  // namespace assur::generator::forces

@@ -326,15 +326,6 @@ GiNaC::ex StructuredJacobian::inverse_of(const GiNaC::ex& pivot) const {
   throw GeneratorError("pivoting", closures_.equations().model->title(), "unknown pivot");
 }
 
-GiNaC::ex StructuredJacobian::reduced(std::size_t row, const GiNaC::ex& rhs,
-                                      const std::vector<GiNaC::ex>& solved) const {
-  GiNaC::ex rest = rhs;
-  for (std::size_t unknown = 0; unknown < solved.size(); ++unknown) {
-    rest -= entry(row, unknown) * solved[unknown];
-  }
-  return rest.expand();
-}
-
 std::vector<GiNaC::ex> StructuredJacobian::solve_core(const std::vector<GiNaC::ex>& rhs) const {
   const Core matrix = core();
   std::vector<GiNaC::ex> solution;
@@ -356,7 +347,25 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
                                                  const std::vector<GiNaC::symbol>& symbols,
                                                  const std::string& meaning,
                                                  equations::Vocabulary& names) const {
+  return solve(rhs, symbols, meaning, names,
+               [&](std::size_t row, const std::vector<GiNaC::ex>& solved) {
+                 GiNaC::ex sum;
+                 for (std::size_t unknown = 0; unknown < solved.size(); ++unknown) {
+                   sum += entry(row, unknown) * solved[unknown];
+                 }
+                 return sum;
+               });
+}
+
+std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& rhs,
+                                                 const std::vector<GiNaC::symbol>& symbols,
+                                                 const std::string& meaning,
+                                                 equations::Vocabulary& names,
+                                                 const KnownPart& known_part) const {
   std::vector<GiNaC::ex> solved(entries_.size());
+  const auto rest_of = [&](std::size_t row) {
+    return (rhs[row] - known_part(row, solved)).expand();
+  };
   const auto keep = [&](std::size_t unknown, const GiNaC::ex& value) {
     solved[unknown] = value.expand();
     if (needs_name(solved[unknown])) {
@@ -366,14 +375,13 @@ std::vector<GiNaC::ex> StructuredJacobian::solve(const std::vector<GiNaC::ex>& r
   };
   const auto step_through = [&](const std::vector<EliminationStep>& steps) {
     for (const EliminationStep& step : steps) {
-      const GiNaC::ex rest = reduced(step.row, rhs[step.row], solved);
-      keep(step.unknown, rest * inverse_of(entry(step.row, step.unknown)));
+      keep(step.unknown, rest_of(step.row) * inverse_of(entry(step.row, step.unknown)));
     }
   };
   step_through(first_);
   std::vector<GiNaC::ex> rests;
   for (const std::size_t row : core_rows_) {
-    rests.push_back(reduced(row, rhs[row], solved));
+    rests.push_back(rest_of(row));
   }
   const std::vector<GiNaC::ex> core_solution = solve_core(rests);
   for (std::size_t place = 0; place < core_solution.size(); ++place) {

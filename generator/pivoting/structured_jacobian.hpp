@@ -2,6 +2,7 @@
 // one by one, and the core that is solved at once.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,15 +44,27 @@ class StructuredJacobian {
   /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
   [[nodiscard]] const GiNaC::ex& core_terms() const { return core_terms_; }
   [[nodiscard]] int sign() const { return sign_; }
+  /// J, in the frames of the loops.
+  [[nodiscard]] const GiNaC::ex& entry(std::size_t row, std::size_t unknown) const {
+    return entries_[row][unknown];
+  }
   /// det J as the product of its factors, for reading.
   [[nodiscard]] std::string determinant_text() const;
 
+  /// What the components of x that are known add to a row of J x; those that are not are zero.
+  using KnownPart = std::function<GiNaC::ex(std::size_t row, const std::vector<GiNaC::ex>& solved)>;
   /// The solution of J x = b, for b in names. A component that needs a name is defined in `names`,
   /// by the symbol of its unknown in `symbols` and with `meaning`.
   [[nodiscard]] std::vector<GiNaC::ex> solve(const std::vector<GiNaC::ex>& rhs,
                                              const std::vector<GiNaC::symbol>& symbols,
                                              const std::string& meaning,
                                              equations::Vocabulary& names) const;
+  /// The same, where the caller writes what is known in a form of its own.
+  [[nodiscard]] std::vector<GiNaC::ex> solve(const std::vector<GiNaC::ex>& rhs,
+                                             const std::vector<GiNaC::symbol>& symbols,
+                                             const std::string& meaning,
+                                             equations::Vocabulary& names,
+                                             const KnownPart& known_part) const;
   /// J^T, solved by the same steps in reverse with the same pivots: its rows are the unknowns of J,
   /// and its unknowns the rows of J.
   [[nodiscard]] StructuredJacobian transposed() const;
@@ -63,17 +76,11 @@ class StructuredJacobian {
   void order_elimination();
   void name_pivots();
   void divide_once();
-  [[nodiscard]] const GiNaC::ex& entry(std::size_t row, std::size_t unknown) const {
-    return entries_[row][unknown];
-  }
   [[nodiscard]] GiNaC::ex inverse_of(const GiNaC::ex& pivot) const;
   [[nodiscard]] std::string core_text() const;
   [[nodiscard]] std::string readable(const GiNaC::ex& value) const;
   [[nodiscard]] Core core() const;
   void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);
-  /// `rhs` minus the row's entries times the values of the unknowns in `solved`.
-  [[nodiscard]] GiNaC::ex reduced(std::size_t row, const GiNaC::ex& rhs,
-                                  const std::vector<GiNaC::ex>& solved) const;
   /// The solution with the core alone, by Cramer's rule.
   [[nodiscard]] std::vector<GiNaC::ex> solve_core(const std::vector<GiNaC::ex>& rhs) const;
 

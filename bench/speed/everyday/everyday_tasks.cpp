@@ -2,12 +2,14 @@
 // certainty against code by hand that reports what cannot reach and checks nothing else.
 #include <benchmark/benchmark.h>
 
+#include <assur/scenes/four_bar_forces.hpp>
 #include <assur/scenes/four_bar_motion.hpp>
 #include <assur/scenes/four_bar_point.hpp>
 #include <assur/scenes/slider_position.hpp>
 #include <memory>
 
 #include "everyday/by_hand.hpp"
+#include "everyday/four_bar_forces.hpp"
 #include "positions/position_error.hpp"
 #include "scenes/crank_angles.hpp"
 #include "tasks.hpp"
@@ -216,6 +218,38 @@ Task motion_task(std::size_t inputs) {
   return task;
 }
 
+/// The numbers of four_bar_forces.json.
+template <typename Scalar>
+by_hand::LoadedFourBar<Scalar> loaded_four_bar() {
+  const auto tenth = [](int number) { return Scalar(number) / Scalar(10); };
+  return {four_bar<Scalar>(),
+          {tenth(4), Scalar(20), Scalar(0), Scalar(60)},
+          {tenth(9), Scalar(50), Scalar(10), Scalar(800)},
+          {tenth(8), Scalar(50), Scalar(0), Scalar(700)},
+          Scalar(-9810),
+          Scalar(200000),
+          Scalar(crank_velocity),
+          Scalar(crank_acceleration)};
+}
+
+Task forces_task(std::size_t inputs) {
+  const Turn<14> turn(inputs, loaded_four_bar<Precise>());
+  Task task{"four-bar, torque and all forces", inputs, {}};
+  add(task, turn, "generated", [](double angle) {
+    using Solver = scenes::FourBarForces;
+    return solved<Solver, 14>(angle, [](const Solver::State<double>& state) {
+      const auto& F = state.forces;
+      const auto& ground = state.ground;
+      return std::array<double, 14>{
+          state.efforts.A, 200000, ground.moment, 200000, F.A(0), F.A(1),          F.B(0),
+          F.B(1),          F.C(0), F.C(1),        F.D(0), F.D(1), ground.force(0), ground.force(1)};
+    });
+  });
+  add(task, turn, "by hand",
+      [four_bar = loaded_four_bar<double>()](double angle) { return four_bar(angle); });
+  return task;
+}
+
 }  // namespace
 
 std::vector<Task> everyday_tasks(const TaskSizes& sizes) {
@@ -226,6 +260,7 @@ std::vector<Task> everyday_tasks(const TaskSizes& sizes) {
   tasks.push_back(slider_task(2 * sizes.inputs));
   tasks.push_back(point_task(2 * sizes.inputs));
   tasks.push_back(motion_task(2 * sizes.inputs));
+  tasks.push_back(forces_task(2 * sizes.inputs));
   return tasks;
 }
 

@@ -15,7 +15,7 @@ struct Naming {
   int family;
   std::string_view label;
 };
-constexpr std::array<Naming, 25> namings = {{
+constexpr std::array<Naming, 26> namings = {{
     {"generated, the nearest of all configurations", 1, "nearest of all"},
     {"generated, Newton from the neighbour", 1, "Newton, generated"},
     {"generated, ", 1, ""},
@@ -23,6 +23,7 @@ constexpr std::array<Naming, 25> namings = {{
     {"emitted", 1, "emitted"},
     {"assur solve", 1, "assur solve"},
     {"by hand", 2, "by hand"},
+    {"dense LU", 2, "dense LU"},
     {"Eigen", 2, "Eigen"},
     {"Newton", 2, "Newton"},
     {"Ceres", 3, "Ceres"},

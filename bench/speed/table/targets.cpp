@@ -31,6 +31,10 @@ const std::vector<Target>& targets() {
           "four-bar, position of a coupler point", "four-bar, position, velocity, acceleration"}) {
       made.push_back({everyday, "generated", "by hand", Measure::time, 2.5});
     }
+    made.push_back({"four-bar, torque and all forces", "generated", "by hand", Measure::time, 2});
+    for (const char* forces : {"dyad RRR, forces", "RRR-RRR, forces"}) {
+      made.push_back({forces, "generated", "dense LU", Measure::time, 0.06});
+    }
     for (const char* tracking : {"tracking, steps of 0.1 rad", "tracking, steps of 0.3 rad"}) {
       made.push_back({tracking, "generated", "Newton with Eigen's LU", Measure::time, 0.45});
       made.push_back({tracking, "generated", "KINSOL", Measure::time, 0.12});

@@ -17,6 +17,7 @@
 #include "emission/scene/equilibrium_statements.hpp"
 #include "emission/scene/force_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
+#include "emission/scene/link_loads.hpp"
 #include "emission/scene/listing_statements.hpp"
 #include "emission/scene/motion_statements.hpp"
 #include "emission/scene/redundancy_tests.hpp"
@@ -252,7 +253,9 @@ class SceneEmitter {
               solver_.members.solved[group]);
       }
     }
-    show("force_finding", force_statements(solver_));
+    const cpp::Block forces = force_statements(solver_);
+    show("force_finding", forces);
+    view_.set("has_directed_springs", has_directed_springs(forces));
     view_.set("together_finding", shown(equilibrium_statements(solver_)));
     show_force_members(solver_, view_);
     const cpp::Block moving = show_motions(solver_, view_);

@@ -10,6 +10,9 @@ using mechanism::FeatureIndex;
 using mechanism::LinkIndex;
 using mechanism::NumberIndex;
 
+/// Its force is not a number where the ends coincide; all links together are solved there.
+const cpp::Name directed_pull = cpp::scalar_only("support::directed_pull");
+
 cpp::Expression vector(cpp::Expression x, cpp::Expression y) {
   return cpp::braces("Vector<Scalar, 2>", {std::move(x), std::move(y)});
 }
@@ -205,14 +208,18 @@ void LinkLoads::add_load(const mechanism::Load& load) {
 void LinkLoads::add_spring(const mechanism::Spring& spring) {
   std::vector<cpp::Expression> given = {place(spring.between[0]), place(spring.between[1]),
                                         value(spring.stiffness)};
-  if (counts(spring.rest) || counts(spring.damping)) {
+  // A spring of the length zero without a damper needs no direction.
+  const bool is_directed =
+      (counts(spring.stiffness) && counts(spring.rest)) || counts(spring.damping);
+  if (is_directed) {
     given.push_back(value(spring.rest));
     given.push_back(value(spring.damping));
   }
   const cpp::Expression pull = body_.local("pull_of_" + spring.name);
   const std::vector<cpp::Expression> ends = {given[0], given[1]};
   body_.add(cpp::declared("const Vector<Scalar, 2>", pull,
-                          cpp::call("support::spring_pull", std::move(given))));
+                          cpp::call(is_directed ? directed_pull : cpp::Name("support::spring_pull"),
+                                    std::move(given))));
   add(link_of(spring.between[0]), "add_force", {ends[0], pull});
   add(link_of(spring.between[1]), "add_force", {ends[1], opposite(pull)});
 }
@@ -259,6 +266,11 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
   const cpp::Expression effort = body_.local("effort_of_" + spring.name);
   body_.add(cpp::declared("const Scalar", effort, cpp::sum(std::move(terms))));
   push(between, effort);
+}
+
+bool has_directed_springs(const cpp::Block& statements) {
+  return cpp::any_part(
+      statements, [](const cpp::Expression& part) { return part.name.text == directed_pull.text; });
 }
 
 void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body) {

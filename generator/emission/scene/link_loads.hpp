@@ -76,6 +76,9 @@ class LinkLoads {
   std::map<mechanism::LinkIndex, cpp::Expression> centres_;
 };
 
+/// Whether statements find the force of a spring that has no direction where its ends coincide.
+[[nodiscard]] bool has_directed_springs(const cpp::Block& statements);
+
 /// Fills the member for the resultant on the ground: by the equilibrium of all links together, it
 /// is the sum of the loads of all.
 void add_ground_resultant(const cpp::Expression& on_all_links, FunctionBody& body);

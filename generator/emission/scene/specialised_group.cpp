@@ -92,8 +92,8 @@ class GroupSpecialiser {
       add(function, closed_->elimination.vocabulary);
     }
     if (numbers_.forces) {
-      const model::ForceFunction forces = model::force_function(forces::group_forces(
-          equations_, derivatives_.pose_unknown_jacobian, closed_->structured));
+      const model::ForceFunction forces = model::force_function(
+          forces::group_forces(equations_, derivatives_, closed_->structured));
       for (const auto& [symbol, entry] : forces.loads) {
         spelling.take_out(symbol, entry);
       }

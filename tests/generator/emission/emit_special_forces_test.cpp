@@ -166,6 +166,48 @@ TEST(EmitSpecialForces, OfRedundantConstraintsWithAToleranceAreThoseOfSolve) {
   EXPECT_GT(compare({{"tolerant", scene}}).unknown, 0);
 }
 
+/// A rod that lies on its crank brings the ends of a spring together: the spring has no direction
+/// there, and what it does not load is told.
+TEST(EmitSpecialForces, OfASpringWithoutADirectionAreThoseOfSolve) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0.1, 0.2], "D": [3.1, 0.2], "E": [5, 0]},
+      "crank": {"A": [0, 0], "B": [1, 0]}, "rod": {"B": [0, 0], "C": [1, 0]},
+      "arm": {"D": [0, 0], "C": [3, 0]}, "other": {"E": [0, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+      "C": {"type": "revolute", "between": ["rod.C", "arm.C"]},
+      "D": {"type": "revolute", "between": ["ground.D", "arm.D"]},
+      "E": {"type": "revolute", "between": ["ground.E", "other.E"]}},
+    "drivers": {"A": {"position": 0.7}, "E": {"position": 0.3}},
+    "gravity": [0, -9.81], "masses": {"other": {"mass": 2, "at": [1, 0]}, "arm": {"mass": 1}},
+    "springs": {"K": {"between": ["ground.A", "rod.C"], "stiffness": 5, "length": 0.3}},
+    "want": ["position", "forces"]})");
+  std::vector<NamedScene> scenes = {{"with_length", scene}};
+  scene["springs"]["K"]["length"] = 0;
+  scenes.push_back({"without_length", scene});
+  scene["springs"]["K"]["damping"] = 2;
+  scene["drivers"]["A"]["velocity"] = 1;
+  scenes.push_back({"with_damper", scene});
+  const Compared compared = compare(scenes);
+  EXPECT_GT(compared.unknown, 0);
+  if (is_whole_campaign()) {
+    EXPECT_GT(compare({scenes.front()}, "float", 1e-4).unknown, 0);
+  }
+}
+
+/// With moving drivers nothing is known of rates at the change point; at rest the resultant on the
+/// ground is known there.
+TEST(EmitSpecialForces, OfMovingDriversAtAChangePointAreThoseOfSolve) {
+  std::vector<NamedScene> scenes;
+  for (const double velocity : {0.0, 1.0}) {
+    Json scene = parallelogram(0);
+    scene["drivers"]["A"]["velocity"] = velocity;
+    scene["drivers"]["E"]["velocity"] = 1;
+    scenes.push_back({"moving_" + std::to_string(scenes.size()), scene});
+  }
+  EXPECT_GT(compare(scenes).unknown, 0);
+}
+
 /// Rates are not known at the change point, so that no force of the parallelogram is, while those
 /// of the other group are the same wherever the parallelogram stands.
 TEST(EmitSpecialForces, OfOtherGroupsAreToldWhereRatesAreNotKnown) {

@@ -30,8 +30,7 @@ struct ForcedModel {
       : equations(generator::equations::closure_equations(model)),
         derivatives(differentiate(equations)),
         structured(equations),
-        forces(generator::forces::group_forces(equations, derivatives.pose_unknown_jacobian,
-                                               structured)) {}
+        forces(generator::forces::group_forces(equations, derivatives, structured)) {}
 
   ClosureEquations equations;
   generator::derivatives::Derivatives derivatives;
@@ -188,7 +187,7 @@ std::vector<std::size_t> beside(const ForcedModel& model, Results others,
           count.divisions - other.divisions};
 }
 
-/// Where motion is computed too, the entries of the Jacobian and the one division are shared.
+/// Where motion is computed too, named quantities and the one division are shared.
 std::vector<std::size_t> beside_motion(const ForcedModel& model) {
   for (const auto& function : generator::emission::model::solution_functions(model.structured)) {
     if (function.function.name == "motion") {
@@ -196,17 +195,6 @@ std::vector<std::size_t> beside_motion(const ForcedModel& model) {
     }
   }
   return {};
-}
-
-/// The entries of the Jacobian in the frames of the loops, which velocities need, too.
-std::vector<std::size_t> beside_jacobian(const ForcedModel& model) {
-  Results entries;
-  for (const auto& unknown : model.equations.unknowns) {
-    for (const GiNaC::ex& entry : model.structured.closures().derivative(unknown)) {
-      entries.push_back({"J(" + std::to_string(entries.size()) + ")", entry});
-    }
-  }
-  return beside(model, entries, {});
 }
 
 /// Multiplications, additions and divisions beside those of the loads.
@@ -218,12 +206,10 @@ TEST(ForcesOfModels, TakeFewOperations) {
   };
   const ForcedModel dyad = first_of("dyad");
   const ForcedModel tetrad = first_of("tetrad");
-  EXPECT_EQ(beside_jacobian(dyad), (Counts{10, 7, 1}));
-  EXPECT_EQ(beside_motion(dyad), (Counts{7, 7, 0}));
-  EXPECT_EQ(beside(dyad, {}, {}), (Counts{16, 9, 1}));
-  EXPECT_EQ(beside_jacobian(tetrad), (Counts{28, 23, 1}));
-  EXPECT_EQ(beside_motion(tetrad), (Counts{20, 22, 0}));
-  EXPECT_EQ(beside(tetrad, {}, {}), (Counts{56, 35, 1}));
+  EXPECT_EQ(beside(dyad, {}, {}), (Counts{10, 7, 1}));
+  EXPECT_EQ(beside_motion(dyad), (Counts{8, 6, 0}));
+  EXPECT_EQ(beside(tetrad, {}, {}), (Counts{46, 33, 1}));
+  EXPECT_EQ(beside_motion(tetrad), (Counts{30, 28, 0}));
 }
 
 }  // namespace

@@ -239,6 +239,45 @@ TEST(Forces, OfASliderCrankAreThoseOnPaper) {
   }
 }
 
+/// Marghitu, Mechanisms and Robots Analysis with MATLAB (Springer 2009), section 4.5: a
+/// slider-crank with AB = BC = 1 m at 45 degrees and 1 rad/s, links of 1 kg, g = 10 m/s^2, and 100
+/// N against the slider. Equations 4.51 and 4.52 give the force of the crank on the rod, and the
+/// crank alone gives the reaction at A and the moment.
+TEST(Forces, OfASliderCrankAreThosePrintedByMarghitu) {
+  const Json scene = Json::parse(R"({
+    "parameters": {"phi": "45*deg"},
+    "links": {"ground": {"A": [0, 0], "way": {"through": [0, 0], "along": [1, 0]}},
+      "crank": {"A": [0, 0], "B": [1, 0]}, "rod": {"B": [0, 0], "C": [1, 0]},
+      "slider": {"C": [0, 0], "way": {"through": [0, 0], "along": [1, 0]}}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+      "C": {"type": "revolute", "between": ["rod.C", "slider.C"]},
+      "S": {"type": "prismatic", "between": ["ground.way", "slider.way"]}},
+    "drivers": {"A": {"position": "phi", "velocity": 1}},
+    "gravity": [0, -10],
+    "masses": {"crank": {"mass": 1, "at": [0.5, 0], "inertia": 0.0833417},
+      "rod": {"mass": 1, "at": [0.5, 0], "inertia": 0.0833417}, "slider": {"mass": 1}},
+    "loads": {"external": {"at": "slider.C", "force": [100, 0]}},
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  const Solved found = solved(scene);
+  const double root = std::sqrt(2.0);
+  int compared = 0;
+  for (const Configuration& configuration : found.configurations()) {
+    if (configuration.link("slider").pose.x < 1) {
+      continue;  // the rod lies on the crank
+    }
+    const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+    const Eigen::Vector2d printed(-(400 + 7 * root) / 4, 5 * (84 + root) / 4);
+    EXPECT_LT((forces.joints[1].on.back().second - printed).norm(), 1e-11);
+    const Eigen::Vector2d at_A = printed + Eigen::Vector2d(-root / 4, 10 - root / 4);
+    EXPECT_LT((forces.joints[0].on.back().second - at_A).norm(), 1e-11);
+    const double moment = root / 2 * (printed.y() - printed.x()) + 10 * root / 4;
+    EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], moment, 1e-11);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 1);
+}
+
 /// Three equal cranks carry a coupler: the third one shares a load that the equations do not
 /// divide.
 TEST(Forces, ThatRedundantJointsShareAreNotTold) {

@@ -108,17 +108,22 @@ template <typename Scalar, int Order, int Parameters>
   return {stiffness * (other.x - one.x), stiffness * (other.y - one.y)};
 }
 
-/// The same for a spring of a length, with a damper. It has no direction where the points coincide.
+/// The same for a spring of a length, with a damper. It has no direction, and its force is not a
+/// number, where the points coincide to within the rounding of the lengths that lead to them.
 template <typename Scalar, int Order, int Parameters>
-[[nodiscard]] Vector<Scalar, 2> spring_pull(const Point<Scalar, Order, Parameters>& one,
-                                            const Point<Scalar, Order, Parameters>& other,
-                                            const Scalar& stiffness, const Scalar& rest,
-                                            const Scalar& damping) {
+[[nodiscard]] Vector<Scalar, 2> directed_pull(const Point<Scalar, Order, Parameters>& one,
+                                              const Point<Scalar, Order, Parameters>& other,
+                                              const Scalar& stiffness, const Scalar& rest,
+                                              const Scalar& damping) {
   using std::sqrt;
   const Scalar apart_x = other.x - one.x;
   const Scalar apart_y = other.y - one.y;
   const Scalar length = sqrt(apart_x * apart_x + apart_y * apart_y);
-  const Direction<Scalar> along{apart_x / length, apart_y / length};
+  // In double 1e-13 of the longest of these lengths.
+  constexpr Scalar rounding_of_places = 450 * std::numeric_limits<Scalar>::epsilon();
+  const Scalar reach = larger(one.displaced.reach, other.displaced.reach);
+  const Scalar divisor = length > rounding_of_places * reach ? length : Scalar(0);
+  const Direction<Scalar> along{apart_x / divisor, apart_y / divisor};
   const Scalar rate = along.cos * (other.rates(0, 0) - one.rates(0, 0)) +
                       along.sin * (other.rates(1, 0) - one.rates(1, 0));
   return force_along<Scalar>(along, stiffness * (length - rest) + damping * rate);
