@@ -51,16 +51,38 @@ struct Given {
   }
 };
 
-/// By what configurations are put in order, from the reported links, which are all: the sums of the
-/// cosines, of their squares and cubes, and of the sines of the angles between each two links, and
-/// each cosine and sine by itself.
-std::vector<double> keys_of(Solver::State<double> state) {
+/// How far two states are apart: the largest difference of a direction of the reported links.
+double distance(Solver::State<float> one, Solver::State<double> other) {
+  double farthest = 0;
+  const auto look = [&farthest](const auto& direction, const auto& truth) {
+    farthest = std::fmax(farthest, std::abs(static_cast<double>(direction.cos) - truth.cos));
+    farthest = std::fmax(farthest, std::abs(static_cast<double>(direction.sin) - truth.sin));
+  };
+  std::apply(
+      [&](const auto&... link) {
+        std::apply(
+            [&](const auto&... truth) { (look(link.pose.direction, truth.pose.direction), ...); },
+            other.links.members());
+      },
+      one.links.members());
+  return farthest;
+}
+
+/// The angles of the reported links, which are all.
+std::vector<double> angles_of(Solver::State<double> state) {
   std::vector<double> angles;
   std::apply(
       [&angles](const auto&... link) {
         (angles.push_back(std::atan2(link.pose.direction.sin, link.pose.direction.cos)), ...);
       },
       state.links.members());
+  return angles;
+}
+
+/// By what configurations are put in order, from the angles of the links that turn: the sums of the
+/// cosines, of their squares and cubes, and of the sines of the angles between each two of them,
+/// and each cosine and sine by itself.
+std::vector<double> keys_of(const std::vector<double>& angles) {
   std::vector<double> keys(4, 0);
   for (std::size_t one = 0; one < angles.size(); ++one) {
     for (std::size_t other = one + 1; other < angles.size(); ++other) {
@@ -79,14 +101,11 @@ std::vector<double> keys_of(Solver::State<double> state) {
 
 /// The least difference of the keys that are not equal but for rounding, relative to the key or
 /// one.
-double least_difference_of_keys(const Solver::State<double>& one,
-                                const Solver::State<double>& other) {
-  const std::vector<double> of_one = keys_of(one);
-  const std::vector<double> of_other = keys_of(other);
+double least_difference(const std::vector<double>& keys, const std::vector<double>& others) {
   double least = 2;
-  for (std::size_t place = 0; place < of_one.size(); ++place) {
+  for (std::size_t place = 0; place < keys.size(); ++place) {
     const double difference =
-        std::abs(of_one[place] - of_other[place]) / std::fmax(1, std::abs(of_one[place]));
+        std::abs(keys[place] - others[place]) / std::fmax(1, std::abs(keys[place]));
     least = difference > 1e-12 ? std::fmin(least, difference) : least;
   }
   return least;
@@ -98,8 +117,18 @@ struct Seen {
   double worst = 0;
   double apart = 0;  ///< how far the keys of a pair that is reordered are apart, at most
   std::array<double, numbers> sizes{};
+  std::vector<double> first_angles;
+  std::vector<bool> turns;  ///< the links whose angle was not the same in all states
 
   void measure(const Solver::State<double>& state) {
+    const std::vector<double> angles = angles_of(state);
+    if (first_angles.empty()) {
+      first_angles = angles;
+      turns.assign(angles.size(), false);
+    }
+    for (std::size_t link = 0; link < angles.size(); ++link) {
+      turns[link] = turns[link] || std::abs(angles[link] - first_angles[link]) > 1e-9;
+    }
     const auto exact = numbers_of(state);
     for (std::size_t index = 0; index < numbers; ++index) {
       sizes[index] = std::fmax(sizes[index], std::abs(exact[index]));
@@ -134,6 +163,16 @@ struct Seen {
     worst = std::fmax(worst, error);
     wrong += std::isnan(error) ? 1 : 0;
   }
+  std::vector<double> keys(const Solver::State<double>& state) const {
+    const std::vector<double> all = angles_of(state);
+    std::vector<double> turning;
+    for (std::size_t link = 0; link < all.size(); ++link) {
+      if (turns[link]) {
+        turning.push_back(all[link]);
+      }
+    }
+    return keys_of(turning);
+  }
   /// Compares each state with the nearest truth that is left; the orders may differ where keys of
   /// the order do not differ by more than docs/method/positions.md says.
   void compare(const States<float>& states, const States<double>& truths, int count) {
@@ -142,13 +181,13 @@ struct Seen {
     for (std::size_t index = 0; index < left.size(); ++index) {
       const auto from = left.begin() + static_cast<std::ptrdiff_t>(index);
       const auto nearest = std::min_element(from, left.end(), [&](auto one, auto other) {
-        return difference(states[index], truths[one]) < difference(states[index], truths[other]);
+        return distance(states[index], truths[one]) < distance(states[index], truths[other]);
       });
       std::rotate(from, nearest, nearest + 1);  // the others keep their order
       compare(states[index], truths[*from]);
       for (auto passed = from + 1; passed <= nearest; ++passed) {
         ++reordered;
-        apart = std::fmax(apart, least_difference_of_keys(truths[*from], truths[*passed]));
+        apart = std::fmax(apart, least_difference(keys(truths[*from]), keys(truths[*passed])));
       }
     }
   }
