@@ -3,15 +3,15 @@
 let library = null;
 let answer = null;
 
-/** The data with which pages draw and move a mechanism. */
-export async function film(scene, values = {}, seen = undefined) {
+/** The film for a question of which the scene and its values are given; `further` is the rest of it. */
+async function filmOf(scene, values, further) {
   const text = typeof scene === "string" ? scene : JSON.stringify(scene);
   const settings = Object.entries(values).map(([name, value]) => `${name}=${value}`);
   library ??= WebAssembly.compile(moduleOf(packedModule));
   let told;
   try {
     answer ??= await startedLibrary(await library);
-    told = answer(seen === undefined ? { text, settings } : { text, settings, seen });
+    told = answer({ text, settings, ...further });
   } catch (error) {
     answer = null;  // a module that stopped in the middle cannot go on
     throw new Error(`the solver stopped: ${error.message}`);
@@ -20,6 +20,11 @@ export async function film(scene, values = {}, seen = undefined) {
     throw new Error(told.obstacle);
   }
   return told.film;
+}
+
+/** The data with which pages draw and move a mechanism. */
+export function film(scene, values = {}, seen = undefined) {
+  return filmOf(scene, values, seen === undefined ? {} : { seen });
 }
 
 /** Columns of rows that hold `width` numbers for each of some names, `size` numbers from `first` on. */
@@ -84,7 +89,7 @@ export async function solve(scene, values = {}) {
   const { sweep: _, ...still } = typeof scene === "string" ? JSON.parse(scene) : scene;
   let made;
   try {
-    made = await film(still, values);
+    made = await filmOf(still, values, { every_branch: true });
   } catch (error) {
     const [, reason] = /there is nothing to draw: no-assembly: (.*)/s.exec(error.message) ?? [];
     if (reason === undefined) {
@@ -99,7 +104,7 @@ export async function solve(scene, values = {}) {
 
 /** The branches of a scene's sweep, step by step. */
 export async function sweep(scene, values = {}) {
-  const made = await film(scene, values);
+  const made = await filmOf(scene, values, { every_branch: true });
   if (made.parameter === "") {
     throw new Error("scene: it has no sweep; add one, such as " +
       "\"sweep\": {\"parameter\": \"phi\", \"from\": 0, \"to\": \"2*pi\", \"count\": 361}");

@@ -99,5 +99,6 @@ export interface SeenPose {
 export function solve(scene: Scene, values?: Values): Promise<Solution>;
 /** The branches of a scene's sweep. Rejects also for a scene without a sweep. */
 export function sweep(scene: Scene, values?: Values): Promise<Sweep>;
-/** The branches of the sweep, or the configurations of a scene without one, as shapes that move. */
+/** The branches of the sweep, or the configurations of a scene without one, as shapes that move; of
+ * more than 24 the first, and the one that is followed. */
 export function film(scene: Scene, values?: Values, seen?: SeenPose): Promise<Film>;

@@ -88,6 +88,30 @@ await assert.rejects(sweep({ ...scene, sweep: undefined }), /it has no sweep/);
 await assert.rejects(solve(scene, { crank: "cranc" }));
 assert.equal((await solve(scene)).configurations.length, 2);  // goes on after errors
 
+// More configurations and branches than a page shows: five four-bars side by side have 32 of each.
+const many = { points: {}, links: { ground: [] }, parameters: { phi: { drawn: "A0" } }, drivers: {}, outputs: [],
+  sweep: { parameter: "phi", from: "phi - 0.1", to: "phi + 0.1", count: 3 } };
+for (let place = 0; place < 5; ++place) {
+  const x = 20 * place;
+  const [A, B, C, D] = ["A", "B", "C", "D"].map((letter) => letter + place);
+  Object.assign(many.points, { [A]: [x, 0], [B]: [x, 3], [C]: [x + 6, 6], [D]: [x + 7, 0] });
+  many.links.ground.push(A, D);
+  Object.assign(many.links, { [`crank${place}`]: [A, B], [`rod${place}`]: [B, C], [`rocker${place}`]: [D, C] });
+  many.drivers[A] = { velocity: 1 };
+  many.outputs.push(C);
+}
+many.drivers.A0.position = "phi";
+writeFileSync(bad, JSON.stringify(many));
+const all = JSON.parse(command("solve", bad, "--format", "json").stdout).configurations;
+const listed = (await solve(many)).configurations;
+assert.equal(listed.length, 32);
+listed.forEach((one, place) => {
+  assert.equal(one.number, place + 1);
+  near(one.outputs.C4.position[0], all[place].outputs.C4.position[0], "C4.x");
+});
+assert.equal((await sweep(many)).branches.length, 32);
+assert.equal((await film(many)).branches.length, 24);
+
 // A press with forces: efforts and forces have their names.
 const loaded = JSON.parse(readFileSync(join(source, "docs/tutorial/four_bar_loaded.json"), "utf8"));
 const [drawn] = (await solve(loaded)).configurations.slice(1);
