@@ -3,15 +3,15 @@
 let library = null;
 let answer = null;
 
-/** The film for a question of which the scene and its values are given; `further` is the rest of it. */
-async function filmOf(scene, values, further) {
+/** The data with which pages draw and move a mechanism. */
+export async function film(scene, values = {}, seen = undefined) {
   const text = typeof scene === "string" ? scene : JSON.stringify(scene);
   const settings = Object.entries(values).map(([name, value]) => `${name}=${value}`);
   library ??= WebAssembly.compile(moduleOf(packedModule));
   let told;
   try {
     answer ??= await startedLibrary(await library);
-    told = answer({ text, settings, ...further });
+    told = answer(seen === undefined ? { text, settings } : { text, settings, seen });
   } catch (error) {
     answer = null;  // a module that stopped in the middle cannot go on
     throw new Error(`the solver stopped: ${error.message}`);
@@ -20,11 +20,6 @@ async function filmOf(scene, values, further) {
     throw new Error(told.obstacle);
   }
   return told.film;
-}
-
-/** The data with which pages draw and move a mechanism. */
-export function film(scene, values = {}, seen = undefined) {
-  return filmOf(scene, values, seen === undefined ? {} : { seen });
 }
 
 /** Columns of rows that hold `width` numbers for each of some names, `size` numbers from `first` on. */
@@ -84,27 +79,27 @@ function atOneStep(part) {
   return Object.fromEntries(Object.entries(part).map(([name, inner]) => [name, atOneStep(inner)]));
 }
 
-/** Every configuration of a scene. */
+/** The configurations of a scene: of more than 24 the first ones, and the nearest. */
 export async function solve(scene, values = {}) {
   const { sweep: _, ...still } = typeof scene === "string" ? JSON.parse(scene) : scene;
   let made;
   try {
-    made = await filmOf(still, values, { every_branch: true });
+    made = await film(still, values);
   } catch (error) {
     const [, reason] = /there is nothing to draw: no-assembly: (.*)/s.exec(error.message) ?? [];
     if (reason === undefined) {
       throw error;
     }
-    return { status: "no-assembly", reason, configurations: [], nearest: null };
+    return { status: "no-assembly", reason, configurations: [], leftOut: 0, nearest: null };
   }
   const configurations = made.branches.map(
     (branch) => ({ number: branch.number, ...atOneStep(namedRows(made, branch)) }));
-  return { status: "ok", reason: "", configurations, nearest: made.nearest };
+  return { status: "ok", reason: "", configurations, leftOut: made.left_out, nearest: made.nearest };
 }
 
 /** The branches of a scene's sweep, step by step. */
 export async function sweep(scene, values = {}) {
-  const made = await filmOf(scene, values, { every_branch: true });
+  const made = await film(scene, values);
   if (made.parameter === "") {
     throw new Error("scene: it has no sweep; add one, such as " +
       "\"sweep\": {\"parameter\": \"phi\", \"from\": 0, \"to\": \"2*pi\", \"count\": 361}");
@@ -115,6 +110,7 @@ export async function sweep(scene, values = {}) {
     parameter: made.parameter,
     values: steps,
     branches: made.branches.map((branch) => ({ number: branch.number, ...namedRows(made, branch) })),
+    leftOut: made.left_out,
     events: made.events,
     nearest: made.nearest,
   };

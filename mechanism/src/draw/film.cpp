@@ -238,7 +238,7 @@ class FilmMaker {
     }
     for (const auto& [number, rows] : rows_) {
       const std::size_t kept_free = number < film.chosen ? 1 : 0;
-      if (number == film.chosen || film.branches.size() + kept_free < filming_.most_branches) {
+      if (number == film.chosen || film.branches.size() + kept_free < most_drawn) {
         film.branches.push_back(branch_of(number, rows, symbols.points, frames, size));
       }
     }

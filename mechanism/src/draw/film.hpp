@@ -71,17 +71,16 @@ struct Filming {
   int chosen = 0;                ///< the branch to look at, by its number; 0 where none is named
   bool details = true;           ///< angles and forces, too
   std::optional<SeenPose> seen;  ///< chooses the branch that is nearest to it
-  std::size_t most_branches = most_drawn;
 };
 
 /// The branches of the sweep, at steps that include those of the scene, unless that takes more than
-/// `most_numbers`; without a sweep, the configurations. There are `most_branches` of them at most,
-/// and always the chosen one: the one whose points are nearest to the pose that was seen, or the
-/// one with the given number, or the one nearest to the reference, or else the first. Spreads
-/// follow from the request's covariance or, without one, from the tolerances, each taken as the
-/// standard deviation of its parameter, so that the roots of the variances are the `rss`; they
-/// exist where sensitivities are wanted. Angles are those of the reported links but the ground; a
-/// force in a joint is told on the last of its links, in one of several links on each. The
+/// `most_numbers`; without a sweep, the configurations. There are `most_drawn` of them at most, and
+/// always the chosen one: the one whose points are nearest to the pose that was seen, or the one
+/// with the given number, or the one nearest to the reference, or else the first. Spreads follow
+/// from the request's covariance or, without one, from the tolerances, each taken as the standard
+/// deviation of its parameter, so that the roots of the variances are the `rss`; they exist where
+/// sensitivities are wanted. Angles are those of the reported links but the ground; a force in a
+/// joint is told on the last of its links, in one of several links on each. The
 /// transmission angle of a dyad with three pins is the angle at its inner pin between the lines to
 /// the outer ones, from 0 to pi. Throws MechanismError as `sweep` does, where there is no
 /// configuration at any step, and NoSuchConfiguration where no branch has the given number.

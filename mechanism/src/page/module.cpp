@@ -1,6 +1,5 @@
 // Turns a scene and values of its parameters into the frames of a page, inside the page itself.
 #include <assur/mechanism/scene_file.hpp>
-#include <limits>
 
 #include "draw/film_json.hpp"
 
@@ -36,12 +35,9 @@ draw::Json drawn_places(const Scene& scene) {
 
 draw::Json solved(const draw::Json& asked) {
   const Scene scene = parse_scene(asked.at("text"), "scene", asked.at("settings"));
-  draw::Filming filming{most_numbers};
+  draw::Filming filming{most_numbers, 0, true, std::nullopt};
   if (asked.contains("seen")) {
     filming.seen = draw::SeenPose{asked["seen"].at("part"), asked["seen"].at("points")};
-  }
-  if (asked.value("every_branch", false)) {
-    filming.most_branches = std::numeric_limits<std::size_t>::max();
   }
   film = draw::film_of(scene.mechanism, scene.request, filming);
   draw::Json told = draw::film_json(scene.mechanism, scene.request, film, in_memory);
@@ -54,8 +50,8 @@ draw::Json solved(const draw::Json& asked) {
 extern "C" {
 
 /// Makes room for a question of `bytes` bytes: JSON in UTF-8 with the `text` of a scene file and
-/// `settings` as `parse_scene` takes them; with the pose that was `seen` last, if its branch is to
-/// be followed; and with `every_branch`, true where the film is to have more than a page shows.
+/// `settings` as `parse_scene` takes them, and with the pose that was `seen` last, if its branch is
+/// to be followed.
 [[clang::export_name("question")]] char* question_of(std::size_t bytes) {
   question.resize(bytes);
   return question.data();
