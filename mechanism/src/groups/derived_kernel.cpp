@@ -4,7 +4,10 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <assur/detail/pivots.hpp>
+#include <assur/loops/real_configurations.hpp>
 #include <assur/support/derivative_digits.hpp>
+#include <assur/support/solved_by_lu.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -23,6 +26,8 @@ using models::Series;
 using models::SmallMatrix;
 using models::SmallVector;
 
+using assur::loops::Complex;
+using assur::loops::epsilon;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// A number with its derivatives to unknowns, inputs and dimensions.
@@ -134,173 +139,15 @@ double longest(const std::vector<bool>& are_angles, const FlatVariables& variabl
   return result;
 }
 
-/// The configuration nearest to a complex one among those with real angles and displacements.
-ComplexConfiguration made_real(ComplexConfiguration at) {
-  for (Complex& theta : at.theta) {
-    theta /= std::abs(theta);
+/// How firmly the closures hold the unknowns, as emitted solvers of such groups judge it
+/// (support/loop_group.hpp).
+Regularity<double> standing_of(const Eigen::MatrixXd& j, double unsure) {
+  if (!j.allFinite()) {
+    return {Status::not_finite};
   }
-  at.s = at.s.real().cast<Complex>();
-  return at;
-}
-
-/// The closures and their derivatives to real angles and displacements.
-struct RealClosures {
-  Eigen::VectorXd f;
-  Eigen::MatrixXd j;
-};
-
-RealClosures real_closures(const LoopEquations& equations, const ComplexConfiguration& at) {
-  const Eigen::Index loops = equations.loop_count();
-  const Eigen::VectorXcd f = closures_at(equations, at);
-  const Eigen::MatrixXcd j = jacobian_at(equations, at);
-  RealClosures result{Eigen::VectorXd(2 * loops), Eigen::MatrixXd(2 * loops, j.cols())};
-  result.f << f.head(loops).real(), f.head(loops).imag();
-  result.j << j.topRows(loops).real(), j.topRows(loops).imag();
-  return result;
-}
-
-/// The largest modulus of the closures' terms: they are not known to more than its roundings.
-double reach_of(const LoopEquations& equations, const ComplexConfiguration& at) {
-  double result = equations.of_angles.cwiseAbs().rowwise().sum().maxCoeff();
-  for (Eigen::Index slide = 0; slide < at.s.size(); ++slide) {
-    result += std::abs(at.s(slide));
-  }
-  return result;
-}
-
-/// What rounding may leave of the closures: each is a sum of some ten products of rounded numbers.
-double rounding_of(const LoopEquations& equations, const ComplexConfiguration& at) {
-  return 64 * epsilon * reach_of(equations, at);
-}
-
-/// Gauss and Newton's steps with damping, by Levenberg and Marquardt, to where the closures are
-/// least; each step is measured with displacements in parts of the size.
-ComplexConfiguration settled(const LoopEquations& equations, ComplexConfiguration at) {
-  constexpr int most_steps = 100;
-  double damping = 1e-3;
-  RealClosures here = real_closures(equations, at);
-  for (int step = 0; step < most_steps; ++step) {
-    const Eigen::MatrixXd square = here.j.transpose() * here.j;
-    const double scale = square.diagonal().maxCoeff();
-    const Eigen::MatrixXd damped =
-        square + damping * scale * Eigen::MatrixXd::Identity(square.rows(), square.cols());
-    const Eigen::VectorXd by = damped.ldlt().solve(-here.j.transpose() * here.f);
-    const ComplexConfiguration next = made_real(stepped(at, by.cast<Complex>()));
-    RealClosures there = real_closures(equations, next);
-    if (there.f.norm() < here.f.norm()) {
-      at = next;
-      here = std::move(there);
-      damping /= 10;
-    } else if (damping > 1e6) {
-      break;
-    } else {
-      damping *= 10;
-    }
-  }
-  return at;
-}
-
-double gap_between(const ComplexConfiguration& one, const ComplexConfiguration& other,
-                   double size) {
-  double result = (one.theta - other.theta).cwiseAbs().maxCoeff();
-  return one.s.size() > 0 ? std::max(result, (one.s - other.s).cwiseAbs().maxCoeff() / size)
-                          : result;
-}
-
-/// Where a configuration is not enclosed, rounding moves it by the root of a rounding, or more
-/// where more than two meet.
-const double apart = std::cbrt(epsilon);
-
-/// The real configurations among those that are not enclosed, and the mobility of what moves.
-class UnprovenConfigurations {
- public:
-  UnprovenConfigurations(const LoopEquations& equations, const AllConfigurations& all)
-      : equations_(equations), all_(all), size_(equations.size()) {
-    for (const ComplexConfiguration& at : all.unproven) {
-      include(made_real(at));
-    }
-  }
-  [[nodiscard]] const std::vector<ComplexConfiguration>& configurations() const { return found_; }
-  [[nodiscard]] int mobility() const { return mobility_; }
-
- private:
-  void include(const ComplexConfiguration& near) {
-    if (!near.theta.allFinite() || !near.s.allFinite()) {
-      return;
-    }
-    const ComplexConfiguration at = settled(equations_, near);
-    const RealClosures here = real_closures(equations_, at);
-    if (!(here.f.norm() <= rounding_of(equations_, at)) ||
-        gap_between(at, near, size_) > apart * 100) {
-      return;
-    }
-    const auto is_here = [&](const ComplexConfiguration& other) {
-      return gap_between(at, other, size_) < apart;
-    };
-    if (std::ranges::any_of(found_, is_here) ||
-        std::ranges::any_of(all_.enclosed, [&](const Enclosed& one) { return is_here(one.at); })) {
-      return;
-    }
-    if (const int freedoms = mobility_at(at, here); freedoms > 0) {
-      mobility_ = std::max(mobility_, freedoms);
-    } else {
-      found_.push_back(at);
-    }
-  }
-
-  /// How many directions of the kernel lead to configurations that close as well.
-  [[nodiscard]] int mobility_at(const ComplexConfiguration& at, const RealClosures& here) const {
-    constexpr double step = 0x1p-7;  // radians: the closures of an isolated one open by its square
-    const Eigen::JacobiSVD<Eigen::MatrixXd> factors(in_size(here.j), Eigen::ComputeFullV);
-    int result = 0;
-    for (Eigen::Index column = 0; column < factors.singularValues().size(); ++column) {
-      if (factors.singularValues()(column) > apart * factors.singularValues()(0)) {
-        continue;
-      }
-      Eigen::VectorXd along = step * factors.matrixV().col(column);
-      along.tail(at.s.size()) *= size_;
-      const ComplexConfiguration there =
-          settled(equations_, made_real(stepped(at, along.cast<Complex>())));
-      const bool closes =
-          real_closures(equations_, there).f.norm() <= rounding_of(equations_, there);
-      result += closes && gap_between(there, at, size_) > step / 4 ? 1 : 0;
-    }
-    return result;
-  }
-
-  [[nodiscard]] Eigen::MatrixXd in_size(Eigen::MatrixXd j) const {
-    j.leftCols(j.cols() - all_slides()) /= size_;
-    return j;
-  }
-  [[nodiscard]] Eigen::Index all_slides() const { return equations_.slide_count(); }
-
-  const LoopEquations& equations_;
-  const AllConfigurations& all_;
-  double size_;
-  std::vector<ComplexConfiguration> found_;
-  int mobility_ = 0;
-};
-
-/// How firmly the closures hold the unknowns, with displacements in parts of the group's size:
-/// the least singular value of J over the largest.
-Regularity<double> standing_of(const Eigen::MatrixXd& j, Eigen::Index slides, double size,
-                               double unsure) {
-  Regularity<double> result;
-  if (!j.allFinite() || !(size > 0)) {
-    result.status = Status::not_finite;
-    return result;
-  }
-  Eigen::MatrixXd in_size = j / size;
-  in_size.rightCols(slides) *= size;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> factors(in_size);
-  const double largest = factors.singularValues()(0);
-  const double least = factors.singularValues()(j.cols() - 1);
-  result.rounding = static_cast<double>(4 * j.rows()) * (epsilon + unsure);
-  result.margin = result.firmness = largest > 0 ? least / largest : 0;
-  result.status = !(result.margin > result.rounding)     ? Status::singular
-                  : result.error() < support::six_digits ? Status::ok
-                                                         : Status::near_singular;
-  return result;
+  const double firmness = std::abs(support::signed_reciprocal_condition(j));
+  return detail::regularity_of(detail::Firmness<double>{1, firmness, 1},
+                               support::derivative_rounding<double>() + unsure);
 }
 
 /// How far rounding may have moved the links of a group, as `support::DisplacedGroup` has it.
@@ -374,13 +221,13 @@ DerivedKernel::DerivedKernel(Loops loops, std::vector<std::vector<int>> link_joi
     return loop_equations(loops_, result);
   };
   eliminations_ = eliminations_of(general());
-  for (int trial = 0; trial < trials && !eliminations_.empty(); ++trial) {
-    const LoopEquations equations = general();
+  const std::vector<assur::loops::Elimination>& all = eliminations_.list();
+  for (int trial = 0; trial < trials && !all.empty(); ++trial) {
     // Two eliminations that hide different angles, so that none is lost by chance.
-    const std::vector<Elimination> few = {eliminations_.front(), eliminations_.back()};
-    complex_count_ =
-        std::max(complex_count_,
-                 all_configurations(equations, few, std::numeric_limits<int>::max()).count());
+    const std::vector<assur::loops::Elimination> few = {all.front(), all.back()};
+    constexpr int any_number = std::numeric_limits<int>::max();
+    complex_count_ = std::max(complex_count_,
+                              assur::loops::all_configurations(general(), few, any_number).count());
   }
 }
 
@@ -451,7 +298,7 @@ PlacedLinks<Scalar> DerivedKernel::placed(const Flat<Scalar>& d, const Flat<Scal
   return place_links(loops_, features(d, u), angles, displacements);
 }
 
-FlatVariables DerivedKernel::flat(const ComplexConfiguration& at) const {
+FlatVariables DerivedKernel::flat(const ComplexConfiguration& at) {
   FlatVariables result{};
   double* to = result.data();
   for (Eigen::Index angle = 1; angle < at.theta.size(); ++angle) {
@@ -468,9 +315,10 @@ FlatVariables DerivedKernel::flat(const ComplexConfiguration& at) const {
 GroupProof DerivedKernel::proof(const std::vector<JointFeatures<double>>& features,
                                 const std::vector<Direction<double>>& directions) const {
   const LoopEquations equations = loop_equations(loops_, features);
-  const AllConfigurations all = all_configurations(equations, eliminations_, complex_count_);
+  const auto all =
+      assur::loops::all_configurations(equations, eliminations_.list(), complex_count_);
   GroupProof result{all.count(), complex_count_, 0, ""};
-  for (const Enclosed& one : all.enclosed) {
+  for (const assur::loops::Enclosed<assur::loops::AnySizes>& one : all.enclosed) {
     double distance = 0;
     for (std::size_t angle = 0; angle < loops_.free_turned.size(); ++angle) {
       const auto& [cos, sin] = directions[static_cast<std::size_t>(loops_.free_turned[angle])];
@@ -494,36 +342,26 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
   found.count = 0;
   found.mobility = 0;
   found.is_compatible = true;
-  const double size = equations.size();
-  found.status = equations.of_angles.allFinite() && equations.of_slides.allFinite() && size > 0
-                     ? AssemblyStatus::ok
-                     : AssemblyStatus::not_finite;
+  found.complex_count = std::nullopt;
+  found.status = equations.is_finite() && equations.size() > 0 ? AssemblyStatus::ok
+                                                               : AssemblyStatus::not_finite;
   if (found.status != AssemblyStatus::ok) {
     return;
   }
-  const AllConfigurations all = all_configurations(equations, eliminations_, complex_count_);
-  std::vector<ComplexConfiguration> real;
-  for (const Enclosed& one : all.enclosed) {
-    if (one.is_real) {
-      real.push_back(made_real(one.at));
-    }
+  const auto real =
+      assur::loops::real_configurations(equations, eliminations_.list(), complex_count_);
+  if (real.complex_count < complex_count_) {
+    found.mobility = real.mobility;
+    found.complex_count = real.complex_count;
   }
-  if (all.count() == complex_count_) {
-    found.complex_count = std::nullopt;
-  } else {
-    const UnprovenConfigurations unproven(equations, all);
-    real.insert(real.end(), unproven.configurations().begin(), unproven.configurations().end());
-    found.mobility = unproven.mobility();
-    found.complex_count = all.count();
-  }
-  found.configurations.resize(
-      std::max<std::size_t>(real.size(), static_cast<std::size_t>(models::most_configurations)));
+  found.configurations.resize(std::max<std::size_t>(
+      real.list.size(), static_cast<std::size_t>(models::most_configurations)));
   found.regularity.resize(found.configurations.size());
-  const double unsure = std::max(displaced.moved / size, displaced.turned);
-  for (const ComplexConfiguration& at : real) {
+  const double unsure = unsure_jacobian(d, u, displaced);
+  for (const ComplexConfiguration& at : real.list) {
     found.configurations[found.count] = flat(at);
-    const Status status =
-        standing_of(real_closures(equations, at).j, equations.slide_count(), size, unsure).status;
+    const Eigen::MatrixXd j = assur::loops::real_closures(equations, at).j;
+    const Status status = standing_of(j, unsure).status;
     found.regularity[found.count++] = status == Status::ok ? Status::ok : Status::near_singular;
   }
   if (found.count == 0 && found.mobility > 0) {
@@ -531,17 +369,44 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
   }
 }
 
+double DerivedKernel::size_of(const FlatVariables& d, const FlatVariables& u) const {
+  const auto without_lengths = [](const std::vector<bool>& are_angles) {
+    FlatVariables result{};
+    std::size_t place = 0;
+    for (const bool is_angle : are_angles) {
+      result[place] = is_angle ? 1 : 0;
+      place += is_angle ? 2 : 1;
+    }
+    return result;
+  };
+  double result = longest(dimension_is_angle_, d);
+  for (const double closure :
+       placed(without_lengths(dimension_is_angle_), u, without_lengths(unknown_is_angle_))
+           .closures) {
+    result = std::max(result, std::abs(closure));
+  }
+  return result;
+}
+
+double DerivedKernel::unsure_jacobian(const FlatVariables& d, const FlatVariables& u,
+                                      const support::Displacement& displaced) const {
+  const support::Displacement by = displaced.bounded();
+  const double moved = std::max(by.moved, epsilon * longest(input_is_angle_, u));
+  return moved > 0 ? std::max(moved / size_of(d, u), by.turned) : by.turned;
+}
+
 Status DerivedKernel::gap(const FlatVariables& d, const FlatVariables& u, double& result) const {
   const LoopEquations equations = loop_equations(loops_, features(d, u));
-  if (!equations.of_angles.allFinite() || !equations.of_slides.allFinite()) {
+  if (!equations.is_finite()) {
     return Status::not_finite;
   }
   result = std::numeric_limits<double>::infinity();
-  for (const Elimination& elimination : eliminations_) {
-    for (const ComplexConfiguration& near : candidates(equations, elimination)) {
-      const ComplexConfiguration at = settled(equations, made_real(near));
-      result = std::min(result, real_closures(equations, at).f.norm());
-    }
+  for (const assur::loops::Elimination& elimination : eliminations_.list()) {
+    assur::loops::each_candidate(equations, elimination, [&](const ComplexConfiguration& near) {
+      const ComplexConfiguration at =
+          assur::loops::settled(equations, assur::loops::made_real(near));
+      result = std::min(result, assur::loops::real_closures(equations, at).f.norm());
+    });
     if (std::isfinite(result)) {
       break;
     }
@@ -575,13 +440,12 @@ void DerivedKernel::move(const FlatVariables& d, const FlatVariables& u, const F
   const Eigen::MatrixXd p_q = all.poses.leftCols(unknowns);
   const Eigen::MatrixXd p_u = all.poses.middleCols(unknowns, inputs);
 
-  motion.size = loop_equations(loops_, features(d, u)).size();
+  motion.size = size_of(d, u);
   const double longest_input = longest(input_is_angle_, u);
   const support::Displacement given = query.displaced;
-  const double moved = std::max(given.moved, epsilon * longest_input);
-  motion.held = std::max(moved, given.turned * motion.size);
-  motion.standing =
-      standing_of(j, loops_.slide_count, motion.size, std::max(moved / motion.size, given.turned));
+  motion.held =
+      std::max(std::max(given.moved, epsilon * longest_input), given.turned * motion.size);
+  motion.standing = standing_of(j, unsure_jacobian(d, u, given));
   const bool solvable = is_solvable(motion.standing.status);
   motion.inverse = solvable ? Eigen::MatrixXd(j.fullPivLu().inverse())
                             : Eigen::MatrixXd::Constant(unknowns, unknowns, unknown);

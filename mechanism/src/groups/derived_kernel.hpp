@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "groups/elimination.hpp"
-#include "groups/enclosure.hpp"
 #include "groups/loops.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism::groups {
+
+using ComplexConfiguration = loops::ComplexConfiguration<loops::AnySizes>;
 
 /// The unknowns, inputs and dimensions of the largest group together.
 inline constexpr int most_variables = 72;
@@ -26,6 +27,7 @@ class DerivedKernel final : public ModelKernel {
   /// The number of configurations in complex numbers, in general position; zero where there is
   /// none, or no way to find all.
   [[nodiscard]] int complex_count() const { return complex_count_; }
+  [[nodiscard]] const Eliminations& eliminations() const { return eliminations_; }
   [[nodiscard]] const Loops& loops() const { return loops_; }
   [[nodiscard]] const std::vector<bool>& dimension_is_angle() const { return dimension_is_angle_; }
   [[nodiscard]] const std::vector<bool>& input_is_angle() const { return input_is_angle_; }
@@ -62,12 +64,19 @@ class DerivedKernel final : public ModelKernel {
   [[nodiscard]] PlacedLinks<Scalar> placed(const models::Flat<Scalar>& d,
                                            const models::Flat<Scalar>& u,
                                            const models::Flat<Scalar>& q) const;
-  [[nodiscard]] models::FlatVariables flat(const ComplexConfiguration& at) const;
+  [[nodiscard]] static models::FlatVariables flat(const ComplexConfiguration& at);
+  /// The longest length of the group; of the external joints' places only differences count.
+  [[nodiscard]] double size_of(const models::FlatVariables& d,
+                               const models::FlatVariables& u) const;
+  /// How far the loop Jacobian may be off, as `support::unsure_jacobian` has it.
+  [[nodiscard]] double unsure_jacobian(const models::FlatVariables& d,
+                                       const models::FlatVariables& u,
+                                       const support::Displacement& displaced) const;
 
   Loops loops_;
   std::vector<std::vector<int>> link_joints_;
   std::vector<bool> unknown_is_angle_, dimension_is_angle_, input_is_angle_;
-  std::vector<Elimination> eliminations_;
+  Eliminations eliminations_;
   int complex_count_ = 0;
 };
 

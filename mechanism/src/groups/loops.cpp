@@ -32,6 +32,16 @@ void walk(const Loops& loops, int from, const Leads& leads, std::vector<bool>& i
 
 }  // namespace
 
+Eigen::VectorXi slide_angles_of(const Loops& loops) {
+  Eigen::VectorXi result(loops.slide_count);
+  for (std::size_t joint = 0; joint < loops.joints.size(); ++joint) {
+    if (const int slide = loops.slide[joint]; slide >= 0) {
+      result(slide) = loops.angle_of(loops.joints[joint].second);
+    }
+  }
+  return result;
+}
+
 std::optional<Loops> loops_of(int link_count, std::vector<ModelJoint> joints) {
   const auto links = static_cast<std::size_t>(link_count);
   Loops loops{link_count, std::move(joints), std::vector<int>(links, 0), 0, {}, 0, {}, {}, {}, {}};

@@ -58,6 +58,9 @@ struct Assemblies {
   std::array<Status, capacity> regularity{};
   /// The greatest mobility of a family beside the listed configurations; zero without a family.
   int mobility = 0;
+  /// False where a configuration of a group with more than four links may be missing: fewer complex
+  /// configurations are enclosed than there are in general position.
+  bool complete = true;
 };
 
 }  // namespace assur

@@ -21,6 +21,18 @@ namespace assur {
 
 namespace detail {
 
+/// Whether the configurations of a model are found among its complex ones, as those of groups with
+/// more than four links are (support/loop_group.hpp).
+template <typename Model, typename = void>
+inline constexpr bool is_searched_in_complex_numbers = false;
+template <typename Model>
+inline constexpr bool
+    is_searched_in_complex_numbers<Model, std::void_t<decltype(Model::eliminations)>> = true;
+template <typename Model>
+void search_in_complex_numbers(const typename Model::template Dimensions<double>& d,
+                               const typename Model::template Inputs<double>& u,
+                               const support::Displacement& displaced, Assemblies<Model>& result);
+
 template <typename Model, typename Scalar>
 void ask_double(const typename Model::template Dimensions<Scalar>& d,
                 const typename Model::template Inputs<Scalar>& u,
@@ -116,12 +128,18 @@ template <typename Model, typename Scalar = double, Unresolved unresolved = Unre
   if constexpr (!numeric::rounds_as_written<Scalar>) {
     result.status = AssemblyStatus::unsound_arithmetic;
   } else {
-    bool found = false;
-    if constexpr (detail::has_closed_form<Model>) {
-      found = detail::ClosedSearch<Model, Scalar>::list(dimensions, inputs, displaced, result);
-    }
-    if (!found) {
-      detail::search<Model, Scalar>(dimensions, inputs, displaced, result);
+    if constexpr (!detail::is_searched_in_complex_numbers<Model>) {
+      bool found = false;
+      if constexpr (detail::has_closed_form<Model>) {
+        found = detail::ClosedSearch<Model, Scalar>::list(dimensions, inputs, displaced, result);
+      }
+      if (!found) {
+        detail::search<Model, Scalar>(dimensions, inputs, displaced, result);
+      }
+    } else if constexpr (std::is_same_v<Scalar, double>) {
+      detail::search_in_complex_numbers<Model>(dimensions, inputs, displaced, result);
+    } else {
+      result.status = AssemblyStatus::unresolved;
     }
     if constexpr (!std::is_same_v<Scalar, double> && unresolved == Unresolved::ask_double) {
       if (result.status == AssemblyStatus::unresolved) {

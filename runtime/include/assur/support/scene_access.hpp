@@ -33,6 +33,8 @@ struct Solution {
   /// assembled.
   int families = 0;
   int mobility = 0;  ///< the greatest mobility of these families
+  /// False where a configuration of a group with more than four links may be missing.
+  bool complete = true;
 };
 
 /// What the solver of a scene with limits returns.

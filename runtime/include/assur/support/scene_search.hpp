@@ -232,6 +232,7 @@ class Search {
       solution_.status = found.status;
       return;
     }
+    solution_.complete = solution_.complete && found.complete;
     const Status before = placed.regularity;
     is_unsure_ = is_unsure_ || (Own::has_gaps && found.count == 0 && before != Status::ok);
     if (found.mobility > 0) {

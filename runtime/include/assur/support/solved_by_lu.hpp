@@ -8,6 +8,26 @@
 
 namespace assur::support {
 
+/// The reciprocal condition number of a square matrix in the maximum norm, with columns and rows
+/// scaled to largest entries of one, so that units do not count; with the sign of the determinant.
+/// Zero, or no number, where the matrix has no inverse.
+template <typename Square>
+[[nodiscard]] typename Square::Scalar signed_reciprocal_condition(Square J) {
+  using Scalar = typename Square::Scalar;
+  for (Eigen::Index column = 0; column < J.cols(); ++column) {
+    J.col(column) /= Scalar(J.col(column).cwiseAbs().maxCoeff());
+  }
+  for (Eigen::Index row = 0; row < J.rows(); ++row) {
+    J.row(row) /= Scalar(J.row(row).cwiseAbs().maxCoeff());
+  }
+  const auto norm = [](const auto& matrix) {
+    return Scalar(matrix.cwiseAbs().rowwise().sum().maxCoeff());
+  };
+  const auto lu = J.partialPivLu();
+  const Scalar sign(lu.determinant() < Scalar(0) ? -1 : 1);
+  return sign / (norm(J) * norm(lu.inverse().eval()));
+}
+
 /// The base of a struct with residual, jacobian and right-hand sides, `Model`, that adds the
 /// regularity, the inverse Jacobian, sensitivities and rates. A model of a group has these from its
 /// own elimination. Eigen's LU of fixed size neither allocates nor throws.
@@ -17,26 +37,12 @@ struct SolvedByLu {
   static constexpr int core_pivot_count = 1;
   static constexpr std::array<const char*, pivot_count> pivots = {{"a dead centre: det J = 0"}};
 
-  /// The one pivot: the reciprocal condition number of J in the maximum norm, with rows and columns
-  /// scaled to largest entries of one, so that units do not count; with the sign of det J. Zero, or
-  /// no number, where J has no inverse.
+  /// The one pivot is the reciprocal condition of J.
   template <typename Dimensions, typename Inputs, typename Configuration, typename Scalar>
   static void degeneracies(const Dimensions& d, const Inputs& u, const Configuration& q,
                            Vector<Scalar, pivot_count>& pivot, Vector<Scalar, pivot_count>& size,
                            Scalar& terms) {
-    auto J = jacobian_at<Scalar>(d, u, q);
-    for (Eigen::Index column = 0; column < J.cols(); ++column) {
-      J.col(column) /= Scalar(J.col(column).cwiseAbs().maxCoeff());
-    }
-    for (Eigen::Index row = 0; row < J.rows(); ++row) {
-      J.row(row) /= Scalar(J.row(row).cwiseAbs().maxCoeff());
-    }
-    const auto norm = [](const auto& matrix) {
-      return Scalar(matrix.cwiseAbs().rowwise().sum().maxCoeff());
-    };
-    const auto lu = J.partialPivLu();
-    const Scalar sign(lu.determinant() < Scalar(0) ? -1 : 1);
-    pivot(0) = sign / (norm(J) * norm(lu.inverse().eval()));
+    pivot(0) = signed_reciprocal_condition(jacobian_at<Scalar>(d, u, q));
     size(0) = Scalar(1);
     terms = Scalar(1);
   }

@@ -1,0 +1,244 @@
+// Complex configurations of a group, each enclosed in a ball that holds exactly one.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <assur/loops/hidden_angle.hpp>
+#include <assur/loops/loop_equations.hpp>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace assur::loops {
+
+/// A list without memory of its own beyond its capacity.
+template <typename Item, int Capacity>
+class BoundedList {
+ public:
+  void push_back(const Item& item) { items_[static_cast<std::size_t>(count_++)] = item; }
+  [[nodiscard]] int size() const { return count_; }
+  [[nodiscard]] bool is_full() const { return count_ == Capacity; }
+  [[nodiscard]] Item* begin() { return items_.data(); }
+  [[nodiscard]] Item* end() { return items_.data() + count_; }
+  [[nodiscard]] const Item* begin() const { return items_.data(); }
+  [[nodiscard]] const Item* end() const { return items_.data() + count_; }
+
+ private:
+  std::array<Item, static_cast<std::size_t>(Capacity)> items_;
+  int count_ = 0;
+};
+/// A list whose capacity is not known when it is compiled.
+template <typename Item>
+class BoundedList<Item, Eigen::Dynamic> : public std::vector<Item> {
+ public:
+  [[nodiscard]] static constexpr bool is_full() { return false; }
+};
+
+/// A configuration, as Newton's method has settled it, and a ball about it where Krawczyk's
+/// operator is a contraction, with bounds for all roundings. The ball is measured by the largest of
+/// the moduli of the angles' errors and of the displacements' errors in parts of the group's size.
+/// Within `holds` of the configuration there is one exact solution of the equations as they stand
+/// in doubles, and within `alone` no other one.
+template <typename Of>
+struct Enclosed {
+  ComplexConfiguration<Of> at;
+  double holds;
+  double alone;
+  bool is_real;  ///< the solution is its own mirror image theta -> 1 / conj(theta), s -> conj(s)
+};
+
+/// The complex configurations that were found, in disjoint balls.
+template <typename Of>
+struct AllConfigurations {
+  BoundedList<Enclosed<Of>, Of::configurations> enclosed;
+  /// Where closures vanish to rounding without a ball being found: approximate. Points of families
+  /// are without number: no more are kept than two for each configuration that is sought.
+  BoundedList<ComplexConfiguration<Of>,
+              Of::configurations == Eigen::Dynamic ? Eigen::Dynamic : 2 * Of::configurations>
+      unproven;
+
+  [[nodiscard]] int count() const { return static_cast<int>(enclosed.size()); }
+};
+
+/// The row sums of the moduli of a matrix: its norm as a map of vectors measured by their largest
+/// entry. Of a vector the largest modulus; zero where it is empty.
+template <typename Matrix>
+[[nodiscard]] double norm_of(const Eigen::MatrixBase<Matrix>& matrix) {
+  double largest = 0;
+  for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
+    const double sum = matrix.row(row).cwiseAbs().sum();
+    largest = sum <= largest ? largest : sum;  // NaN counts as the largest
+  }
+  return largest;
+}
+
+/// Bounds of a group's closures near a configuration.
+struct ClosureBounds {
+  double rounding;  ///< of each closure and of each entry of the Jacobian, as computed
+  double bending;   ///< of the second derivatives, along two vectors of length one
+};
+
+/// With z = (angles, displacements) the second derivatives of a closure are sums of - a theta_c,
+/// along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no theta, nor its
+/// reciprocal, grows by more than exp(reach). Products, sums and exponentials of a group of this
+/// size are rounded less than `operations` times.
+template <typename Of>
+[[nodiscard]] ClosureBounds bounds_of(const LoopEquations<Of>& equations,
+                                      const ComplexConfiguration<Of>& at, double reach) {
+  ClosureBounds result{0, 0};
+  const double grown = std::exp(reach);
+  const auto operations =
+      static_cast<double>(4 * (equations.of_angles.cols() + 3 * equations.slide_count() + 2));
+  for (const bool conjugate : {false, true}) {
+    const auto size_of = [&](Eigen::Index angle) {
+      const double size = std::abs(at.theta(angle));
+      return conjugate ? 1 / size : size;
+    };
+    for (Eigen::Index loop = 0; loop < equations.loop_count(); ++loop) {
+      double terms = std::abs(equations.of_angles(loop, 0));
+      double bending = 0;
+      for (Eigen::Index angle = 1; angle <= equations.angle_count(); ++angle) {
+        const double term = std::abs(equations.of_angles(loop, angle)) * size_of(angle);
+        terms += term;
+        bending += term;
+      }
+      for (Eigen::Index slide = 0; slide < equations.slide_count(); ++slide) {
+        const int angle = equations.slide_angles(slide);
+        const double along = std::abs(equations.of_slides(loop, slide)) * size_of(angle);
+        const double length = std::abs(at.s(slide));
+        terms += along * (std::max)(1.0, length);
+        bending += angle > 0 ? along * (length + reach + 2) : 0;
+      }
+      result.rounding = (std::max)(result.rounding, operations * epsilon * terms);
+      result.bending = (std::max)(result.bending, grown * bending);
+    }
+  }
+  return result;
+}
+
+/// The largest difference of two configurations, angles and displacements alike; turns are
+/// measured by the ratio of the directions.
+template <typename Of>
+[[nodiscard]] double distance_between(const ComplexConfiguration<Of>& one,
+                                      const ComplexConfiguration<Of>& other) {
+  double result = norm_of(one.s - other.s);
+  for (Eigen::Index angle = 1; angle < one.theta.size(); ++angle) {
+    const Complex ratio = one.theta(angle) / other.theta(angle);
+    result = (std::max)(result, std::abs(std::log(ratio)));
+  }
+  return result;
+}
+
+template <typename Of>
+[[nodiscard]] ComplexConfiguration<Of> mirrored(const ComplexConfiguration<Of>& of) {
+  return {of.theta.conjugate().cwiseInverse(), of.s.conjugate()};
+}
+
+/// Newton's steps in the unit of the group; false where they do not settle.
+template <typename Of>
+[[nodiscard]] bool polish(const LoopEquations<Of>& equations, ComplexConfiguration<Of>& at) {
+  constexpr int most_steps = 50;
+  constexpr double turn = 1;  // radians, or parts of the size: a longer step leads elsewhere
+  double last = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < most_steps; ++step) {
+    typename Of::ComplexClosures by =
+        -jacobian_at(equations, at).partialPivLu().solve(closures_at(equations, at));
+    const double length = norm_of(by);
+    if (!std::isfinite(length)) {
+      return false;
+    }
+    if (length >= last && length < std::sqrt(epsilon)) {
+      return true;  // rounding alone is left
+    }
+    if (length > turn) {
+      by *= turn / length;
+    }
+    at = stepped<Of>(at, by);
+    last = length;
+    if (length == 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Sets the ball about `ball.at`; false where there is none. z -> z - Y f(z) maps the ball of
+/// radius r about z0 into itself if |Y f(z0)| + q(r) r <= r, where q(r) = |1 - Y J(z0)| + |Y|
+/// bending r bounds its derivative in the ball; it has one fixed point in each ball with q < 1.
+template <typename Of>
+[[nodiscard]] bool enclose(const LoopEquations<Of>& equations, Enclosed<Of>& ball) {
+  using Square = typename Of::ComplexSquare;
+  const Square jacobian = jacobian_at(equations, ball.at);
+  const Square inverse = jacobian.partialPivLu().inverse();
+  if (!inverse.allFinite()) {
+    return false;
+  }
+  constexpr double largest_ball = 0.5;  // a turn: exp(reach) stays small
+  const ClosureBounds bounds = bounds_of(equations, ball.at, largest_ball);
+  const double of_inverse = norm_of(inverse);
+  const auto size = static_cast<double>(jacobian.rows());
+  const Square left = Square::Identity(jacobian.rows(), jacobian.cols()) - inverse * jacobian;
+  const double still =
+      norm_of(left) +
+      of_inverse * size * (bounds.rounding + 4 * size * epsilon * norm_of(jacobian));
+  const typename Of::ComplexClosures correction = inverse * closures_at(equations, ball.at);
+  const double moved =
+      norm_of(correction) + of_inverse * (bounds.rounding * (1 + 4 * size * epsilon));
+  const double bent = of_inverse * bounds.bending;
+  if (!(still < 0.5)) {
+    return false;
+  }
+  // The ball with q = (1 + still) / 2 is the largest that is counted on.
+  ball.alone = (std::min)(largest_ball, (1 - still) / (2 * bent));
+  ball.holds = 2 * moved / (1 - still);
+  ball.is_real = distance_between(ball.at, mirrored(ball.at)) + ball.holds < ball.alone;
+  return ball.holds <= ball.alone;
+}
+
+/// Searches by one elimination after another until `complex_count` balls are found, or all
+/// eliminations are used.
+template <typename Of, typename Eliminations>
+[[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
+                                                       const Eliminations& eliminations,
+                                                       int complex_count) {
+  const double unit = equations.size();
+  LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
+  own.of_angles /= unit;
+  AllConfigurations<Of> result;
+  const auto found = [&](const ComplexConfiguration<Of>& near) {
+    if (result.count() >= complex_count) {
+      return;
+    }
+    Enclosed<Of> ball{near, 0, 0, false};
+    const bool is_settled = polish(own, ball.at);
+    if (!is_settled || !enclose(own, ball)) {
+      if (!result.unproven.is_full() &&
+          norm_of(closures_at(own, ball.at)) <= bounds_of(own, ball.at, 0).rounding) {
+        ball.at.s *= unit;
+        result.unproven.push_back(ball.at);
+      }
+      return;
+    }
+    // Only disjoint balls are counted: they cannot hold the same solution.
+    for (const Enclosed<Of>& other : result.enclosed) {
+      if (distance_between(ball.at, other.at) <= ball.holds + other.holds) {
+        return;
+      }
+    }
+    result.enclosed.push_back(ball);
+  };
+  for (const Elimination& elimination : eliminations) {
+    each_candidate<Of>(own, elimination, found);
+    if (result.count() >= complex_count) {
+      break;
+    }
+  }
+  for (Enclosed<Of>& ball : result.enclosed) {
+    ball.at.s *= unit;
+  }
+  return result;
+}
+
+}  // namespace assur::loops

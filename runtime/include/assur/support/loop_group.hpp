@@ -1,0 +1,131 @@
+// A group of any number of links that an emitted solver holds: all configurations from the complex
+// ones, J^-1 and rates by LU.
+#pragma once
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <assur/assembly.hpp>
+#include <assur/loops/real_configurations.hpp>
+#include <assur/support/solved_by_lu.hpp>
+#include <type_traits>
+
+namespace assur::support {
+
+/// The base of an emitted group that has `residual`, `jacobian` and right-hand sides.
+template <typename Group>
+struct LoopGroup {
+  static constexpr int pivot_count = 1, core_pivot_count = 1;
+
+  /// The one pivot is the reciprocal condition of J. LU solves J x = b without cancelling more than
+  /// that tells, so that the terms of the determinant count as large as itself.
+  template <typename Inputs, typename Configuration, typename Scalar>
+  static void degeneracies(const Inputs& u, const Configuration& q, Vector<Scalar, 1>& pivot,
+                           Vector<Scalar, 1>& size, Scalar& terms) {
+    using std::abs;
+    pivot(0) = signed_reciprocal_condition(jacobian_at<Scalar>(u, q));
+    size(0) = Scalar(1);
+    terms = abs(pivot(0));
+  }
+
+  template <typename Inputs, typename Configuration, typename Inverse>
+  static void inverse_jacobian(const Inputs& u, const Configuration& q, Inverse& inverse) {
+    inverse = jacobian_at<typename Inverse::Scalar>(u, q).partialPivLu().inverse();
+  }
+
+  /// dq/dt.
+  template <typename Inputs, typename Configuration, typename InputRates, typename Rates>
+  static void velocity(const Inputs& u, const Configuration& q, const InputRates& u_rate,
+                       Rates& q_rate) {
+    Rates rhs;
+    Group::velocity_rhs(u, q, u_rate, rhs);
+    q_rate = jacobian_at<typename Rates::Scalar>(u, q).partialPivLu().solve(rhs);
+  }
+  /// dq/dt and d2q/dt2.
+  template <typename Inputs, typename Configuration, typename InputRates, typename Rates>
+  static void motion(const Inputs& u, const Configuration& q, const InputRates& u_rate,
+                     const InputRates& u_second_rate, Rates& q_rate, Rates& q_second_rate) {
+    const auto lu = jacobian_at<typename Rates::Scalar>(u, q).partialPivLu();
+    Rates rhs;
+    Group::velocity_rhs(u, q, u_rate, rhs);
+    q_rate = lu.solve(rhs);
+    Group::acceleration_rhs(u, q, q_rate, u_rate, u_second_rate, rhs);
+    q_second_rate = lu.solve(rhs);
+  }
+
+ private:
+  template <typename Scalar, typename Inputs, typename Configuration>
+  [[nodiscard]] static auto jacobian_at(const Inputs& u, const Configuration& q) {
+    Matrix<Scalar, Group::equation_count, Group::unknown_count> J;
+    Group::jacobian(u, q, J);
+    return J;
+  }
+};
+
+/// The loop closures of a group at given inputs.
+template <typename Model>
+[[nodiscard]] auto loop_equations_of(const typename Model::template Inputs<double>& u) {
+  using Of = typename Model::LoopSizes;
+  const auto closures_at = [&u](Eigen::Index angle, Eigen::Index slide) {
+    typename Model::template Configuration<double> q;
+    for_each_member(q, [&](auto& member, std::size_t index) {
+      const auto place = static_cast<Eigen::Index>(index);
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member = place == Of::angles + slide && slide >= 0 ? 1 : 0;
+      } else {
+        member = {place + 1 == angle ? 1.0 : 0.0, 0.0};
+      }
+    });
+    Vector<double, Model::equation_count> f;
+    Model::residual(typename Model::template Dimensions<double>(), u, q, f);
+    Eigen::Matrix<loops::Complex, Of::loops, 1> closures;
+    for (Eigen::Index loop = 0; loop < Of::loops; ++loop) {
+      closures(loop) = {f(2 * loop), f(2 * loop + 1)};
+    }
+    return closures;
+  };
+  const Eigen::Matrix<int, Of::slides, 1> slide_angles(Model::slide_angles.data());
+  return loops::loop_equations<Of>(Of::loops, Of::angles, slide_angles, closures_at);
+}
+
+}  // namespace assur::support
+
+namespace assur::detail {
+
+/// Every configuration of a group, from its complex ones.
+template <typename Model>
+void search_in_complex_numbers(const typename Model::template Dimensions<double>& d,
+                               const typename Model::template Inputs<double>& u,
+                               const support::Displacement& displaced, Assemblies<Model>& result) {
+  using Of = typename Model::LoopSizes;
+  const loops::LoopEquations<Of> equations = support::loop_equations_of<Model>(u);
+  if (!equations.is_finite() || !(equations.size() > 0)) {
+    result.status = AssemblyStatus::not_finite;
+    return;
+  }
+  const loops::RealConfigurations<Of> found =
+      loops::real_configurations(equations, Model::eliminations, Model::max_configurations);
+  const double unsure = support::unsure_jacobian<Model>(d, u, displaced);
+  for (const loops::ComplexConfiguration<Of>& at : found.list) {
+    auto& q = entry(result.configurations, result.count);
+    for_each_member(q, [&](auto& member, std::size_t index) {
+      const auto place = static_cast<Eigen::Index>(index);
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member = at.s(place - Of::angles).real();
+      } else {
+        member = {at.theta(place + 1).real(), at.theta(place + 1).imag()};
+      }
+    });
+    const Status status =
+        regularity_at<Model, double>(pivots_at<Model, double>(d, u, q), d, u, q, unsure).status;
+    entry(result.regularity, result.count++) =
+        status == Status::ok ? Status::ok : Status::near_singular;
+  }
+  result.mobility = found.mobility;
+  result.complete = found.complex_count == Model::max_configurations;
+  if (result.count == 0 && result.mobility > 0) {
+    result.status = AssemblyStatus::degenerate;
+  }
+}
+
+}  // namespace assur::detail
