@@ -79,9 +79,9 @@ std::vector<double> angles_of(Solver::State<double> state) {
   return angles;
 }
 
-/// By what configurations are put in order, from the angles of the links that turn: the sums of the
-/// cosines, of their squares and cubes, and of the sines of the angles between each two of them,
-/// and each cosine and sine by itself.
+/// By what configurations are put in order, from the angles of the links that groups place: the
+/// sums of the cosines, of their squares and cubes, and of the sines of the angles between each two
+/// of them, and each cosine and sine by itself.
 std::vector<double> keys_of(const std::vector<double>& angles) {
   std::vector<double> keys(4, 0);
   for (std::size_t one = 0; one < angles.size(); ++one) {
@@ -117,15 +117,13 @@ struct Seen {
   double worst = 0;
   double apart = 0;  ///< how far the keys of a pair that is reordered are apart, at most
   std::array<double, numbers> sizes{};
-  std::vector<double> first_angles;
-  std::vector<bool> turns;  ///< the links whose angle was not the same in all states
+  /// The links that groups place, whose angle differs between configurations of the same drivers.
+  std::vector<bool> turns;
 
-  void measure(const Solver::State<double>& state) {
+  void measure(const Solver::State<double>& state, const Solver::State<double>& first) {
     const std::vector<double> angles = angles_of(state);
-    if (first_angles.empty()) {
-      first_angles = angles;
-      turns.assign(angles.size(), false);
-    }
+    const std::vector<double> first_angles = angles_of(first);
+    turns.resize(angles.size(), false);
     for (std::size_t link = 0; link < angles.size(); ++link) {
       turns[link] = turns[link] || std::abs(angles[link] - first_angles[link]) > 1e-9;
     }
@@ -204,7 +202,7 @@ void solve_at(double by, bool measures, Seen& seen) {
   const auto truth = Solver::solve(given.wide, wide);
   if (measures) {
     for (int index = 0; index < truth.count; ++index) {
-      seen.measure(wide[static_cast<std::size_t>(index)]);
+      seen.measure(wide[static_cast<std::size_t>(index)], wide[0]);
     }
     return;
   }
