@@ -16,8 +16,50 @@ const Feature& LinkFrame::feature_of(structure::JointIndex joint) const {
   return *found;
 }
 
-LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
+namespace {
+
+/// The frame of a link whose axes keep their directions, as `LinkForm` of the library has it.
+LinkFrame free_frame(const structure::Model& model, structure::LinkIndex link,
                      const DeclareDimension& new_dimension) {
+  const structure::Group& group = *model.group;
+  const std::string& word = group.links()[link];
+  const std::vector<structure::JointIndex> joints = group.joints_of(link);
+  const auto point = std::ranges::find_if(
+      joints, [&](structure::JointIndex joint) { return !model.slides(joint); });
+  const structure::JointIndex origin = point != joints.end() ? *point : joints.front();
+  LinkFrame frame;
+  frame.description = std::string("origin ") +
+                      (point != joints.end() ? "at " : "on the slide at ") +
+                      group.joints()[origin].name + ", x-axis that of the scene";
+  for (const structure::JointIndex joint : joints) {
+    const std::string name(1, group.joints()[joint].name);
+    const auto dimension = [&](const std::string& letter, Variable::Quantity quantity,
+                               const std::string& meaning) -> const Variable& {
+      return new_dimension(letter + "_" + name + "_" + word, quantity,
+                           meaning + name + " on link " + word);
+    };
+    Vector2 place{0, 0};
+    AngleSum direction;
+    if (model.slides(joint)) {
+      direction = AngleSum(dimension("psi", Variable::Quantity::angle, "angle of the slide at "));
+      if (joint != origin) {
+        const GiNaC::ex offset =
+            dimension("h", Variable::Quantity::length, "offset, to the left, of the slide at ")
+                .value;
+        const Vector2 along = direction.direction();
+        place = {-offset * along.y, offset * along.x};
+      }
+    } else if (joint != origin) {
+      const GiNaC::ex x = dimension("x", Variable::Quantity::length, "x-coordinate of ").value;
+      place = {x, dimension("y", Variable::Quantity::length, "y-coordinate of ").value};
+    }
+    frame.features.push_back({joint, model.slides(joint), place, direction});
+  }
+  return frame;
+}
+
+LinkFrame normal_frame(const structure::Model& model, structure::LinkIndex link,
+                       const DeclareDimension& new_dimension) {
   const structure::Group& group = *model.group;
   using Joints = std::vector<structure::JointIndex>;
   const std::string& word = group.links()[link];
@@ -85,6 +127,14 @@ LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
     frame.features.push_back({joint, false, point, AngleSum()});
   }
   return frame;
+}
+
+}  // namespace
+
+LinkFrame link_frame(const structure::Model& model, structure::LinkIndex link,
+                     const DeclareDimension& new_dimension) {
+  return model.is_numbered() ? normal_frame(model, link, new_dimension)
+                             : free_frame(model, link, new_dimension);
 }
 
 }  // namespace assur::generator::equations

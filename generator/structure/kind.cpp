@@ -124,8 +124,8 @@ std::vector<Kind> all_kinds(const Group& group) {
 }
 
 std::string Model::title() const {
-  return group->name() + " model " + std::to_string(number) + " (" + spell(*group, representative) +
-         ")";
+  return group->name() + (is_numbered() ? " model " + std::to_string(number) : "") + " (" +
+         spell(*group, representative) + ")";
 }
 
 const std::vector<Model>& models_of(const Group& group) {

@@ -30,13 +30,14 @@ struct Relabelling {
 /// A kinematic model: one orbit of the kinds under the automorphisms of the group.
 struct Model {
   const Group* group;
-  int number;
+  int number;                        ///< zero of a model of a group that is not known by name
   Kind representative;               ///< the kind for which the equations are derived
   std::vector<Relabelling> members;  ///< every kind of the orbit, the representative first
 
   [[nodiscard]] bool slides(JointIndex joint) const {
     return representative[joint] == JointType::prismatic;
   }
+  [[nodiscard]] bool is_numbered() const { return number != 0; }
   /// `tetrad model 2 (RPR-RRR)`, for messages.
   [[nodiscard]] std::string title() const;
 };

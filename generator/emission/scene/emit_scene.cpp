@@ -186,7 +186,7 @@ class SceneEmitter {
   }
 
   void show_group(mechanism::GroupIndex group) {
-    const structure::Model& model = derived_model(solver_.group(group));
+    const structure::Model& model = symbolic_model(solver_.group(group));
     SpecialisedGroup special = specialised_group_of(solver_, group);
     const PlacingStatements placing = placing_statements(solver_, group);
     slides_.insert(slides_.end(), placing.slides.begin(), placing.slides.end());
@@ -278,8 +278,12 @@ class SceneEmitter {
     view_.set("listing", shown(listing_statements(solver_, reported)));
     show_state_members(solver_, !links.empty(), !reported.empty(), view_);
     view_.set("has_own_rates", cpp::any_part(statements_, is_own_rate));
+    const auto& groups = solver_.plan.structure().groups;
+    const bool has_loop_groups = std::ranges::any_of(
+        groups, [](const mechanism::FoundGroup& group) { return group.model->is_derived(); });
+    view_.set("has_loop_groups", has_loop_groups);
     view_.set("in_packs", cpp::boolean(redundant.empty() && !solver_.wants_coordinates() &&
-                                       cpp::serves_packs(statements_)));
+                                       !has_loop_groups && cpp::serves_packs(statements_)));
   }
 
   /// For each group the groups that hold it, directly or through others, as a number with one bit

@@ -32,7 +32,7 @@ cpp::Statement hold(const std::string& function, int first,
 void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, bool that_move,
                             int& first, FunctionBody& held) {
   const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
-  const structure::Model& model = derived_model(solver.group(group));
+  const structure::Model& model = symbolic_model(solver.group(group));
   const std::deque<equations::Variable> dimensions = equations::closure_equations(model).dimensions;
   std::size_t index = 0;
   for (const DimensionValue<SceneNumber>& value : solver.numbers.group(group).dimensions()) {
@@ -165,6 +165,8 @@ void add_group(const SolverScene& solver, mechanism::GroupIndex group, FunctionB
     }
   }
   const std::vector<ModelUnknown>& unknowns = solver.group(group).model->unknowns;
+  const std::deque<equations::Variable> members =
+      equations::closure_equations(symbolic_model(solver.group(group))).unknowns;
   for (std::size_t index = 0; index < unknowns.size(); ++index) {
     const mechanism::ElementaryJoint& at = solver.played_joint(group, unknowns[index].owner);
     if (unknowns[index].is_angle || !at.joint.exists()) {
@@ -175,7 +177,7 @@ void add_group(const SolverScene& solver, mechanism::GroupIndex group, FunctionB
     const cpp::Expression unit =
         cpp::call("Scalar", {cpp::word(solver.group_struct(group) + "::unit")});
     const cpp::Expression unknown =
-        cpp::product({unit, of_group.member("q").member(unknowns[index].name)});
+        cpp::product({unit, of_group.member("q").member(members[index].name)});
     const cpp::Expression by = body.number(shift);
     const cpp::Expression shifted =
         by.is_number(0) ? unknown : cpp::parentheses(cpp::sum({unknown, by}));

@@ -6,6 +6,8 @@
 #include <assur/text/names.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <memory>
 
 #include "emission/scene/variable_parameters.hpp"
 
@@ -199,6 +201,38 @@ int order_of(const mechanism::Want& want) {
   return want.acceleration || want.loaded() || want.coefficients ? 2 : want.velocity ? 1 : 0;
 }
 
+/// The model of a group of more than four links, whose joints are named B, C, ... in their order.
+const structure::Model& derived_from_graph(const mechanism::GroupModel& model) {
+  struct Derived {
+    structure::Group group;
+    structure::Model model;
+  };
+  static std::map<const mechanism::GroupModel*, std::unique_ptr<const Derived>> known;
+  std::unique_ptr<const Derived>& place = known[&model];
+  if (!place) {
+    const auto letter = [](std::size_t joint) { return static_cast<char>('B' + joint); };
+    std::vector<std::string> words;
+    for (const std::vector<int>& joints : model.group->link_joints) {
+      std::string& word = words.emplace_back();
+      for (const int joint : joints) {
+        word += letter(static_cast<std::size_t>(joint));
+      }
+    }
+    std::string spelling;
+    structure::Kind kind;
+    for (const bool slides : model.prismatic) {
+      spelling += letter(spelling.size());
+      kind.add(slides ? structure::JointType::prismatic : structure::JointType::revolute);
+    }
+    auto derived = std::make_unique<Derived>(Derived{
+        {model.group->name, model.group->assur_class, std::move(words), std::move(spelling)},
+        {nullptr, 0, std::move(kind), {}}});
+    derived->model.group = &derived->group;
+    place = std::move(derived);
+  }
+  return place->model;
+}
+
 }  // namespace
 
 SolverScene::SolverScene(const mechanism::Scene& described)
@@ -237,7 +271,10 @@ bool SolverScene::holds_groups(mechanism::GroupIndex group) const {
   return holds;
 }
 
-const structure::Model& derived_model(const mechanism::FoundGroup& group) {
+const structure::Model& symbolic_model(const mechanism::FoundGroup& group) {
+  if (group.model->is_derived()) {
+    return derived_from_graph(*group.model);
+  }
   const std::vector<structure::Model>& models =
       structure::models_of(structure::group_named(group.model->group->name));
   return *std::find_if(models.begin(), models.end(), [&](const structure::Model& model) {
@@ -246,14 +283,6 @@ const structure::Model& derived_model(const mechanism::FoundGroup& group) {
 }
 
 void expect_listable(const mechanism::Plan& plan) {
-  for (const mechanism::FoundGroup& group : plan.structure().groups) {
-    if (group.model->is_derived()) {
-      throw mechanism::MechanismError(
-          "links", "the links " + text::listed(plan.structure().names_of(group.links)) +
-                       " form a group of more than four links, for which no solver is emitted; "
-                       "name fewer parts in the scene's 'report', or solve it with the library");
-    }
-  }
   const double most = plan.most_configurations();
   if (most > most_listed) {
     std::array<char, 32> number{};

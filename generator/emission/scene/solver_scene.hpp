@@ -128,6 +128,6 @@ struct SolverScene {
 void expect_listable(const mechanism::Plan& plan);
 
 /// The model of a group as the generator derives it.
-[[nodiscard]] const structure::Model& derived_model(const mechanism::FoundGroup& group);
+[[nodiscard]] const structure::Model& symbolic_model(const mechanism::FoundGroup& group);
 
 }  // namespace assur::generator::emission::scene

@@ -25,9 +25,10 @@ class GroupSpecialiser {
   explicit GroupSpecialiser(const SpecialisedNumbers& numbers)
       : numbers_(numbers),
         equations_(equations::closure_equations(*numbers.model, numbers.dimension_moves)),
-        derivatives_(derivatives::differentiate(equations_)),
-        structured_(equations_),
-        elimination_(elimination::eliminate(equations_)) {
+        derivatives_(derivatives::differentiate(equations_)) {
+    if (numbers.eliminations.empty()) {
+      closed_.emplace(equations_);
+    }
     collect_values();
     leave_out_frames();
   }
@@ -40,7 +41,9 @@ class GroupSpecialiser {
     std::vector<std::string> operations;
     std::set<std::string> named;
     const model::RigidFunctions rigid =
-        model::rigid_functions(equations_, structured_, elimination_);
+        closed_ ? model::rigid_functions(equations_, closed_->structured, closed_->elimination)
+                : model::RigidFunctions{
+                      {}, {}, model::known_quantities(equations_, {&equations_.vocabulary})};
     const auto add_in_order = [&](const model::ModelFunction& function,
                                   const equations::Vocabulary& vocabulary,
                                   program::SymbolOrder order) {
@@ -60,8 +63,8 @@ class GroupSpecialiser {
       if (function.name == "position_polynomial") {
         const model::GroupRange range = {support::most_length_of_numbers, false, sizes_,
                                          support::rounding_of_named_numbers};
-        result.first_key = model::show_closed_form(equations_, elimination_, structured_, program,
-                                                   range, result.view);
+        result.first_key = model::show_closed_form(
+            equations_, closed_->elimination, closed_->structured, program, range, result.view);
       }
     };
     const auto add = [&](const model::ModelFunction& function,
@@ -86,11 +89,11 @@ class GroupSpecialiser {
       }
     }
     for (const model::ModelFunction& function : rigid.positions) {
-      add(function, elimination_.vocabulary);
+      add(function, closed_->elimination.vocabulary);
     }
     if (numbers_.forces) {
-      const model::ForceFunction forces = model::force_function(
-          forces::group_forces(equations_, derivatives_.pose_unknown_jacobian, structured_));
+      const model::ForceFunction forces = model::force_function(forces::group_forces(
+          equations_, derivatives_.pose_unknown_jacobian, closed_->structured));
       for (const auto& [symbol, entry] : forces.loads) {
         spelling.take_out(symbol, entry);
       }
@@ -100,10 +103,11 @@ class GroupSpecialiser {
     result.view.set("functions", functions);
     result.view.set("operations", text::joined(operations, "; "));
     result.view.set("constants", constant_list(named));
-    result.max_configurations = elimination_.max_configurations;
+    result.max_configurations =
+        closed_ ? closed_->elimination.max_configurations : numbers_.complex_configurations;
     result.branch_numbers = number_count(inputs_) + number_count(equations_.unknowns) +
                             2 * equations_.loops.size() * equations_.unknowns.size() +
-                            structured_.pivots().size();
+                            (closed_ ? closed_->structured.pivots().size() : 1);
     return result;
   }
 
@@ -274,7 +278,9 @@ class GroupSpecialiser {
     const bool has_inverse =
         parameter_count() > 0 || numbers_.holds_groups || equations_.unknowns.size() > 2;
     return any_of({"residual", "degeneracies"}) ||
-           (function == "jacobian" && !elimination_.is_closed()) ||
+           (function == "jacobian" && !(closed_ && closed_->elimination.is_closed())) ||
+           (!closed_ && numbers_.order > 0 && function == "velocity_rhs") ||
+           (!closed_ && numbers_.order > 1 && function == "acceleration_rhs") ||
            (has_inverse && function == "inverse_jacobian") ||
            (numbers_.order == 1 && function == "velocity") ||
            (numbers_.order == 2 && function == "motion") ||
@@ -298,12 +304,18 @@ class GroupSpecialiser {
     view.set("has_parameters", parameter_count() > 0);
     view.set("parameter_count", std::to_string(parameter_count()));
     std::vector<std::string> closure = model::closure_lines(equations_);
-    const std::vector<std::string> steps = model::elimination_steps(elimination_);
-    closure.insert(closure.end(), steps.begin(), std::prev(steps.end()));  // the count has a name
+    if (closed_) {
+      const std::vector<std::string> steps = model::elimination_steps(closed_->elimination);
+      closure.insert(closure.end(), steps.begin(), std::prev(steps.end()));  // the count has a name
+      model::show_solution(closed_->structured, equations_, closed_->elimination, view);
+      view.set("has_second_unknown", closed_->elimination.second != nullptr);
+    } else {
+      closure.emplace_back("all complex configurations by the determinant of Dixon");
+      show_eliminations(view);
+    }
+    view.set("is_closed_form", closed_.has_value());
     view.set("closure", cpp::line_list(closure, ""));
     view.set("frames", model::link_list(equations_));
-    model::show_solution(structured_, equations_, elimination_, view);
-    view.set("has_second_unknown", elimination_.second != nullptr);
     view.set("link_count", std::to_string(count_of(FrameNeed::everything)));
     view.set("direction_count", std::to_string(count_of(FrameNeed::direction)));
     view.set("holds_groups", cpp::boolean(numbers_.holds_groups));
@@ -316,11 +328,68 @@ class GroupSpecialiser {
     return view;
   }
 
+  /// Shows the tables from which the runtime finds all complex configurations.
+  void show_eliminations(cpp::View& view) const {
+    std::vector<std::string> sets;
+    std::vector<std::string> powers;
+    std::vector<std::string> entries;
+    int eigenvalues = 0;
+    const auto offset = [](const std::string& table, const std::vector<std::string>& of) {
+      return table + ".data() + " + std::to_string(of.size());
+    };
+    for (const loops::Elimination& one : numbers_.eliminations) {
+      eigenvalues = std::max(eigenvalues, one.eigenvalues());
+      std::string entry = "{" + std::to_string(one.ground) + ", " + std::to_string(one.hidden) +
+                          ", " + std::to_string(one.size) + ", " + std::to_string(one.degree) +
+                          ", " + offset("angle_sets", sets);
+      if (!std::equal(one.sets, one.sets + one.size, one.products)) {
+        std::ranges::transform(one.sets, one.sets + one.size, std::back_inserter(sets), set_text);
+      }
+      entry += ", " + offset("angle_sets", sets);
+      std::ranges::transform(one.products, one.products + one.size, std::back_inserter(sets),
+                             set_text);
+      entry += ", " + offset("lowest_powers", powers) + "}";
+      std::ranges::transform(one.lowest_powers, one.lowest_powers + one.size,
+                             std::back_inserter(powers),
+                             [](int power) { return std::to_string(power); });
+      entries.push_back(std::move(entry));
+    }
+    std::vector<std::string> slide_angles;
+    for (const int angle : numbers_.slide_angles) {
+      slide_angles.push_back(std::to_string(angle));
+    }
+    const std::size_t slides = slide_angles.size();
+    const auto show = [&view](const std::string& name, const std::vector<std::string>& list) {
+      view.set(name, text::joined(list, ", "));
+      view.set(name + "_count", std::to_string(list.size()));
+    };
+    show("angle_sets", sets);
+    show("lowest_powers", powers);
+    show("eliminations", entries);
+    show("slide_angles", slide_angles);
+    view.set("loop_count", std::to_string(equations_.loops.size()));
+    view.set("angle_count", std::to_string(equations_.unknowns.size() - slides));
+    view.set("slide_count", std::to_string(slides));
+    view.set("eigenvalue_count", std::to_string(eigenvalues));
+    view.set("max_configurations", std::to_string(numbers_.complex_configurations));
+  }
+  [[nodiscard]] static std::string set_text(loops::AngleSet set) {
+    return std::to_string(set) + "U";
+  }
+
+  /// How a group with a final polynomial is solved.
+  struct ClosedForm {
+    explicit ClosedForm(const equations::ClosureEquations& equations)
+        : structured(equations), elimination(elimination::eliminate(equations)) {}
+
+    pivoting::StructuredJacobian structured;
+    elimination::Elimination elimination;
+  };
+
   const SpecialisedNumbers& numbers_;
   equations::ClosureEquations equations_;
   derivatives::Derivatives derivatives_;
-  pivoting::StructuredJacobian structured_;
-  elimination::Elimination elimination_;
+  std::optional<ClosedForm> closed_;  ///< nothing of a group of more than four links
   GiNaC::exmap values_;
   std::vector<NamedConstant> constants_;
   model::Sizes sizes_;  ///< of the lengths that are numbers

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <assur/loops/elimination.hpp>
 #include <assur/normal_form.hpp>
 #include <optional>
 #include <string>
@@ -39,6 +40,11 @@ struct SpecialisedNumbers {
   std::vector<FrameNeed> frames;   ///< of the links, in the group's order
   bool holds_groups;               ///< whether other groups are held by its links
   bool forces;                     ///< whether the forces in its joints are wanted
+  /// Of a group of more than four links: the ways to all of its complex configurations, their
+  /// number, and the angle along which each displacement runs.
+  std::vector<loops::Elimination> eliminations;
+  std::size_t complex_configurations;
+  std::vector<int> slide_angles;
 };
 
 /// The view that templates/specialised_group.hpp.mustache shows.

@@ -4,6 +4,7 @@
 #include <assur/directions.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
+#include <iterator>
 
 #include "emission/cpp/page.hpp"
 
@@ -101,6 +102,25 @@ void expect_followed(const SolverScene& solver,
           "so that an emitted solver has no sensitivities to these; give the scene other numbers");
     }
   }
+}
+
+/// Those of a derived model whose eigenproblems fit on the stack. Throws where none does.
+std::vector<loops::Elimination> emitted_eliminations(const SolverScene& solver,
+                                                     mechanism::GroupIndex group) {
+  // Eigen keeps no matrix of more than 128 KiB there: 90 times 90 complex numbers.
+  constexpr int most_eigenvalues = 90;
+  std::vector<loops::Elimination> result;
+  const mechanism::GroupModel& model = *solver.group(group).model;
+  std::ranges::copy_if(
+      model.eliminations, std::back_inserter(result),
+      [](const loops::Elimination& one) { return one.eigenvalues() <= most_eigenvalues; });
+  if (model.is_derived() && result.empty()) {
+    throw mechanism::MechanismError(
+        "links: " + names_of(solver, group),
+        "their group needs an eigenproblem of more than " + std::to_string(most_eigenvalues) +
+            " rows, for which no solver is emitted; solve the scene with the library");
+  }
+  return result;
 }
 
 bool varies(const SolverScene& solver, const DimensionValue<SceneNumber>& value) {
@@ -213,19 +233,21 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
       input_moves.push_back(true);
     }
   }
-  return {&derived_model(solver.group(group)), unit,
+  return {&symbolic_model(solver.group(group)), unit,
           // A group without lengths of its own, such as one of slides, has the length of its unit.
           longest.own > 0 ? longest.own / unit : 1, solver.derivative_order, dimension_moves,
           of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
           of_inputs.gradient(), input_moves, frame_needs(solver, group), solver.holds_groups(group),
-          solver.plan.request().want.forces};
+          solver.plan.request().want.forces, emitted_eliminations(solver, group),
+          static_cast<std::size_t>(solver.group(group).model->max_configurations),
+          solver.group(group).model->slide_angles};
 }
 
 SpecialisedGroup specialised_group_of(const SolverScene& solver, mechanism::GroupIndex group) {
   const std::string number = std::to_string(group.place() + 1);
   const std::string title = "Group " + number + ", links " +
                             cpp::comment_text(names_of(solver, group)) + ", " +
-                            derived_model(solver.group(group)).title();
+                            symbolic_model(solver.group(group)).title();
   return specialised_group(specialised_numbers(solver, group), solver.group_struct(group), title);
 }
 

@@ -80,7 +80,9 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
                    kernel.input_is_angle().size(),
                    kernel.dimension_is_angle(),
                    kernel.input_is_angle(),
-                   nullptr};
+                   nullptr,
+                   kernel.eliminations().list(),
+                   slide_angles_of(kernel.loops())};
   auto result = std::make_unique<DerivedModel>(
       DerivedModel{std::move(structure), std::move(kernel), std::move(model)});
   result->model.group = &result->structure;

@@ -41,7 +41,7 @@ void add(const LoopEquations& general, int ground, int hidden, Eliminations& res
   std::vector<AngleSet> products;
   std::vector<int> lowest_powers;
   int degree = 0;
-  for (AngleSet set = others;; set = (set - 1) & others) {
+  for (AngleSet set = 0;; set = (set - others) & others) {
     Row row;
     equations.each_term(set, [&](AngleSet product, int power, const Complex& coefficient) {
       row[product][power] += coefficient;
@@ -66,7 +66,7 @@ void add(const LoopEquations& general, int ground, int hidden, Eliminations& res
       lowest_powers.push_back(lowest);
       degree = std::max(degree, highest - lowest);
     }
-    if (set == 0) {
+    if (set == others) {
       break;
     }
   }

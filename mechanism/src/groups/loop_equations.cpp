@@ -22,8 +22,11 @@ LoopEquations loop_equations(const Loops& loops,
     }
     return result;
   };
+  const std::vector<int> along = slide_angles_of(loops);
+  const Eigen::VectorXi slide_angles =
+      Eigen::Map<const Eigen::VectorXi>(along.data(), loops.slide_count);
   return assur::loops::loop_equations<assur::loops::AnySizes>(loops.loop_count(), loops.angle_count,
-                                                              slide_angles_of(loops), closures_at);
+                                                              slide_angles, closures_at);
 }
 
 }  // namespace assur::mechanism::groups

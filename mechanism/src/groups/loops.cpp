@@ -32,11 +32,11 @@ void walk(const Loops& loops, int from, const Leads& leads, std::vector<bool>& i
 
 }  // namespace
 
-Eigen::VectorXi slide_angles_of(const Loops& loops) {
-  Eigen::VectorXi result(loops.slide_count);
+std::vector<int> slide_angles_of(const Loops& loops) {
+  std::vector<int> result(static_cast<std::size_t>(loops.slide_count));
   for (std::size_t joint = 0; joint < loops.joints.size(); ++joint) {
     if (const int slide = loops.slide[joint]; slide >= 0) {
-      result(slide) = loops.angle_of(loops.joints[joint].second);
+      result[static_cast<std::size_t>(slide)] = loops.angle_of(loops.joints[joint].second);
     }
   }
   return result;

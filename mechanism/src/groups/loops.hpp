@@ -1,7 +1,6 @@
 // The angles and the independent loops of an Assur group with any number of links.
 #pragma once
 
-#include <Eigen/Core>
 #include <assur/model_tables.hpp>
 #include <optional>
 #include <vector>
@@ -40,7 +39,7 @@ struct Loops {
 };
 
 /// The angle along which each displacement runs, as the second link of its joint sees it.
-[[nodiscard]] Eigen::VectorXi slide_angles_of(const Loops& loops);
+[[nodiscard]] std::vector<int> slide_angles_of(const Loops& loops);
 
 /// The loops of a group of joints among the links 0 .. link_count - 1 and the base. Nothing where
 /// slides tie links to one another, or to the base, in a circle: the group cannot be rigid.

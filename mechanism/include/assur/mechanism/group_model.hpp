@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <assur/loops/elimination.hpp>
 #include <assur/model_tables.hpp>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ struct GroupModel {
   std::size_t dimension_count, input_count;
   std::vector<bool> dimension_is_angle, input_is_angle;
   const ModelKernel* kernel;  ///< its functions
+  /// Of a derived model: the ways to all of its complex configurations, the smallest first.
+  std::vector<loops::Elimination> eliminations;
+  std::vector<int> slide_angles;  ///< along which its displacements run, as in `LoopEquations`
 
   [[nodiscard]] bool is_derived() const { return number == 0; }
 };

@@ -68,13 +68,17 @@ class Pivots {
   Memory<int, MostColumns> rows_;
 };
 
+/// The type of a number's absolute value.
+template <typename Scalar>
+using SizeOf = decltype(std::abs(Scalar()));
+
 /// Eliminates that one of the first `columns` columns which has the largest entry above `least` in
 /// a row without a pivot: from all rows but this one, where a unit remains; the other columns are
 /// transformed with it. Returns the entry; zero where none is above `least`.
 template <typename Scalar, typename Pivots>
-[[nodiscard]] Scalar eliminate_largest(Table<Scalar>& table, int columns, Scalar least,
-                                       Pivots& pivots) {
-  Scalar largest = least;
+[[nodiscard]] SizeOf<Scalar> eliminate_largest(Table<Scalar>& table, int columns,
+                                               SizeOf<Scalar> least, Pivots& pivots) {
+  SizeOf<Scalar> largest = least;
   int pivot_row = -1;
   int pivot_column = -1;
   for (int row = 0; row < table.rows(); ++row) {
@@ -106,12 +110,13 @@ template <typename Scalar, typename Pivots>
 /// Eliminates `rank` of the first `columns` columns, one after the other. Returns the last pivot in
 /// parts of the first; zero where no pivot is left.
 template <typename Scalar, typename Pivots>
-[[nodiscard]] Scalar eliminate(Table<Scalar>& table, int columns, int rank, Pivots& pivots) {
+[[nodiscard]] SizeOf<Scalar> eliminate(Table<Scalar>& table, int columns, int rank,
+                                       Pivots& pivots) {
   pivots.begin(table.rows(), columns);
-  Scalar first = 1;
-  Scalar last = 1;
+  SizeOf<Scalar> first = 1;
+  SizeOf<Scalar> last = 1;
   for (int step = 0; step < rank; ++step) {
-    last = eliminate_largest(table, columns, Scalar(0), pivots);
+    last = eliminate_largest(table, columns, SizeOf<Scalar>(0), pivots);
     if (last == 0) {
       return 0;
     }

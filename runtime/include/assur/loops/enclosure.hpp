@@ -1,7 +1,6 @@
 // Complex configurations of a group, each enclosed in a ball that holds exactly one.
 #pragma once
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <assur/loops/hidden_angle.hpp>
@@ -144,7 +143,7 @@ template <typename Of>
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     typename Of::ComplexClosures by =
-        -jacobian_at(equations, at).partialPivLu().solve(closures_at(equations, at));
+        -solved<Of>(jacobian_at(equations, at), closures_at(equations, at));
     const double length = norm_of(by);
     if (!std::isfinite(length)) {
       return false;
@@ -171,7 +170,8 @@ template <typename Of>
 [[nodiscard]] bool enclose(const LoopEquations<Of>& equations, Enclosed<Of>& ball) {
   using Square = typename Of::ComplexSquare;
   const Square jacobian = jacobian_at(equations, ball.at);
-  const Square inverse = jacobian.partialPivLu().inverse();
+  const Square one = Square::Identity(jacobian.rows(), jacobian.cols());
+  const Square inverse = solved<Of>(jacobian, one);
   if (!inverse.allFinite()) {
     return false;
   }
@@ -179,11 +179,12 @@ template <typename Of>
   const ClosureBounds bounds = bounds_of(equations, ball.at, largest_ball);
   const double of_inverse = norm_of(inverse);
   const auto size = static_cast<double>(jacobian.rows());
-  const Square left = Square::Identity(jacobian.rows(), jacobian.cols()) - inverse * jacobian;
+  const Square left = one - inverse.lazyProduct(jacobian);
   const double still =
       norm_of(left) +
       of_inverse * size * (bounds.rounding + 4 * size * epsilon * norm_of(jacobian));
-  const typename Of::ComplexClosures correction = inverse * closures_at(equations, ball.at);
+  const typename Of::ComplexClosures correction =
+      inverse.lazyProduct(closures_at(equations, ball.at));
   const double moved =
       norm_of(correction) + of_inverse * (bounds.rounding * (1 + 4 * size * epsilon));
   const double bent = of_inverse * bounds.bending;

@@ -10,6 +10,7 @@
 #include <array>
 #include <assur/loops/elimination.hpp>
 #include <assur/loops/loop_equations.hpp>
+#include <assur/loops/small_systems.hpp>
 #include <cmath>
 #include <type_traits>
 #include <vector>
@@ -40,8 +41,14 @@ class HiddenAngle {
       if (cofactors_of(eliminated(set, 1), cofactors)) {
         add(set, 0, cofactors, visit);
       }
-      return;
+    } else if constexpr (Of::slides != 0) {
+      each_term_along_hidden(set, visit);
     }
+  }
+
+ private:
+  template <typename Visit>
+  void each_term_along_hidden(AngleSet set, const Visit& visit) const {
     // Each displacement along the hidden angle brings a factor x or 1/x: the polynomial follows
     // from its values at roots of one.
     const int samples = 2 * hidden_slides_ + 1;
@@ -69,7 +76,6 @@ class HiddenAngle {
     }
   }
 
- private:
   static constexpr int most_slides = 16;
 
   [[nodiscard]] bool is_other(Eigen::Index angle) const {
@@ -103,12 +109,21 @@ class HiddenAngle {
   /// A multiple of the cofactors of the last column of zeros, where x is not among what is
   /// eliminated; false where the other columns are dependent.
   [[nodiscard]] bool cofactors_of(const Square& columns, Column& cofactors) const {
-    const Eigen::ColPivHouseholderQR<Square> factors(columns);
-    if (factors.rank() < 2 * loops_ - 1) {
+    const Eigen::Index size = columns.rows();
+    SmallSystem<Of, Complex> system(size - 1, size);
+    system.put(0, columns.leftCols(size - 1).transpose());
+    if (!(system.eliminate(size, size - 1) > epsilon * static_cast<double>(size))) {
       return false;
     }
-    const Column last = factors.householderQ() * Column::Unit(2 * loops_, 2 * loops_ - 1);
-    cofactors = last.conjugate();
+    cofactors.setOnes(size);
+    for (Eigen::Index column = 0; column < size; ++column) {
+      if (system.row_of(column) < 0) {
+        for (Eigen::Index other = 0; other < size; ++other) {
+          const int row = system.row_of(other);
+          cofactors(other) = row < 0 ? Complex(1) : -system.entry(row, column);
+        }
+      }
+    }
     return true;
   }
 
@@ -201,14 +216,14 @@ class PolynomialMatrix {
 
 /// The configuration with these angles; the displacements close the loops as well as they can.
 template <typename Of>
-[[nodiscard]] ComplexConfiguration<Of> with_displacements(
-    const LoopEquations<Of>& equations, const Eigen::Matrix<Complex, Of::directions, 1>& theta) {
+[[nodiscard]] ComplexConfiguration<Of> with_displacements(const LoopEquations<Of>& equations,
+                                                          const typename Of::Directions& theta) {
   ComplexConfiguration<Of> result{theta, {}};
   result.s.setZero(equations.slide_count());
   if constexpr (Of::slides != 0) {
     if (equations.slide_count() > 0) {
       const typename Of::ComplexClosures open = closures_at(equations, result);
-      const Eigen::Matrix<Complex, Of::closures, Of::slides> slides =
+      const typename Of::ComplexSquare slides =
           jacobian_at(equations, result).rightCols(equations.slide_count());
       result.s = slides.colPivHouseholderQr().solve(-open);
     }
@@ -221,7 +236,7 @@ template <typename Of, typename Kernel>
 [[nodiscard]] ComplexConfiguration<Of> told_configuration(const LoopEquations<Of>& equations,
                                                           const Elimination& elimination,
                                                           const Complex& x, const Kernel& kernel) {
-  Eigen::Matrix<Complex, Of::directions, 1> theta;
+  typename Of::Directions theta;
   theta.setOnes(equations.of_angles.cols());
   theta(elimination.hidden) = x;
   for (Eigen::Index angle = 0; angle < theta.size(); ++angle) {
@@ -254,7 +269,7 @@ template <typename Of, typename Visit>
 void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
   if (elimination.hidden == Elimination::none) {
-    Eigen::Matrix<Complex, Of::directions, 1> theta;
+    typename Of::Directions theta;
     theta.setOnes(equations.of_angles.cols());
     visit(with_displacements<Of>(equations, theta));
     return;

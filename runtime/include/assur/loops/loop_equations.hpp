@@ -21,10 +21,17 @@ struct Sizes {
   static constexpr int configurations = Configurations;
   static constexpr int closures = Loops == Eigen::Dynamic ? Eigen::Dynamic : 2 * Loops;
   static constexpr int directions = Angles == Eigen::Dynamic ? Eigen::Dynamic : Angles + 1;
-  using ComplexClosures = Eigen::Matrix<Complex, closures, 1>;
-  using ComplexSquare = Eigen::Matrix<Complex, closures, closures>;
-  using Closures = Eigen::Matrix<double, closures, 1>;
-  using Square = Eigen::Matrix<double, closures, closures>;
+  // The sizes are bounds: loops over entries that compilers unroll are compiled for minutes.
+  template <typename Scalar, int Rows, int Columns = 1>
+  using AtMost = Eigen::Matrix<Scalar, Eigen::Dynamic, Columns == 1 ? 1 : Eigen::Dynamic,
+                               Eigen::ColMajor, Rows == 0 ? 1 : Rows, Columns == 0 ? 2 : Columns>;
+  using OfLoops = AtMost<Complex, loops>;
+  using Directions = AtMost<Complex, directions>;
+  using Displacements = AtMost<Complex, slides>;
+  using ComplexClosures = AtMost<Complex, closures>;
+  using ComplexSquare = AtMost<Complex, closures, closures>;
+  using Closures = AtMost<double, closures>;
+  using Square = AtMost<double, closures, closures>;
 };
 using AnySizes =
     Sizes<Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic>;
@@ -35,11 +42,11 @@ using AnySizes =
 template <typename Of>
 struct LoopEquations {
   /// A row per loop, a column per angle, the base's first.
-  Eigen::Matrix<Complex, Of::loops, Of::directions> of_angles;
+  typename Of::template AtMost<Complex, Of::loops, Of::directions> of_angles;
   /// A row per loop, a column per displacement.
-  Eigen::Matrix<Complex, Of::loops, Of::slides> of_slides;
+  typename Of::template AtMost<Complex, Of::loops, Of::slides> of_slides;
   /// The angle along which each displacement runs.
-  Eigen::Matrix<int, Of::slides, 1> slide_angles;
+  typename Of::template AtMost<int, Of::slides> slide_angles;
 
   [[nodiscard]] Eigen::Index loop_count() const { return of_angles.rows(); }
   [[nodiscard]] Eigen::Index angle_count() const { return of_angles.cols() - 1; }
@@ -55,7 +62,8 @@ struct LoopEquations {
 /// where all are 0; else angles count from 1.
 template <typename Of, typename ClosuresAt>
 [[nodiscard]] LoopEquations<Of> loop_equations(
-    Eigen::Index loops, Eigen::Index angles, const Eigen::Matrix<int, Of::slides, 1>& slide_angles,
+    Eigen::Index loops, Eigen::Index angles,
+    const typename Of::template AtMost<int, Of::slides>& slide_angles,
     const ClosuresAt& closures_at) {
   LoopEquations<Of> result;
   result.of_angles.resize(loops, angles + 1);
@@ -78,8 +86,8 @@ template <typename Of, typename ClosuresAt>
 /// displacements are real.
 template <typename Of>
 struct ComplexConfiguration {
-  Eigen::Matrix<Complex, Of::directions, 1> theta;  ///< of each angle, the base's first
-  Eigen::Matrix<Complex, Of::slides, 1> s;          ///< of each displacement
+  typename Of::Directions theta;  ///< of each angle, the base's first
+  typename Of::Displacements s;   ///< of each displacement
 };
 
 /// The closures of the loops, and then their conjugates, in a complex configuration.
@@ -88,8 +96,9 @@ template <typename Of>
                                                        const ComplexConfiguration<Of>& at) {
   const Eigen::Index loops = equations.loop_count();
   typename Of::ComplexClosures result(2 * loops);
-  result.head(loops).noalias() = equations.of_angles * at.theta;
-  result.tail(loops).noalias() = equations.of_angles.conjugate() * at.theta.cwiseInverse();
+  const typename Of::Directions inverse = at.theta.cwiseInverse();
+  result.head(loops) = equations.of_angles.lazyProduct(at.theta);
+  result.tail(loops) = equations.of_angles.conjugate().lazyProduct(inverse);
   for (Eigen::Index slide = 0; slide < at.s.size(); ++slide) {
     const Complex theta = at.theta(equations.slide_angles(slide));
     result.head(loops) += at.s(slide) * theta * equations.of_slides.col(slide);
@@ -114,9 +123,8 @@ template <typename Of>
   for (Eigen::Index slide = 0; slide < equations.slide_count(); ++slide) {
     const int angle = equations.slide_angles(slide);
     const Complex theta = at.theta(angle);
-    const Eigen::Matrix<Complex, Of::loops, 1> along = theta * equations.of_slides.col(slide);
-    const Eigen::Matrix<Complex, Of::loops, 1> against =
-        equations.of_slides.col(slide).conjugate() / theta;
+    const typename Of::OfLoops along = theta * equations.of_slides.col(slide);
+    const typename Of::OfLoops against = equations.of_slides.col(slide).conjugate() / theta;
     result.col(angles + slide).head(loops) = along;
     result.col(angles + slide).tail(loops) = against;
     if (angle > 0) {

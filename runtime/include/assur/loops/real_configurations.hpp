@@ -2,9 +2,6 @@
 // position.
 #pragma once
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <assur/loops/enclosure.hpp>
 #include <cmath>
@@ -52,9 +49,10 @@ template <typename Of>
   double damping = 1e-3;
   RealClosures<Of> here = real_closures(equations, at);
   for (int step = 0; step < most_steps; ++step) {
-    typename Of::Square square = here.j.transpose() * here.j;
+    typename Of::Square square = here.j.transpose().lazyProduct(here.j);
     square.diagonal().array() += damping * square.diagonal().maxCoeff();
-    const typename Of::Closures by = square.ldlt().solve(-here.j.transpose() * here.f);
+    const typename Of::Closures rhs = -here.j.transpose().lazyProduct(here.f);
+    const typename Of::Closures by = solved<Of>(square, rhs);
     const ComplexConfiguration<Of> next = made_real(stepped<Of>(at, by.template cast<Complex>()));
     const RealClosures<Of> there = real_closures(equations, next);
     if (there.f.norm() < here.f.norm()) {
@@ -133,14 +131,22 @@ class UnprovenConfigurations {
     const Eigen::Index angles = equations_.angle_count();
     typename Of::Square in_size = here.j;
     in_size.leftCols(angles) /= size_;
-    const Eigen::JacobiSVD<typename Of::Square> factors(in_size, Eigen::ComputeFullV);
+    const Eigen::Index unknowns = in_size.cols();
+    SmallSystem<Of, double> system(unknowns, unknowns);
+    system.put(0, in_size);
+    (void)system.eliminate_above(apart(), unknowns);
     int result = 0;
-    for (Eigen::Index column = 0; column < in_size.cols(); ++column) {
-      if (factors.singularValues()(column) > apart() * factors.singularValues()(0)) {
+    for (Eigen::Index free = 0; free < unknowns; ++free) {
+      if (system.row_of(free) >= 0) {
         continue;
       }
-      typename Of::Closures along = step * factors.matrixV().col(column);
-      along.tail(in_size.cols() - angles) *= size_;
+      typename Of::Closures along(unknowns);
+      for (Eigen::Index unknown = 0; unknown < unknowns; ++unknown) {
+        const int row = system.row_of(unknown);
+        along(unknown) = row >= 0 ? -system.entry(row, free) : unknown == free ? 1.0 : 0.0;
+      }
+      along *= step / along.norm();
+      along.tail(unknowns - angles) *= size_;
       const ComplexConfiguration<Of> there =
           settled(equations_, made_real(stepped<Of>(at, along.template cast<Complex>())));
       const bool closes =

@@ -20,8 +20,9 @@ struct LoopGroup {
   /// The one pivot is the reciprocal condition of J. LU solves J x = b without cancelling more than
   /// that tells, so that the terms of the determinant count as large as itself.
   template <typename Inputs, typename Configuration, typename Scalar>
-  static void degeneracies(const Inputs& u, const Configuration& q, Vector<Scalar, 1>& pivot,
-                           Vector<Scalar, 1>& size, Scalar& terms) {
+  [[gnu::noinline]] static void degeneracies(const Inputs& u, const Configuration& q,
+                                             Vector<Scalar, 1>& pivot, Vector<Scalar, 1>& size,
+                                             Scalar& terms) {
     using std::abs;
     pivot(0) = signed_reciprocal_condition(jacobian_at<Scalar>(u, q));
     size(0) = Scalar(1);
@@ -29,22 +30,24 @@ struct LoopGroup {
   }
 
   template <typename Inputs, typename Configuration, typename Inverse>
-  static void inverse_jacobian(const Inputs& u, const Configuration& q, Inverse& inverse) {
+  [[gnu::noinline]] static void inverse_jacobian(const Inputs& u, const Configuration& q,
+                                                 Inverse& inverse) {
     inverse = jacobian_at<typename Inverse::Scalar>(u, q).partialPivLu().inverse();
   }
 
   /// dq/dt.
   template <typename Inputs, typename Configuration, typename InputRates, typename Rates>
-  static void velocity(const Inputs& u, const Configuration& q, const InputRates& u_rate,
-                       Rates& q_rate) {
+  [[gnu::noinline]] static void velocity(const Inputs& u, const Configuration& q,
+                                         const InputRates& u_rate, Rates& q_rate) {
     Rates rhs;
     Group::velocity_rhs(u, q, u_rate, rhs);
     q_rate = jacobian_at<typename Rates::Scalar>(u, q).partialPivLu().solve(rhs);
   }
   /// dq/dt and d2q/dt2.
   template <typename Inputs, typename Configuration, typename InputRates, typename Rates>
-  static void motion(const Inputs& u, const Configuration& q, const InputRates& u_rate,
-                     const InputRates& u_second_rate, Rates& q_rate, Rates& q_second_rate) {
+  [[gnu::noinline]] static void motion(const Inputs& u, const Configuration& q,
+                                       const InputRates& u_rate, const InputRates& u_second_rate,
+                                       Rates& q_rate, Rates& q_second_rate) {
     const auto lu = jacobian_at<typename Rates::Scalar>(u, q).partialPivLu();
     Rates rhs;
     Group::velocity_rhs(u, q, u_rate, rhs);
@@ -58,7 +61,9 @@ struct LoopGroup {
   [[nodiscard]] static auto jacobian_at(const Inputs& u, const Configuration& q) {
     Matrix<Scalar, Group::equation_count, Group::unknown_count> J;
     Group::jacobian(u, q, J);
-    return J;
+    // Loops over entries that compilers unroll are compiled for minutes.
+    return Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                         Group::equation_count, Group::unknown_count>(J);
   }
 };
 
@@ -78,13 +83,14 @@ template <typename Model>
     });
     Vector<double, Model::equation_count> f;
     Model::residual(typename Model::template Dimensions<double>(), u, q, f);
-    Eigen::Matrix<loops::Complex, Of::loops, 1> closures;
+    typename Of::OfLoops closures(Of::loops);
     for (Eigen::Index loop = 0; loop < Of::loops; ++loop) {
       closures(loop) = {f(2 * loop), f(2 * loop + 1)};
     }
     return closures;
   };
-  const Eigen::Matrix<int, Of::slides, 1> slide_angles(Model::slide_angles.data());
+  typename Of::template AtMost<int, Of::slides> slide_angles(Of::slides);
+  std::copy(Model::slide_angles.begin(), Model::slide_angles.end(), slide_angles.data());
   return loops::loop_equations<Of>(Of::loops, Of::angles, slide_angles, closures_at);
 }
 
@@ -92,11 +98,12 @@ template <typename Model>
 
 namespace assur::detail {
 
-/// Every configuration of a group, from its complex ones.
+/// Every configuration of a group, from its complex ones. No caller is to take this into its code.
 template <typename Model>
-void search_in_complex_numbers(const typename Model::template Dimensions<double>& d,
-                               const typename Model::template Inputs<double>& u,
-                               const support::Displacement& displaced, Assemblies<Model>& result) {
+[[gnu::noinline]] void search_in_complex_numbers(
+    const typename Model::template Dimensions<double>& d,
+    const typename Model::template Inputs<double>& u, const support::Displacement& displaced,
+    Assemblies<Model>& result) {
   using Of = typename Model::LoopSizes;
   const loops::LoopEquations<Of> equations = support::loop_equations_of<Model>(u);
   if (!equations.is_finite() || !(equations.size() > 0)) {

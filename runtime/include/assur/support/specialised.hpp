@@ -19,8 +19,12 @@ namespace specialised {
 template <typename Group, typename = void>
 inline constexpr bool has_inverse = false;
 template <typename Group>
-inline constexpr bool
-    has_inverse<Group, std::void_t<decltype(&Group::template inverse_jacobian<double>)>> = true;
+inline constexpr bool has_inverse<
+    Group, std::void_t<decltype(Group::inverse_jacobian(
+               std::declval<const typename Group::template Inputs<double>&>(),
+               std::declval<const typename Group::template Configuration<double>&>(),
+               std::declval<Matrix<double, Group::unknown_count, Group::equation_count>&>()))>> =
+    true;
 
 template <typename Group, typename = void>
 inline constexpr bool has_jacobian = false;
