@@ -79,7 +79,7 @@ function atOneStep(part) {
   return Object.fromEntries(Object.entries(part).map(([name, inner]) => [name, atOneStep(inner)]));
 }
 
-/** Every configuration of a scene. */
+/** The configurations of a scene: of more than 24 the first ones, and the nearest. */
 export async function solve(scene, values = {}) {
   const { sweep: _, ...still } = typeof scene === "string" ? JSON.parse(scene) : scene;
   let made;
@@ -90,11 +90,11 @@ export async function solve(scene, values = {}) {
     if (reason === undefined) {
       throw error;
     }
-    return { status: "no-assembly", reason, configurations: [], nearest: null };
+    return { status: "no-assembly", reason, configurations: [], leftOut: 0, nearest: null };
   }
   const configurations = made.branches.map(
     (branch) => ({ number: branch.number, ...atOneStep(namedRows(made, branch)) }));
-  return { status: "ok", reason: "", configurations, nearest: made.nearest };
+  return { status: "ok", reason: "", configurations, leftOut: made.left_out, nearest: made.nearest };
 }
 
 /** The branches of a scene's sweep, step by step. */
@@ -110,6 +110,7 @@ export async function sweep(scene, values = {}) {
     parameter: made.parameter,
     values: steps,
     branches: made.branches.map((branch) => ({ number: branch.number, ...namedRows(made, branch) })),
+    leftOut: made.left_out,
     events: made.events,
     nearest: made.nearest,
   };

@@ -26,6 +26,8 @@ export interface Solution {
   /** Why there is no configuration; empty where there is one. */
   reason: string;
   configurations: Configuration[];
+  /** How many further configurations there are: at most 24 are listed, the nearest among them. */
+  leftOut: number;
   /** The number of the configuration nearest to the scene's reference, if it has one. */
   nearest: number | null;
 }
@@ -53,6 +55,8 @@ export interface Sweep {
   /** Its value at each step. The steps of the scene are among them; in between there may be more. */
   values: Float64Array;
   branches: Branch[];
+  /** How many further branches there are: at most 24 are listed, the nearest among them. */
+  leftOut: number;
   events: Event[];
   /** The number of the branch nearest to the scene's reference, if it has one. */
   nearest: number | null;
@@ -95,9 +99,9 @@ export interface SeenPose {
   points: number[];
 }
 
-/** Every configuration of a scene. Rejects with an Error for a scene that cannot be solved. */
+/** The configurations of a scene, 24 at most. Rejects with an Error for a scene that cannot be solved. */
 export function solve(scene: Scene, values?: Values): Promise<Solution>;
-/** The branches of a scene's sweep. Rejects also for a scene without a sweep. */
+/** The branches of a scene's sweep, 24 at most. Rejects also for a scene without a sweep. */
 export function sweep(scene: Scene, values?: Values): Promise<Sweep>;
 /** The branches of the sweep, or the configurations of a scene without one, as shapes that move. */
 export function film(scene: Scene, values?: Values, seen?: SeenPose): Promise<Film>;

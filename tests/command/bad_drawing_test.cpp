@@ -135,6 +135,12 @@ constexpr auto faults = std::to_array<Fault>({
      "drivers.C: the joint C joins the moving links coupler and rocker; say from which to which "
      "it "
      R"(is measured: "joints": {"C": {"type": "revolute", "links": ["coupler", "rocker"]}})"},
+    {"NoLinkCalledGround", R"({"links": {"ground": null, "base": ["A", "D"]}})",
+     R"(drivers.A: the joint A joins the moving links base and crank; say from which to which it )"
+     R"(is measured: "joints": {"A": {"type": "revolute", "links": ["base", "crank"]}}; or call )"
+     "the link that stands still 'ground'"},
+    {"OutputsOfOneName", R"({"outputs": "P"})",
+     R"(outputs: expected a list of drawn points, ["P"], or an object {...}, found string)"},
     {"DriverWithoutSenseButPosition", R"({"drivers": {"C": {"position": 1}}})",
      "drivers.C: the joint C joins the moving links coupler and rocker; say from which"},
     {"LawWithoutSense", R"-({"drivers": {"A": {"position": "joint(C)"}}})-",

@@ -88,6 +88,30 @@ await assert.rejects(sweep({ ...scene, sweep: undefined }), /it has no sweep/);
 await assert.rejects(solve(scene, { crank: "cranc" }));
 assert.equal((await solve(scene)).configurations.length, 2);  // goes on after errors
 
+// Five four-bars side by side have 32 configurations and branches: 24 are listed, the rest is counted.
+const many = { points: {}, links: { ground: [] }, parameters: { phi: { drawn: "A0" } }, drivers: {}, outputs: [],
+  sweep: { parameter: "phi", from: "phi - 0.1", to: "phi + 0.1", count: 3 } };
+for (let place = 0; place < 5; ++place) {
+  const x = 20 * place;
+  const [A, B, C, D] = ["A", "B", "C", "D"].map((letter) => letter + place);
+  Object.assign(many.points, { [A]: [x, 0], [B]: [x, 3], [C]: [x + 6, 6], [D]: [x + 7, 0] });
+  many.links.ground.push(A, D);
+  Object.assign(many.links, { [`crank${place}`]: [A, B], [`rod${place}`]: [B, C], [`rocker${place}`]: [D, C] });
+  many.drivers[A] = { velocity: 1 };
+  many.outputs.push(C);
+}
+many.drivers.A0.position = "phi";
+writeFileSync(bad, JSON.stringify(many));
+const all = JSON.parse(command("solve", bad, "--format", "json").stdout).configurations;
+const listed = await solve(many);
+assert.deepEqual([all.length, listed.configurations.length, listed.leftOut], [32, 24, 8]);
+for (const { number, outputs } of listed.configurations) {
+  near(outputs.C4.position[0], all[number - 1].outputs.C4.position[0], "C4.x");
+}
+assert.ok(listed.configurations.some(({ number }) => number === listed.nearest));
+const branches = await sweep(many);
+assert.deepEqual([branches.branches.length, branches.leftOut], [24, 8]);
+
 // A press with forces: efforts and forces have their names.
 const loaded = JSON.parse(readFileSync(join(source, "docs/tutorial/four_bar_loaded.json"), "utf8"));
 const [drawn] = (await solve(loaded)).configurations.slice(1);

@@ -71,6 +71,7 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   // C has no empty arrays.
   solver.set("branch_numbers", std::to_string(std::max<std::size_t>(branch_numbers, 1)));
   solver.set("real", real);
+  solver.set("is_float", real == "float");
   solver.set("interface", real == "double" ? "c" : "c-float");
   show_given(prefix, real, solver);
   // C has no empty structures: points of which nothing is wanted are left out.

@@ -15,6 +15,18 @@ bool is_ground(const DrawnParts& parts, DrawnLinkIndex link) {
   return parts.links[link].name == "ground";
 }
 
+/// The error where `part` reads the coordinate of an implicit pin. Where no fixed pivot is listed,
+/// one of the links may have been meant as the ground.
+MechanismError refusal_of_pin(const DrawnParts& parts, const std::string& part,
+                              const std::string& joint, const std::array<std::string, 2>& links) {
+  const bool is_bare = std::ranges::any_of(parts.links, [](const DrawnLink& link) {
+    return link.name == "ground" && link.points.empty();
+  });
+  return description::refusal_of_measure(
+      part, joint, links[0], links[1],
+      is_bare ? "; or call the link that stands still 'ground'" : "");
+}
+
 }  // namespace
 
 }  // namespace assur::mechanism::drawn
@@ -149,7 +161,7 @@ Formula DrawnMechanism::coordinate_of(const std::string& joint, const std::strin
                                    text::suggestion_or_choice(joint, names));
   }
   if (const auto links = unmeasured_.find(joint); links != unmeasured_.end()) {
-    throw description::refusal_of_measure(part, joint, links->second[0], links->second[1]);
+    throw drawn::refusal_of_pin(parts_, part, joint, links->second);
   }
   if (!found->second) {
     throw MechanismError(part, "the joint " + text::in_quotes(joint) +
@@ -180,7 +192,7 @@ DriverIndex DrawnMechanism::add_driver(const std::string& joint,
                                        const std::optional<Given>& acceleration) {
   const std::string part = "drivers." + joint;
   if (const auto links = unmeasured_.find(joint); links != unmeasured_.end()) {
-    throw description::refusal_of_measure(part, joint, links->second[0], links->second[1]);
+    throw drawn::refusal_of_pin(parts_, part, joint, links->second);
   }
   return mechanism_.add_driver(
       joint, position ? *position : Given(coordinate_of(joint, part + ".position")), velocity,

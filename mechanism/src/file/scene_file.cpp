@@ -319,7 +319,12 @@ class SceneReader {
       }
       return;
     }
-    expect_object(outputs, "outputs");
+    if (!outputs.is_object()) {
+      throw MechanismError("outputs",
+                           std::string("expected a list of drawn points, [\"P\"], or an object "
+                                       "{...}, found ") +
+                               outputs.type_name());
+    }
     for (const auto& [name, value] : outputs.items()) {
       drawn_.add_output(name, text_of(value, "outputs." + name));
     }

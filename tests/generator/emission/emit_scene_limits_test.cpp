@@ -40,7 +40,10 @@ Json limited_scene(const LimitedExample& example) {
 const std::vector<LimitedExample> examples = {
     {"gripper", "Gripper", {{"E", {-pi, -1.2}}, {"D", {4 * pi, 1 + 4 * pi}}}},
     {"slider_crank", "SliderCrank", {{"S", {0, 1000}}}},
-    {"shaper_quick_return", "ShaperQuickReturn", {{"B", {0, 1000}}, {"C", {0, pi}}}},
+    {"shaper_quick_return",
+     "ShaperQuickReturn",
+     {{"B", {0, 1000}}, {"C", {0, pi}}},
+     {{"C", {"rocker", "link"}}}},
     {"excavator_arm",
      "ExcavatorArm",
      {{"boom_cylinder", {2.4, 2.8}}, {"B", {0, 1.8}}},

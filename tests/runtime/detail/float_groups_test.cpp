@@ -24,7 +24,9 @@ const int samples = is_whole_campaign() ? 10000 : 100;
 struct Seen {
   int groups = 0, configurations = 0, regular = 0;
   int unresolved = 0, undecided = 0, miscounted = 0;
-  double pose = 0;        ///< by how many eps closures must be off to explain configurations
+  int reordered = 0;  ///< pairs that come in another order than in double
+  double apart = 0;   ///< how far the keys of such a pair are apart at least, the largest of these
+  double pose = 0;    ///< by how many eps closures must be off to explain configurations
   double derivative = 0;  ///< largest error of derivatives where they are regular
   double promised = 0;    ///< largest error of derivatives relative to what is promised
   double constant = 0;    ///< largest error of all derivatives, in eps/margin
@@ -121,6 +123,28 @@ double difference(const typename Model::template Dimensions<double>& d,
   return worst;
 }
 
+/// The least difference of the keys by which two configurations are put in order, among those that
+/// are not equal but for the rounding of double. It is relative to the key or its unit, which is
+/// one or, for lengths, `unit`.
+template <typename Model>
+double least_difference_of_keys(const typename Model::template Dimensions<double>& d,
+                                const typename Model::template Inputs<double>& u,
+                                const typename Model::template Configuration<double>& one,
+                                const typename Model::template Configuration<double>& other,
+                                double unit) {
+  using Pair = numeric::PairOf<double>;
+  double least = std::numeric_limits<double>::infinity();
+  detail::for_each_key<Model, Pair>(
+      support::scaled_to<typename Model::template Dimensions<Pair>>(d, 1),
+      support::scaled_to<typename Model::template Inputs<Pair>>(u, 1),
+      detail::pair_of<Model, double>(one, other), [&](const Pair& key, int, bool is_length) {
+        const double size = std::max(is_length ? unit : 1, std::abs(key[0]));
+        const double difference = std::abs(key[0] - key[1]) / size;
+        least = difference > 1e-13 ? std::min(least, difference) : least;
+      });
+  return least;
+}
+
 template <typename Model>
 class Comparison {
   template <typename Scalar>
@@ -148,6 +172,7 @@ class Comparison {
     }
     const double longest = size_of<Model>(exact_d, exact_u);
     std::array<bool, Assemblies<Model>::capacity> taken{};
+    std::array<std::size_t, Assemblies<Model>::capacity> numbers{};
     for (std::size_t index = 0; index < static_cast<std::size_t>(found.count); ++index) {
       const auto& q = found.configurations[index];
       std::size_t nearest = taken.size();
@@ -164,6 +189,16 @@ class Comparison {
         return;
       }
       taken[nearest] = true;
+      numbers[index] = nearest;
+      for (std::size_t before = 0; before < index; ++before) {
+        if (numbers[before] > nearest) {
+          ++seen_.reordered;
+          seen_.apart =
+              largest(seen_.apart, least_difference_of_keys<Model>(
+                                       exact_d, exact_u, truth.configurations[numbers[before]],
+                                       truth.configurations[nearest], longest));
+        }
+      }
       compare(d, u, q, exact_d, exact_u, truth.configurations[nearest], longest,
               found.regularity[index] == Status::ok);
     }
@@ -218,8 +253,9 @@ void compare_with_double(bool on_lattice) {
     std::cout << model_name<Model>() << (on_lattice ? " lattice" : " general") << ": groups "
               << seen.groups << ", unresolved " << seen.unresolved << ", configurations "
               << seen.configurations << ", regular " << seen.regular << ", poses " << seen.pose
-              << " eps, derivatives " << seen.derivative << ", of promised " << seen.promised
-              << ", " << seen.constant << " eps/margin\n";
+              << " eps, reordered " << seen.reordered << " by " << seen.apart << ", derivatives "
+              << seen.derivative << ", of promised " << seen.promised << ", " << seen.constant
+              << " eps/margin\n";
     EXPECT_EQ(seen.miscounted, 0);
     // A search that decides nothing would say nothing wrong.
     if (!on_lattice) {
@@ -227,6 +263,7 @@ void compare_with_double(bool on_lattice) {
     }
     EXPECT_LT(seen.derivative, 5e-4);
     EXPECT_LT(seen.promised, 1);
+    EXPECT_LT(seen.apart, 2e-3);  // as docs/method/positions.md says
     EXPECT_LT(seen.constant, derivative_error_constant);
     EXPECT_LT(seen.pose, detail::polished_rounding(1.0F) / std::numeric_limits<float>::epsilon());
   }

@@ -29,15 +29,15 @@ inline void rename_link(nlohmann::ordered_json& reference,
   }
 }
 
-/// The quick return with names that are no identifiers, are keywords, are words of the solver, or
+/// The rack press with names that are no identifiers, are keywords, are words of the solver, or
 /// become equal.
 inline nlohmann::ordered_json awkward_scene() {
   const std::map<std::string, std::string> links = {
-      {"crank", "class"}, {"rocker", "1-2"}, {"link", "1 2"}, {"ram", "slide_S"}};
+      {"crank", "class"}, {"rod", "1-2"}, {"lever", "1 2"}, {"ram", "slide_S"}};
   const std::map<std::string, std::string> joints = {
-      {"A", "1-2"}, {"B", "class"}, {"C", " "}, {"D", "\"D\\"}};
+      {"A", "1-2"}, {"rack", "class"}, {"ram", "S"}, {"K", " "}, {"M", "\"D\\"}};
   nlohmann::ordered_json scene =
-      scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "shaper_quick_return.json");
+      scene_json(std::filesystem::path(ASSUR_EXAMPLES) / "rack_press.json");
   for (const auto& [name, joint] : scene["joints"].items()) {
     for (nlohmann::ordered_json& reference : joint["between"]) {
       rename_link(reference, links);
@@ -50,7 +50,7 @@ inline nlohmann::ordered_json awkward_scene() {
   scene["links"] = renamed_keys(scene["links"], links);
   scene["joints"] = renamed_keys(scene["joints"], joints);
   scene["drivers"] = renamed_keys(scene["drivers"], joints);
-  scene["outputs"] = renamed_keys(scene["outputs"], {{"tool", "\u00e9\n"}, {"C", "__Drivers"}});
+  scene["outputs"] = renamed_keys(scene["outputs"], {{"R", "\u00e9\n"}, {"M", "__Drivers"}});
   return scene;
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <numeric>
+#include <tuple>
 #include <vector>
 
 namespace {
@@ -49,13 +51,82 @@ struct Given {
   }
 };
 
+/// How far two states are apart: the largest difference of a direction of the reported links.
+double distance(Solver::State<float> one, Solver::State<double> other) {
+  double farthest = 0;
+  const auto look = [&farthest](const auto& direction, const auto& truth) {
+    farthest = std::fmax(farthest, std::abs(static_cast<double>(direction.cos) - truth.cos));
+    farthest = std::fmax(farthest, std::abs(static_cast<double>(direction.sin) - truth.sin));
+  };
+  std::apply(
+      [&](const auto&... link) {
+        std::apply(
+            [&](const auto&... truth) { (look(link.pose.direction, truth.pose.direction), ...); },
+            other.links.members());
+      },
+      one.links.members());
+  return farthest;
+}
+
+/// The angles of the reported links, which are all.
+std::vector<double> angles_of(Solver::State<double> state) {
+  std::vector<double> angles;
+  std::apply(
+      [&angles](const auto&... link) {
+        (angles.push_back(std::atan2(link.pose.direction.sin, link.pose.direction.cos)), ...);
+      },
+      state.links.members());
+  return angles;
+}
+
+/// By what configurations are put in order, from the angles of the links that groups place: the
+/// sums of the cosines, of their squares and cubes, and of the sines of the angles between each two
+/// of them, and each cosine and sine by itself.
+std::vector<double> keys_of(const std::vector<double>& angles) {
+  std::vector<double> keys(4, 0);
+  for (std::size_t one = 0; one < angles.size(); ++one) {
+    for (std::size_t other = one + 1; other < angles.size(); ++other) {
+      const double cosine = std::cos(angles[other] - angles[one]);
+      const double sine = std::sin(angles[other] - angles[one]);
+      keys[0] += cosine;
+      keys[1] += cosine * cosine;
+      keys[2] += cosine * cosine * cosine;
+      keys[3] += sine;
+      keys.push_back(cosine);
+      keys.push_back(sine);
+    }
+  }
+  return keys;
+}
+
+/// The least difference of the keys that are not equal but for rounding, relative to the key or
+/// one.
+double least_difference(const std::vector<double>& keys, const std::vector<double>& others) {
+  double least = 2;
+  for (std::size_t place = 0; place < keys.size(); ++place) {
+    const double difference =
+        std::abs(keys[place] - others[place]) / std::fmax(1, std::abs(keys[place]));
+    least = difference > 1e-12 ? std::fmin(least, difference) : least;
+  }
+  return least;
+}
+
 /// Counts of what was compared, and the largest size of each number of a state.
 struct Seen {
-  int positions = 0, regular = 0, near_singular = 0, refused = 0, wrong = 0;
+  int positions = 0, regular = 0, near_singular = 0, refused = 0, wrong = 0, reordered = 0;
   double worst = 0;
+  double apart = 0;  ///< how far the keys of a pair that is reordered are apart, at most
   std::array<double, numbers> sizes{};
+  /// The links that groups place, whose angle differs between configurations of the same drivers.
+  std::vector<bool> turns;
 
-  void measure(const Solver::State<double>& state) {
+  void measure(const Solver::State<double>& state, const Solver::State<double>& first) {
+    const std::vector<double> angles = angles_of(state);
+    const std::vector<double> first_angles = angles_of(first);
+    turns.resize(angles.size(), false);
+    for (std::size_t link = 0; link < angles.size(); ++link) {
+      turns[link] = turns[link] || std::abs(angles[link] - first_angles[link]) > 1e-9;
+    }
     const auto exact = numbers_of(state);
     for (std::size_t index = 0; index < numbers; ++index) {
       sizes[index] = std::fmax(sizes[index], std::abs(exact[index]));
@@ -90,17 +161,32 @@ struct Seen {
     worst = std::fmax(worst, error);
     wrong += std::isnan(error) ? 1 : 0;
   }
-  /// Compares each state with the nearest truth that is left, since the orders may differ.
-  void compare(const States<float>& states, States<double> truths, int count) {
-    for (int index = 0; index < count; ++index) {
-      const auto from = truths.begin() + index;
-      const Solver::State<float>& state = states[static_cast<std::size_t>(index)];
-      std::iter_swap(
-          from,
-          std::min_element(from, truths.begin() + count, [&](const auto& one, const auto& other) {
-            return difference(state, one) < difference(state, other);
-          }));
-      compare(state, *from);
+  std::vector<double> keys(const Solver::State<double>& state) const {
+    const std::vector<double> all = angles_of(state);
+    std::vector<double> turning;
+    for (std::size_t link = 0; link < all.size(); ++link) {
+      if (turns[link]) {
+        turning.push_back(all[link]);
+      }
+    }
+    return keys_of(turning);
+  }
+  /// Compares each state with the nearest truth that is left; the orders may differ where keys of
+  /// the order do not differ by more than docs/method/positions.md says.
+  void compare(const States<float>& states, const States<double>& truths, int count) {
+    std::vector<std::size_t> left(static_cast<std::size_t>(count));
+    std::iota(left.begin(), left.end(), 0U);
+    for (std::size_t index = 0; index < left.size(); ++index) {
+      const auto from = left.begin() + static_cast<std::ptrdiff_t>(index);
+      const auto nearest = std::min_element(from, left.end(), [&](auto one, auto other) {
+        return distance(states[index], truths[one]) < distance(states[index], truths[other]);
+      });
+      std::rotate(from, nearest, nearest + 1);  // the others keep their order
+      compare(states[index], truths[*from]);
+      for (auto passed = from + 1; passed <= nearest; ++passed) {
+        ++reordered;
+        apart = std::fmax(apart, least_difference(keys(truths[*from]), keys(truths[*passed])));
+      }
     }
   }
 };
@@ -116,7 +202,7 @@ void solve_at(double by, bool measures, Seen& seen) {
   const auto truth = Solver::solve(given.wide, wide);
   if (measures) {
     for (int index = 0; index < truth.count; ++index) {
-      seen.measure(wide[static_cast<std::size_t>(index)]);
+      seen.measure(wide[static_cast<std::size_t>(index)], wide[0]);
     }
     return;
   }
@@ -163,8 +249,8 @@ int main() {
   const auto positions = given.wide.positions();
   const double turn =
       ASSUR_TURNS || positions.empty() ? 6.283185307179586 : 0.2 * *positions.front();
-  for (int step = 0; step < 72; ++step) {
-    places.push_back(step * turn / 72);
+  for (int step = 0; step < 360; ++step) {
+    places.push_back(step * turn / 360);
   }
   for (double by = 0.1; by > 1e-8; by /= 10) {
     places.push_back(by);
@@ -182,9 +268,11 @@ int main() {
   followed.regular = 0;
   follow(turn / 72, followed);
   std::printf(
-      "positions %d, refused %d, regular %d, near-singular %d, worst %.2g, followed %d: %.2g\n",
-      seen.positions, seen.refused, seen.regular, seen.near_singular, seen.worst, followed.regular,
-      followed.worst);
-  return seen.wrong == 0 && followed.wrong == 0 && seen.worst < 5e-4 && followed.worst < 5e-4 ? 0
-                                                                                              : 1;
+      "positions %d, refused %d, regular %d, near-singular %d, worst %.2g, reordered %d by %.2g, "
+      "followed %d: %.2g\n",
+      seen.positions, seen.refused, seen.regular, seen.near_singular, seen.worst, seen.reordered,
+      seen.apart, followed.regular, followed.worst);
+  const bool is_right = seen.wrong == 0 && followed.wrong == 0 && seen.worst < 5e-4 &&
+                        followed.worst < 5e-4 && seen.apart < 2e-3;
+  return is_right ? 0 : 1;
 }
