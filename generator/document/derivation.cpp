@@ -191,7 +191,7 @@ class DerivationGatherer {
 
   void gather_forces(const derivatives::Derivatives& derivatives,
                      const pivoting::StructuredJacobian& structured) {
-    const forces::GroupForces forces = forces::group_forces(equations_, derivatives, structured);
+    const forces::GroupForces forces = forces::group_forces(equations_, derivatives, &structured);
     DerivedForces& result = result_.forces.emplace();
     std::vector<GiNaC::symbol> given;
     for (const forces::LinkLoad& load : forces.loads) {
