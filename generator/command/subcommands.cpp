@@ -1,6 +1,8 @@
 #include "command/subcommands.hpp"
 
+#include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/scene_file.hpp>
+#include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <limits>
 #include <memory>
@@ -20,6 +22,7 @@
 #include "command/solve.hpp"
 #include "command/sweep.hpp"
 #include "document/render.hpp"
+#include "emission/scene/solver_scene.hpp"
 
 namespace assur::generator::command {
 
@@ -107,7 +110,11 @@ void declare_catalogue(CLI::App& command, CatalogueOptions& options) {
 }
 
 void declare_derive(CLI::App& command, DeriveOptions& options) {
-  command.add_option("KIND_OR_MODEL", options.what, "a kind such as RRP-RRR, or a model's number")
+  command
+      .add_option(
+          "KIND_OR_MODEL", options.what,
+          "a kind such as RRP-RRR, a model's number, or\na scene file (JSON), whose groups are "
+          "derived")
       ->required();
   command
       .add_option("--group", options.group,
@@ -314,7 +321,32 @@ int print_catalogue(const CatalogueOptions& options) {
   return exit_done;
 }
 
+/// Prints the derivation of each group of a scene.
+int print_derivations_of_scene(const DeriveOptions& options) {
+  if (options.format == "latex") {
+    throw text::InputError(
+        "derive: a scene's groups are derived as text or JSON; for LaTeX give a kind");
+  }
+  const mechanism::Plan plan(mechanism::read_scene(options.what));
+  std::vector<std::string> derivations;
+  for (const mechanism::FoundGroup& group : plan.structure().groups) {
+    const structure::Model& model = emission::scene::symbolic_model(group);
+    const document::Derivation derivation =
+        model.is_numbered()
+            ? document::derive(*model.group, *structure::parse_kind(*model.group, group.kind))
+            : document::derive(model, group.model->max_configurations, group.model->eliminations);
+    derivations.push_back(options.format == "json" ? document::derivation_json(derivation)
+                                                   : document::derivation_text(derivation));
+  }
+  print(options.format == "json" ? "[" + text::joined(derivations, ",\n") + "]\n"
+                                 : text::joined(derivations, "\n"));
+  return exit_done;
+}
+
 int print_derivation(const DeriveOptions& options) {
+  if (options.what.ends_with(".json")) {
+    return print_derivations_of_scene(options);
+  }
   const ChosenKind chosen = chosen_kind(options);
   const document::Derivation derivation = document::derive(*chosen.group, chosen.kind);
   print(options.format == "json"    ? document::derivation_json(derivation)

@@ -1,6 +1,7 @@
 #include "document/derivation.hpp"
 
 #include <algorithm>
+#include <assur/text/names.hpp>
 #include <set>
 
 #include "derivatives/mobility.hpp"
@@ -48,6 +49,9 @@ class DerivationGatherer {
     gather_structure();
     const derivatives::Derivatives derivatives = derivatives::differentiate(equations_);
     gather_closures(derivatives);
+    if (!equations_.model->is_numbered()) {
+      return std::move(result_);
+    }
     const derivatives::Mobility mobility =
         derivatives::mobility_of(equations_, derivatives.jacobian);
     result_.rigid = mobility.rigid;
@@ -69,8 +73,9 @@ class DerivationGatherer {
     const auto member = std::find_if(
         equations_.model->members.begin(), equations_.model->members.end(),
         [&](const structure::Relabelling& candidate) { return candidate.kind == result_.kind; });
-    for (const structure::JointIndex role : member->role) {
-      result_.roles.add({group.joints()[role].name});
+    for (const structure::JointIndex joint : group.joints().keys()) {
+      const bool is_member = member != equations_.model->members.end();
+      result_.roles.add({group.joints()[is_member ? member->role[joint] : joint].name});
     }
     for (const structure::LinkIndex link : group.links().keys()) {
       result_.frames.add(equations_.frames[link].description);
@@ -191,7 +196,7 @@ class DerivationGatherer {
 
   void gather_forces(const derivatives::Derivatives& derivatives,
                      const pivoting::StructuredJacobian& structured) {
-    const forces::GroupForces forces = forces::group_forces(equations_, derivatives, structured);
+    const forces::GroupForces forces = forces::group_forces(equations_, derivatives, &structured);
     DerivedForces& result = result_.forces.emplace();
     std::vector<GiNaC::symbol> given;
     for (const forces::LinkLoad& load : forces.loads) {
@@ -321,7 +326,70 @@ class DerivationGatherer {
   std::set<std::string> given_;
 };
 
+/// The names of some angles, or t of each.
+std::string product_of(loops::AngleSet set, const std::vector<std::string>& names) {
+  std::string product;
+  for (std::size_t angle = 0; angle < names.size(); ++angle) {
+    if (loops::holds(set, static_cast<std::ptrdiff_t>(angle))) {
+      product += (product.empty() ? "t(" : "*t(") + names[angle] + ")";
+    }
+  }
+  return product.empty() ? "1" : product;
+}
+
+/// The equation of a set of angles, `[e]` being the determinant of the column of e beside those
+/// that are eliminated.
+std::string equation_of(const loops::Elimination& by, loops::AngleSet set,
+                        const std::vector<std::string>& names) {
+  const std::string& hidden = names[static_cast<std::size_t>(by.hidden)];
+  std::vector<std::string> terms;
+  if (by.column_of(set) < by.size) {
+    terms.push_back("([1] + [e(" + hidden + ")]*x + [t(" + hidden + ")]/x)*" +
+                    product_of(set, names));
+  }
+  for (int angle = 0; angle < std::ssize(names); ++angle) {
+    const loops::AngleSet other = set ^ loops::bit(angle);
+    if (angle != by.ground && angle != by.hidden && by.column_of(other) < by.size) {
+      terms.push_back(std::string("[") + (loops::holds(set, angle) ? "e(" : "t(") +
+                      names[static_cast<std::size_t>(angle)] + ")]*" + product_of(other, names));
+    }
+  }
+  return text::joined(terms, " + ") + " = 0";
+}
+
 }  // namespace
+
+Derivation derive(const structure::Model& model, int configurations,
+                  const std::vector<loops::Elimination>& eliminations) {
+  Derivation result = DerivationGatherer(model, model.representative).run();
+  result.rigid = true;
+  result.rank = static_cast<unsigned>(result.unknowns.size());
+  result.reason = "in general position it has " + std::to_string(configurations) +
+                  " configurations in complex numbers, each by itself";
+  std::vector<std::string> names = {"0"};
+  for (const DerivedVariable& unknown : result.unknowns) {
+    if (unknown.is_angle) {
+      names.push_back(unknown.name);
+    }
+  }
+  const loops::Elimination& first = eliminations.front();
+  const auto name_of = [&](int angle) {
+    return angle == 0 || angle == loops::Elimination::none ? std::string("the base's")
+                                                           : names[static_cast<std::size_t>(angle)];
+  };
+  DerivedEigenproblem& eigenproblem =
+      result.eigenproblem.emplace(DerivedEigenproblem{configurations,
+                                                      name_of(first.ground),
+                                                      name_of(first.hidden),
+                                                      static_cast<std::size_t>(first.size),
+                                                      static_cast<std::size_t>(first.degree),
+                                                      eliminations.size(),
+                                                      {}});
+  for (int row = 0; row < first.size; ++row) {
+    eigenproblem.equations.push_back(equation_of(first, first.sets[row], names));
+  }
+  return result;
+}
 
 Derivation derive(const structure::Group& group, const structure::Kind& kind) {
   return DerivationGatherer(structure::model_of(group, kind), kind).run();

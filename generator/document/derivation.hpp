@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <assur/loops/elimination.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -127,6 +128,16 @@ struct DerivedForces {
   program::OperationCount of_loads;         ///< those of the loads along the unknowns
 };
 
+/// How the configurations of a group of more than four links are found: all angles but a hidden one
+/// are eliminated by determinants, and what is left is an eigenproblem.
+struct DerivedEigenproblem {
+  int configurations;                  ///< in complex numbers
+  std::string ground, hidden;          ///< the angles that the equations are written for
+  std::size_t size, degree;            ///< of the matrix, and of its entries
+  std::size_t choices;                 ///< of ground and hidden angle
+  std::vector<std::string> equations;  ///< a row each
+};
+
 struct Derivation {
   const structure::Model* model;
   structure::Kind kind;                      ///< the kind asked for
@@ -145,12 +156,17 @@ struct Derivation {
   unsigned rank;
   unsigned mobility;
   std::string reason;
-  std::optional<DerivedDeterminant> determinant;  ///< of a rigid model
-  std::optional<DerivedElimination> elimination;  ///< of a rigid model
-  std::optional<DerivedForces> forces;            ///< of a rigid model
+  std::optional<DerivedDeterminant> determinant;    ///< of a rigid model
+  std::optional<DerivedElimination> elimination;    ///< of a rigid model
+  std::optional<DerivedForces> forces;              ///< of a rigid model
+  std::optional<DerivedEigenproblem> eigenproblem;  ///< of a group of more than four links
 };
 
 /// The derivation of the model that `kind` belongs to.
 [[nodiscard]] Derivation derive(const structure::Group& group, const structure::Kind& kind);
+/// That of a group of more than four links with so many complex configurations, and the ways to
+/// them, the first of which is written out.
+[[nodiscard]] Derivation derive(const structure::Model& model, int configurations,
+                                const std::vector<loops::Elimination>& eliminations);
 
 }  // namespace assur::generator::document

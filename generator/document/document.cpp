@@ -20,6 +20,7 @@ class DocumentBuilder {
   Document run() {
     document_.title = "Derivation of " + from_.model->title();
     document_.kind = structure::spell(group_, from_.model->representative);
+    document_.is_audited = from_.model->is_numbered();
     structure();
     variables();
     closures();
@@ -28,6 +29,9 @@ class DocumentBuilder {
     if (from_.elimination) {
       elimination();
       forces();
+    }
+    if (from_.eigenproblem) {
+      eigenproblem(*from_.eigenproblem);
     }
     return std::move(document_);
   }
@@ -51,12 +55,16 @@ class DocumentBuilder {
           text::joined(from_.closures, ", ", [](const DerivedClosure& each) { return each.loop; }) +
           "). Its kinds are spelled " + group_.spelling() +
           ", R for a revolute and P for a prismatic joint.");
-    prose("Model " + std::to_string(from_.model->number) + " holds the kinds " +
-          text::joined(from_.model->members, ", ",
-                       [&](const structure::Relabelling& member) {
-                         return structure::spell(group_, member.kind);
-                       }) +
-          "; the equations are those of " + document_.kind + ".");
+    prose(
+        !from_.model->is_numbered()
+            ? "It is derived from its graph, for a scene; its joints are named in the order of the "
+              "scene, and its links keep the axes that they have there."
+            : "Model " + std::to_string(from_.model->number) + " holds the kinds " +
+                  text::joined(from_.model->members, ", ",
+                               [&](const structure::Relabelling& member) {
+                                 return structure::spell(group_, member.kind);
+                               }) +
+                  "; the equations are those of " + document_.kind + ".");
     if (from_.kind != from_.model->representative) {
       relabelling();
     }
@@ -247,6 +255,34 @@ class DocumentBuilder {
     prose("The polynomial has degree " + std::to_string(elimination.degree) + " in " +
           (elimination.is_angle ? "(cos, sin) of " : "") + elimination.unknown + ": at most " +
           text::with_noun(elimination.max_configurations, "configuration") + ".");
+  }
+
+  void eigenproblem(const DerivedEigenproblem& of) {
+    begin("All configurations");
+    if (of.equations.empty()) {
+      prose("Slides fix all angles, and the closures are linear in the displacements.");
+      return;
+    }
+    prose(
+        "With unit complex numbers e of the angles and t = 1/e, the loops are linear in e and "
+        "their "
+        "conjugates in t. All angles are measured against " +
+        of.ground + "; x is e of " + of.hidden +
+        ", and the coefficients contain it. For every set of the other angles, e of those outside "
+        "it, t of those in it and the displacements are eliminated by one determinant: `[e(a)]`, "
+        "`[t(a)]` and `[1]` are the determinants of the columns of e(a), of t(a) and of the "
+        "constants, those of the ground, beside the eliminated ones.");
+    for (const std::string& equation : of.equations) {
+      formula(equation);
+    }
+    prose("The products of t are the unknowns of these equations, linear in them: " +
+          std::to_string(of.size) + " equations, polynomials of degree " +
+          std::to_string(of.degree) +
+          " in x, an eigenproblem. Each eigenvalue with its vector is a configuration in complex "
+          "numbers; where |e| = 1 for all angles it is real. Of " +
+          text::with_noun(of.choices, "choice") +
+          " of ground and hidden angle this is the first; the others serve where configurations "
+          "meet.");
   }
 
   void back_substitution(const DerivedBackSubstitution& back) {

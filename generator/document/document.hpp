@@ -76,7 +76,8 @@ struct Section {
 
 struct Document {
   std::string title;
-  std::string kind;  ///< for which the equations are derived
+  std::string kind;        ///< for which the equations are derived
+  bool is_audited = true;  ///< whether `assur audit` reads its statements
   std::vector<Section> sections;
 };
 

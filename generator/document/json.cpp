@@ -120,12 +120,22 @@ Json roles(const Derivation& derivation) {
   return map;
 }
 
+Json eigenproblem_json(const DerivedEigenproblem& eigenproblem) {
+  return Json{{"configurations", eigenproblem.configurations},
+              {"ground", eigenproblem.ground},
+              {"hidden", eigenproblem.hidden},
+              {"size", eigenproblem.size},
+              {"degree", eigenproblem.degree},
+              {"choices", eigenproblem.choices},
+              {"equations", eigenproblem.equations}};
+}
+
 }  // namespace
 
 std::string derivation_json(const Derivation& derivation) {
   const structure::Model& model = *derivation.model;
   Json root;
-  root["model"] = model.number;
+  root["model"] = model.is_numbered() ? Json(model.number) : Json();
   root["group"] = model.group->name();
   root["kind"] = structure::spell(*model.group, model.representative);
   root["asked"] = structure::spell(*model.group, derivation.kind);
@@ -159,6 +169,9 @@ std::string derivation_json(const Derivation& derivation) {
   if (derivation.elimination) {
     root["elimination"] = elimination_json(*derivation.elimination);
     root["forces"] = forces_json(*derivation.forces);
+  }
+  if (derivation.eigenproblem) {
+    root["eigenproblem"] = eigenproblem_json(*derivation.eigenproblem);
   }
   return root.dump() + "\n";
 }

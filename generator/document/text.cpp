@@ -52,9 +52,13 @@ class TextRenderer {
  public:
   std::string run(const Document& document) {
     text_ = comment(document.title);
-    text_ += "# An audit file: statements are results, and comments are the steps to them.\n";
-    text_ += "source assur derive " + document.kind + "\n";
-    text_ += "model " + document.kind + "\n";
+    if (document.is_audited) {
+      text_ += "# An audit file: statements are results, and comments are the steps to them.\n";
+      text_ += "source assur derive " + document.kind + "\n";
+      text_ += "model " + document.kind + "\n";
+    } else {
+      text_ += "# To read: only models that have a number can be audited.\n";
+    }
     int number = 0;
     for (const Section& section : document.sections) {
       const std::string title = std::to_string(++number) + " " + section.title;

@@ -26,7 +26,7 @@ class ForceWalk {
  public:
   ForceWalk(const equations::ClosureEquations& equations,
             const derivatives::Derivatives& derivatives,
-            const pivoting::StructuredJacobian& jacobian)
+            const pivoting::StructuredJacobian* jacobian)
       : equations_(equations),
         group_(*equations.model->group),
         tree_(structure::spanning_tree(group_)),
@@ -39,7 +39,10 @@ class ForceWalk {
 
   GroupForces run() {
     declare_loads();
-    name_elimination();
+    result_.vocabulary = jacobian_ != nullptr ? jacobian_->vocabulary() : equations_.vocabulary;
+    if (jacobian_ != nullptr) {
+      name_projections();
+    }
     project_loads();
     solve_cut_joints();
     for (auto link = tree_.visit_order.rbegin(); link != tree_.visit_order.rend(); ++link) {
@@ -104,7 +107,7 @@ class ForceWalk {
   }
   /// The unit vector of a row, along or across the frame of a loop.
   [[nodiscard]] Vector2 unit_of(std::size_t row) const {
-    const Vector2& frame = jacobian_.closures().frame_direction(row / 2);
+    const Vector2& frame = jacobian_->closures().frame_direction(row / 2);
     return row % 2 == 0 ? frame : Vector2{-frame.y, frame.x};
   }
 
@@ -113,13 +116,12 @@ class ForceWalk {
     return equations::is_plain(motion.x) && equations::is_plain(motion.y);
   }
 
-  /// Takes over the names of the elimination. The components that a vector has in the frame of its
-  /// loop are projections: the vector is needed itself.
-  void name_elimination() {
-    result_.vocabulary = jacobian_.vocabulary();
+  /// The components that a vector has in the frame of its loop are projections: the vector is
+  /// needed itself.
+  void name_projections() {
     for (std::size_t row = 0; row < row_count(); ++row) {
       for (std::size_t unknown = 0; unknown < row_count(); ++unknown) {
-        const GiNaC::ex& entry = jacobian_.entry(row, unknown);
+        const GiNaC::ex& entry = jacobian_->entry(row, unknown);
         const Vector2 motion = motion_of(row / 2, unknown);
         const GiNaC::ex projection = dot(motion, unit_of(row));
         for (const int sign : {1, -1}) {
@@ -135,7 +137,9 @@ class ForceWalk {
   /// The residual of a loop is the place of the cut joint on its second link, less that on its
   /// first: so lambda acts on the second.
   void solve_cut_joints() {
-    if (!intersect_lines()) {
+    if (jacobian_ == nullptr) {
+      declare_multipliers();
+    } else if (!intersect_lines()) {
       eliminate();
     }
     for (const equations::LoopClosure& loop : equations_.loops) {
@@ -143,11 +147,20 @@ class ForceWalk {
     }
   }
 
+  void declare_multipliers() {
+    for (const equations::LoopClosure& loop : equations_.loops) {
+      const GiNaC::symbol x("lambda_x_" + letter(loop.chord));
+      const GiNaC::symbol y("lambda_y_" + letter(loop.chord));
+      result_.given.insert(result_.given.end(), {x, y});
+      set_force(loop.chord, {x, y});
+    }
+  }
+
   /// A loop alone has two unknowns, and what each of them loads is the moment of one force about a
   /// point, or its part in a direction: the force lies on two lines, which intersect. Where the
   /// frame of the loop makes a pivot one, elimination has fewer operations.
   bool intersect_lines() {
-    if (equations_.loops.size() != 1 || jacobian_.pivots().size() != row_count()) {
+    if (equations_.loops.size() != 1 || jacobian_->pivots().size() != row_count()) {
       return false;
     }
     const Vector2 one = motion_of(0, 0);
@@ -155,7 +168,7 @@ class ForceWalk {
     const auto& quantities = result_.vocabulary.quantities();
     const auto inverse =
         std::ranges::find(quantities, NamedQuantity::Form::reciprocal, &NamedQuantity::form);
-    const int sign = jacobian_.sign();
+    const int sign = jacobian_->sign();
     const GiNaC::ex factor = sign * inverse->symbol;
     result_.vocabulary.rewrite(GiNaC::ex_to<GiNaC::symbol>(inverse->definition),
                                sign * cross(one, other));
@@ -168,7 +181,7 @@ class ForceWalk {
   /// Finds the parts of the forces along and across the frames of their loops by the steps of the
   /// elimination in reverse. Beside single unknowns a part counts as a vector.
   void eliminate() {
-    const pivoting::FramedClosures& closures = jacobian_.closures();
+    const pivoting::FramedClosures& closures = jacobian_->closures();
     std::vector<GiNaC::ex> rhs;
     for (const GiNaC::ex& load : result_.generalised) {
       rhs.push_back(-load);
@@ -177,7 +190,7 @@ class ForceWalk {
     for (std::size_t row = 0; row < row_count(); ++row) {
       symbols.emplace_back("force_" + closures.row_name(row));
     }
-    const std::vector<GiNaC::ex> framed = jacobian_.transposed().solve(
+    const std::vector<GiNaC::ex> framed = jacobian_->transposed().solve(
         rhs, symbols, "force in the cut joint in the frame of its loop", result_.vocabulary,
         [&](std::size_t unknown, const std::vector<GiNaC::ex>& solved) {
           return known_part(unknown, solved);
@@ -191,7 +204,7 @@ class ForceWalk {
   GiNaC::ex known_part(std::size_t unknown, const std::vector<GiNaC::ex>& solved) {
     GiNaC::ex sum;
     for (std::size_t row = 0; row < row_count(); ++row) {
-      const GiNaC::ex& entry = jacobian_.entry(row, unknown);
+      const GiNaC::ex& entry = jacobian_->entry(row, unknown);
       if (entry.is_zero() || solved[row].is_zero()) {
         continue;
       }
@@ -216,7 +229,7 @@ class ForceWalk {
     std::optional<Vector2>& part = parts_[row];
     if (!part) {
       const Vector2 unit = unit_of(row);
-      const std::string name = "F_" + jacobian_.closures().row_name(row);
+      const std::string name = "F_" + jacobian_->closures().row_name(row);
       const std::string meaning = "part of the force in the cut joint, ";
       part = Vector2{named(name + "_x", size * unit.x, meaning + "x"),
                      named(name + "_y", size * unit.y, meaning + "y")};
@@ -302,8 +315,8 @@ class ForceWalk {
   structure::SpanningTree tree_;
   const derivatives::ExpressionMatrix& tree_motion_;
   const derivatives::ExpressionMatrix& loop_motion_;
-  const pivoting::StructuredJacobian& jacobian_;
-  std::vector<std::optional<Vector2>> parts_;  ///< that elimination needs as vectors, by row
+  const pivoting::StructuredJacobian* jacobian_;  ///< null where lambda is given
+  std::vector<std::optional<Vector2>> parts_;     ///< that elimination needs as vectors, by row
   GroupForces result_;
 };
 
@@ -311,7 +324,7 @@ class ForceWalk {
 
 GroupForces group_forces(const equations::ClosureEquations& equations,
                          const derivatives::Derivatives& derivatives,
-                         const pivoting::StructuredJacobian& jacobian) {
+                         const pivoting::StructuredJacobian* jacobian) {
   return ForceWalk(equations, derivatives, jacobian).run();
 }
 

@@ -38,12 +38,15 @@ struct GroupForces {
   std::vector<GiNaC::ex> generalised;           ///< Q, one for each unknown
   std::vector<equations::Vector2> multipliers;  ///< lambda, one for each loop: on the second link
   structure::JointTable<JointReaction> joints;
+  /// The components of lambda where they are found in numbers; else empty.
+  std::vector<GiNaC::symbol> given;
   equations::Vocabulary vocabulary;  ///< the names of all this, after those of the elimination
 };
 
-/// `derivatives`, of the same equations: the links' poses have theirs along the same tree.
+/// `derivatives`, of the same equations: the links' poses have theirs along the same tree. Without
+/// a `jacobian`, as for groups of more than four links, the program that calls solves for lambda.
 [[nodiscard]] GroupForces group_forces(const equations::ClosureEquations& equations,
                                        const derivatives::Derivatives& derivatives,
-                                       const pivoting::StructuredJacobian& jacobian);
+                                       const pivoting::StructuredJacobian* jacobian);
 
 }  // namespace assur::generator::forces

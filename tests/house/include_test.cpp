@@ -105,7 +105,7 @@ House house() {
           stage("document",
                 {"structure", "equations", "derivatives", "elimination", "pivoting", "forces",
                  "program"},
-                {"ginac"}),
+                {"ginac"}, {runtime}),
           stage("audit/code", {"equations", "closures"}),
           stage("audit/running", {}, {"fcntl.h", "poll.h", "sys", "unistd.h"}),
           stage(
@@ -192,7 +192,8 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
       {"numbers and roots", std::regex("numeric/.*")},
       {"the geometry of groups and links",
        std::regex(
-           "local/(body_constraints|close|crossing|elimination|singular_point|system)|detail/"
+           "local/(body_constraints|close|crossing|elimination|singular_point|system)|loops/.*|"
+           "detail/"
            "(batch/(pack_arcs|pack_columns|pack_roots|pack_verdicts|scaled_block)|"
            "closed_form|closure_geometry|completion|first_values|limit_turns|"
            "multiple_assembly|neighbourhood|pivots|products|second_look|small_step|"
@@ -215,7 +216,7 @@ const std::vector<std::pair<const char*, std::regex>>& storeys_of_the_runtime() 
            "assur|detail/batch/placed_pack|support/"
            "(batch_search|closures_on_way|coordinate_motions|displacement|equations_of_motion|"
            "equilibrium|"
-           "flat_branch|held_group|link_forces|placed_group|scene_batch|"
+           "flat_branch|held_group|link_forces|loop_group|placed_group|scene_batch|"
            "scene_access|scene_branch|scene_columns|scene_crossing|scene_search|scene_solve|"
            "scene_track|shared_search|"
            "specialised|track_batch)")},

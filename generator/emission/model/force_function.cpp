@@ -2,22 +2,15 @@
 
 namespace assur::generator::emission::model {
 
-ForceFunction force_function(const forces::GroupForces& forces) {
-  ForceFunction result{
-      {{"forces",
-        {"The forces F in the joints, rows (F_x, F_y, couple) joint by joint, under the given",
-         "loads, rows (x, y, moment about the origin of the link's frame) link by link, all in the",
-         "directions of the fixed frame. A force acts on the joint's second link, and the opposite",
-         "one on its first: at the joint, or at a slide at the foot on the second link of the",
-         "perpendicular from the origin of that link's frame, with the couple."},
-        {{"const Dimensions<Scalar>&", "d"},
-         {"const Inputs<Scalar>&", "u"},
-         {"const Configuration<Scalar>&", "q"},
-         {"const Matrix<Scalar, link_count, 3>&", "loads"}},
-        {{"Matrix<Scalar, joint_count, 3>&", "F"}},
-        {}},
-       forces.vocabulary},
-      {}};
+namespace {
+
+const std::vector<Parameter> place_and_loads = {{"const Dimensions<Scalar>&", "d"},
+                                                {"const Inputs<Scalar>&", "u"},
+                                                {"const Configuration<Scalar>&", "q"},
+                                                {"const Matrix<Scalar, link_count, 3>&", "loads"}};
+
+ForceFunction of_loads(const forces::GroupForces& forces, ModelFunction function) {
+  ForceFunction result{{std::move(function), forces.vocabulary}, {}};
   std::size_t row = 0;
   for (const forces::LinkLoad& load : forces.loads) {
     result.loads.emplace_back(load.x, entry("loads", row, 0));
@@ -25,13 +18,55 @@ ForceFunction force_function(const forces::GroupForces& forces) {
     result.loads.emplace_back(load.moment, entry("loads", row, 2));
     ++row;
   }
-  std::vector<program::Result>& results = result.naming.function.results;
+  // Names of the vocabulary stand for what they do, whichever function reads them.
   row = 0;
+  for (const GiNaC::symbol& component : forces.given) {
+    result.loads.emplace_back(component, "lambda(" + std::to_string(row++) + ")");
+  }
+  return result;
+}
+
+}  // namespace
+
+ForceFunction force_function(const forces::GroupForces& forces) {
+  ForceFunction result = of_loads(
+      forces,
+      {"forces",
+       {"The forces F in the joints, rows (F_x, F_y, couple) joint by joint, under the given",
+        "loads, rows (x, y, moment about the origin of the link's frame) link by link, all in the",
+        "directions of the fixed frame. A force acts on the joint's second link, and the opposite",
+        "one on its first: at the joint, or at a slide at the foot on the second link of the",
+        "perpendicular from the origin of that link's frame, with the couple."},
+       place_and_loads,
+       {{"Matrix<Scalar, joint_count, 3>&", "F"}},
+       {}});
+  ModelFunction& function = result.naming.function;
+  if (!forces.given.empty()) {
+    function.name = "forces_with_multipliers";
+    function.doc.emplace_back("`lambda` holds the forces in the joints that close the loops.");
+    function.inputs.push_back({"const Vector<Scalar, equation_count>&", "lambda"});
+  }
+  std::size_t row = 0;
   for (const forces::JointReaction& joint : forces.joints) {
-    results.push_back({entry("F", row, 0), joint.force.x});
-    results.push_back({entry("F", row, 1), joint.force.y});
-    results.push_back({entry("F", row, 2), joint.couple.value_or(0)});
+    function.results.push_back({entry("F", row, 0), joint.force.x});
+    function.results.push_back({entry("F", row, 1), joint.force.y});
+    function.results.push_back({entry("F", row, 2), joint.couple.value_or(0)});
     ++row;
+  }
+  return result;
+}
+
+ForceFunction load_function(const forces::GroupForces& forces) {
+  ForceFunction result = of_loads(
+      forces, {"generalised_loads",
+               {"Q: what the loads do per unit of each unknown, where the joints that close",
+                "the loops are cut."},
+               place_and_loads,
+               {{"Vector<Scalar, unknown_count>&", "Q"}},
+               {}});
+  std::size_t row = 0;
+  for (const GiNaC::ex& load : forces.generalised) {
+    result.naming.function.results.push_back({"Q(" + std::to_string(row++) + ")", load});
   }
   return result;
 }

@@ -10,7 +10,8 @@
 
 namespace assur::generator::emission::model {
 
-/// The function, and the symbols of the loads with the entry of a parameter that each one is.
+/// A function, and the symbols of loads and other forces that it is given, each with the entry of a
+/// parameter that it is.
 struct ForceFunction {
   NamingFunction naming;
   std::vector<std::pair<GiNaC::symbol, std::string>> loads;
@@ -21,6 +22,10 @@ struct ForceFunction {
       const std::vector<equations::NamedQuantity>& known) const;
 };
 
+/// The forces in all joints.
 [[nodiscard]] ForceFunction force_function(const forces::GroupForces& forces);
+/// What the loads do along the unknowns, from which the forces in the cut joints are found in
+/// numbers.
+[[nodiscard]] ForceFunction load_function(const forces::GroupForces& forces);
 
 }  // namespace assur::generator::emission::model

@@ -92,13 +92,19 @@ class GroupSpecialiser {
       add(function, closed_->elimination.vocabulary);
     }
     if (numbers_.forces) {
-      const model::ForceFunction forces = model::force_function(
-          forces::group_forces(equations_, derivatives_, closed_->structured));
-      for (const auto& [symbol, entry] : forces.loads) {
-        spelling.take_out(symbol, entry);
+      const forces::GroupForces forces =
+          forces::group_forces(equations_, derivatives_, closed_ ? &closed_->structured : nullptr);
+      const auto add_forces = [&](const model::ForceFunction& function) {
+        for (const auto& [symbol, entry] : function.loads) {
+          spelling.take_out(symbol, entry);
+        }
+        add_in_order(function.naming.function, function.naming.vocabulary,
+                     function.order(equations_, rigid.known));
+      };
+      if (!closed_) {
+        add_forces(model::load_function(forces));
       }
-      add_in_order(forces.naming.function, forces.naming.vocabulary,
-                   forces.order(equations_, rigid.known));
+      add_forces(model::force_function(forces));
     }
     result.view.set("functions", functions);
     result.view.set("operations", text::joined(operations, "; "));

@@ -4,7 +4,6 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <assur/detail/pivots.hpp>
 #include <assur/loops/real_configurations.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <assur/support/solved_by_lu.hpp>
@@ -137,17 +136,6 @@ double longest(const std::vector<bool>& are_angles, const FlatVariables& variabl
     place += is_angle ? 2 : 1;
   }
   return result;
-}
-
-/// How firmly the closures hold the unknowns, as emitted solvers of such groups judge it
-/// (support/loop_group.hpp).
-Regularity<double> standing_of(const Eigen::MatrixXd& j, double unsure) {
-  if (!j.allFinite()) {
-    return {Status::not_finite};
-  }
-  const double firmness = std::abs(support::signed_reciprocal_condition(j));
-  return detail::regularity_of(detail::Firmness<double>{1, firmness, 1},
-                               support::derivative_rounding<double>() + unsure);
 }
 
 /// How far rounding may have moved the links of a group, as `support::DisplacedGroup` has it.
@@ -361,7 +349,7 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
   for (const ComplexConfiguration& at : real.list) {
     found.configurations[found.count] = flat(at);
     const Eigen::MatrixXd j = assur::loops::real_closures(equations, at).j;
-    const Status status = standing_of(j, unsure).status;
+    const Status status = support::regularity_by_lu(j, unsure).status;
     found.regularity[found.count++] = status == Status::ok ? Status::ok : Status::near_singular;
   }
   if (found.count == 0 && found.mobility > 0) {
@@ -445,7 +433,7 @@ void DerivedKernel::move(const FlatVariables& d, const FlatVariables& u, const F
   const support::Displacement given = query.displaced;
   motion.held =
       std::max(std::max(given.moved, epsilon * longest_input), given.turned * motion.size);
-  motion.standing = standing_of(j, unsure_jacobian(d, u, given));
+  motion.standing = support::regularity_by_lu(j, unsure_jacobian(d, u, given));
   const bool solvable = is_solvable(motion.standing.status);
   motion.inverse = solvable ? Eigen::MatrixXd(j.fullPivLu().inverse())
                             : Eigen::MatrixXd::Constant(unknowns, unknowns, unknown);

@@ -237,7 +237,9 @@ template <typename Model>
                  static_cast<std::size_t>(Model::input_count),
                  sorts_of<typename Model::template Dimensions<double>>(),
                  sorts_of<typename Model::template Inputs<double>>(),
-                 kernel_of<Model>()};
+                 kernel_of<Model>(),
+                 {},
+                 {}};
   for (const ModelJoint& joint : Model::joints) {
     row.prismatic.push_back(joint.prismatic);
   }

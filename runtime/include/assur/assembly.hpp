@@ -28,11 +28,6 @@ inline constexpr bool is_searched_in_complex_numbers = false;
 template <typename Model>
 inline constexpr bool
     is_searched_in_complex_numbers<Model, std::void_t<decltype(Model::eliminations)>> = true;
-template <typename Model>
-void search_in_complex_numbers(const typename Model::template Dimensions<double>& d,
-                               const typename Model::template Inputs<double>& u,
-                               const support::Displacement& displaced, Assemblies<Model>& result);
-
 template <typename Model, typename Scalar>
 void ask_double(const typename Model::template Dimensions<Scalar>& d,
                 const typename Model::template Inputs<Scalar>& u,
@@ -137,7 +132,7 @@ template <typename Model, typename Scalar = double, Unresolved unresolved = Unre
         detail::search<Model, Scalar>(dimensions, inputs, displaced, result);
       }
     } else if constexpr (std::is_same_v<Scalar, double>) {
-      detail::search_in_complex_numbers<Model>(dimensions, inputs, displaced, result);
+      Model::template search<Model>(dimensions, inputs, displaced, result);
     } else {
       result.status = AssemblyStatus::unresolved;
     }

@@ -30,7 +30,7 @@ struct ForcedModel {
       : equations(generator::equations::closure_equations(model)),
         derivatives(differentiate(equations)),
         structured(equations),
-        forces(generator::forces::group_forces(equations, derivatives, structured)) {}
+        forces(generator::forces::group_forces(equations, derivatives, &structured)) {}
 
   ClosureEquations equations;
   generator::derivatives::Derivatives derivatives;

@@ -12,6 +12,33 @@
 
 namespace assur::support {
 
+/// The loop closures of a group at given inputs.
+template <typename Model>
+[[nodiscard]] auto loop_equations_of(const typename Model::template Inputs<double>& u) {
+  using Of = typename Model::LoopSizes;
+  const auto closures_at = [&u](Eigen::Index angle, Eigen::Index slide) {
+    typename Model::template Configuration<double> q;
+    for_each_member(q, [&](auto& member, std::size_t index) {
+      const auto place = static_cast<Eigen::Index>(index);
+      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+        member = place == Of::angles + slide && slide >= 0 ? 1 : 0;
+      } else {
+        member = {place + 1 == angle ? 1.0 : 0.0, 0.0};
+      }
+    });
+    Vector<double, Model::equation_count> f;
+    Model::residual(typename Model::template Dimensions<double>(), u, q, f);
+    typename Of::OfLoops closures(Of::loops);
+    for (Eigen::Index loop = 0; loop < Of::loops; ++loop) {
+      closures(loop) = {f(2 * loop), f(2 * loop + 1)};
+    }
+    return closures;
+  };
+  typename Of::template AtMost<int, Of::slides> slide_angles(Of::slides);
+  std::copy(Model::slide_angles.begin(), Model::slide_angles.end(), slide_angles.data());
+  return loops::loop_equations<Of>(Of::loops, Of::angles, slide_angles, closures_at);
+}
+
 /// The base of an emitted group that has `residual`, `jacobian` and right-hand sides.
 template <typename Group>
 struct LoopGroup {
@@ -55,6 +82,57 @@ struct LoopGroup {
     Group::acceleration_rhs(u, q, q_rate, u_rate, u_second_rate, rhs);
     q_second_rate = lu.solve(rhs);
   }
+  /// The forces in the joints under loads on the links: J^T lambda = -Q tells those in the joints
+  /// that close the loops.
+  template <typename Inputs, typename Configuration, typename Loads, typename Forces>
+  [[gnu::noinline]] static void forces(const Inputs& u, const Configuration& q, const Loads& loads,
+                                       Forces& F) {
+    using Scalar = typename Forces::Scalar;
+    Vector<Scalar, Group::unknown_count> Q;
+    Group::generalised_loads(u, q, loads, Q);
+    const auto J = jacobian_at<Scalar>(u, q);
+    const std::decay_t<decltype(J)> transposed = J.transpose();
+    const Vector<Scalar, Group::equation_count> lambda = -transposed.partialPivLu().solve(Q);
+    Group::forces_with_multipliers(u, q, loads, lambda, F);
+  }
+
+  /// Every configuration of a group, from its complex ones. No caller is to take this into its
+  /// code.
+  template <typename Model>
+  [[gnu::noinline]] static void search(const typename Model::template Dimensions<double>& d,
+                                       const typename Model::template Inputs<double>& u,
+                                       const Displacement& displaced, Assemblies<Model>& result) {
+    using Of = typename Model::LoopSizes;
+    const loops::LoopEquations<Of> equations = loop_equations_of<Model>(u);
+    if (!equations.is_finite() || !(equations.size() > 0)) {
+      result.status = AssemblyStatus::not_finite;
+      return;
+    }
+    const loops::RealConfigurations<Of> found =
+        loops::real_configurations(equations, Model::eliminations, Model::max_configurations);
+    const double unsure = unsure_jacobian<Model>(d, u, displaced);
+    for (const loops::ComplexConfiguration<Of>& at : found.list) {
+      auto& q = detail::entry(result.configurations, result.count);
+      for_each_member(q, [&](auto& member, std::size_t index) {
+        const auto place = static_cast<Eigen::Index>(index);
+        if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
+          member = at.s(place - Of::angles).real();
+        } else {
+          member = {at.theta(place + 1).real(), at.theta(place + 1).imag()};
+        }
+      });
+      const Status status = detail::regularity_at<Model, double>(
+                                detail::pivots_at<Model, double>(d, u, q), d, u, q, unsure)
+                                .status;
+      detail::entry(result.regularity, result.count++) =
+          status == Status::ok ? Status::ok : Status::near_singular;
+    }
+    result.mobility = found.mobility;
+    result.complete = found.complex_count == Model::max_configurations;
+    if (result.count == 0 && result.mobility > 0) {
+      result.status = AssemblyStatus::degenerate;
+    }
+  }
 
  private:
   template <typename Scalar, typename Inputs, typename Configuration>
@@ -67,72 +145,4 @@ struct LoopGroup {
   }
 };
 
-/// The loop closures of a group at given inputs.
-template <typename Model>
-[[nodiscard]] auto loop_equations_of(const typename Model::template Inputs<double>& u) {
-  using Of = typename Model::LoopSizes;
-  const auto closures_at = [&u](Eigen::Index angle, Eigen::Index slide) {
-    typename Model::template Configuration<double> q;
-    for_each_member(q, [&](auto& member, std::size_t index) {
-      const auto place = static_cast<Eigen::Index>(index);
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        member = place == Of::angles + slide && slide >= 0 ? 1 : 0;
-      } else {
-        member = {place + 1 == angle ? 1.0 : 0.0, 0.0};
-      }
-    });
-    Vector<double, Model::equation_count> f;
-    Model::residual(typename Model::template Dimensions<double>(), u, q, f);
-    typename Of::OfLoops closures(Of::loops);
-    for (Eigen::Index loop = 0; loop < Of::loops; ++loop) {
-      closures(loop) = {f(2 * loop), f(2 * loop + 1)};
-    }
-    return closures;
-  };
-  typename Of::template AtMost<int, Of::slides> slide_angles(Of::slides);
-  std::copy(Model::slide_angles.begin(), Model::slide_angles.end(), slide_angles.data());
-  return loops::loop_equations<Of>(Of::loops, Of::angles, slide_angles, closures_at);
-}
-
 }  // namespace assur::support
-
-namespace assur::detail {
-
-/// Every configuration of a group, from its complex ones. No caller is to take this into its code.
-template <typename Model>
-[[gnu::noinline]] void search_in_complex_numbers(
-    const typename Model::template Dimensions<double>& d,
-    const typename Model::template Inputs<double>& u, const support::Displacement& displaced,
-    Assemblies<Model>& result) {
-  using Of = typename Model::LoopSizes;
-  const loops::LoopEquations<Of> equations = support::loop_equations_of<Model>(u);
-  if (!equations.is_finite() || !(equations.size() > 0)) {
-    result.status = AssemblyStatus::not_finite;
-    return;
-  }
-  const loops::RealConfigurations<Of> found =
-      loops::real_configurations(equations, Model::eliminations, Model::max_configurations);
-  const double unsure = support::unsure_jacobian<Model>(d, u, displaced);
-  for (const loops::ComplexConfiguration<Of>& at : found.list) {
-    auto& q = entry(result.configurations, result.count);
-    for_each_member(q, [&](auto& member, std::size_t index) {
-      const auto place = static_cast<Eigen::Index>(index);
-      if constexpr (std::is_same_v<std::decay_t<decltype(member)>, double>) {
-        member = at.s(place - Of::angles).real();
-      } else {
-        member = {at.theta(place + 1).real(), at.theta(place + 1).imag()};
-      }
-    });
-    const Status status =
-        regularity_at<Model, double>(pivots_at<Model, double>(d, u, q), d, u, q, unsure).status;
-    entry(result.regularity, result.count++) =
-        status == Status::ok ? Status::ok : Status::near_singular;
-  }
-  result.mobility = found.mobility;
-  result.complete = found.complex_count == Model::max_configurations;
-  if (result.count == 0 && result.mobility > 0) {
-    result.status = AssemblyStatus::degenerate;
-  }
-}
-
-}  // namespace assur::detail

@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <array>
+#include <assur/detail/pivots.hpp>
 #include <assur/model.hpp>
+#include <cmath>
 
 namespace assur::support {
 
@@ -26,6 +28,18 @@ template <typename Square>
   const auto lu = J.partialPivLu();
   const Scalar sign(lu.determinant() < Scalar(0) ? -1 : 1);
   return sign / (norm(J) * norm(lu.inverse().eval()));
+}
+
+/// How firmly closures with the Jacobian J hold the unknowns where LU solves J x = b. LU cancels no
+/// more than the reciprocal condition tells. `unsure` is the part by which J may be off.
+template <typename Square>
+[[nodiscard]] Regularity<typename Square::Scalar> regularity_by_lu(const Square& J,
+                                                                   typename Square::Scalar unsure) {
+  using Scalar = typename Square::Scalar;
+  using std::abs;
+  const Scalar firmness = abs(signed_reciprocal_condition(J));
+  return detail::regularity_of(detail::Firmness<Scalar>{Scalar(1), firmness, Scalar(1)},
+                               derivative_rounding<Scalar>() + unsure);
 }
 
 /// The base of a struct with residual, jacobian and right-hand sides, `Model`, that adds the
