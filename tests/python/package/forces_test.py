@@ -1,5 +1,5 @@
-"""Law: the forces of a configuration are those of `assur solve --format json`; those of sweeps, of
-batches and of samples are, row by row, the same, bit for bit, and what the command's tables have."""
+"""Law: forces are those of the command, bit for bit: of a configuration in JSON, of sweeps and
+samples in the tables; those of the rows of a batch are those of its items."""
 
 import csv
 import json
@@ -128,7 +128,8 @@ def test_forces_of_batches_are_those_of_their_items(example, name, driver):
     values = STEPS[name]
     batch = plan.solve_batch({parameter: values})
     for row, (item, number) in enumerate(zip(batch.item, batch.configuration)):
-        expect_rows(batch.forces, row, plan.solve({parameter: values[item]})[int(number) - 1].forces)
+        alone = plan.solve({parameter: values[item]})[int(number) - 1]
+        expect_rows(batch.forces, row, alone.forces)
     copied = pickle.loads(pickle.dumps(batch)).forces
     assert copied["reason"] == batch.forces["reason"]
     for array, expected in zip(flat(copied), flat(batch.forces), strict=True):
