@@ -31,7 +31,9 @@ void Rows::add_without_forces(const mechanism::Configuration& configuration,
 void Rows::add_gap() {
   numbers_.resize(numbers_.size() + layout_->width(), std::numeric_limits<double>::quiet_NaN());
   regular_.push_back(0);
-  reasons_.emplace_back();
+  if (!layout_->forces.columns.empty()) {
+    reasons_.emplace_back();
+  }
 }
 
 }  // namespace assur::python

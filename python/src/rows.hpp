@@ -45,8 +45,7 @@ class Rows {
   [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
   [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
   [[nodiscard]] const std::vector<unsigned char>& regularities() const { return regular_; }
-  /// For each row, why some force is not determined; empty where all are, and where no forces are
-  /// wanted or known.
+  /// With forces wanted, for each row why some force is not determined; empty where all are.
   [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
 
  private:
