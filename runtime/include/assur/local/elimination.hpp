@@ -68,9 +68,14 @@ class Pivots {
   Memory<int, MostColumns> rows_;
 };
 
-/// The type of a number's absolute value.
+/// The absolute value of a number, real or complex.
 template <typename Scalar>
-using SizeOf = decltype(std::abs(Scalar()));
+[[nodiscard]] auto magnitude(const Scalar& number) {
+  using std::abs;
+  return abs(number);
+}
+template <typename Scalar>
+using SizeOf = decltype(magnitude(Scalar()));
 
 /// Eliminates that one of the first `columns` columns which has the largest entry above `least` in
 /// a row without a pivot: from all rows but this one, where a unit remains; the other columns are
@@ -83,8 +88,8 @@ template <typename Scalar, typename Pivots>
   int pivot_column = -1;
   for (int row = 0; row < table.rows(); ++row) {
     for (int column = 0; column < columns && pivots.column_of(row) < 0; ++column) {
-      if (pivots.row_of(column) < 0 && std::abs(table(row, column)) > largest) {
-        largest = std::abs(table(row, column));
+      if (pivots.row_of(column) < 0 && magnitude(table(row, column)) > largest) {
+        largest = magnitude(table(row, column));
         pivot_row = row;
         pivot_column = column;
       }
