@@ -90,7 +90,8 @@ int roots_near(const PinnedBodies& bodies, const Eigen::VectorXd& q, double near
 }
 
 // Joints that move by 1e-12 part a double configuration by the root of it, or leave a complex pair
-// in its place: how many twins it has its gaps tell.
+// in its place: how many twins it has its gaps tell. A complex pair may be listed as one real
+// configuration, since its gaps may be no more than rounding.
 TEST(SpecialGroups, OnALatticeLoseNothingAndAreLikeTheirTwins) {
   constexpr unsigned seed = 42;
   constexpr double twin = 1e-12;
@@ -138,8 +139,8 @@ TEST(SpecialGroups, OnALatticeLoseNothingAndAreLikeTheirTwins) {
     for (const Eigen::VectorXd& q : listed[0]) {
       const int roots = roots_near(beside_them, q, near);
       const int twins = count_near(listed[1], q, near);
-      EXPECT_EQ(twins > 0, roots > 0) << "it has no twin, or one too many";
-      EXPECT_LE(twins, roots);
+      EXPECT_GE(twins, std::min(roots, 1)) << "it has no twin";
+      EXPECT_LE(twins, std::max(roots, 1)) << "it has a twin too many";
       EXPECT_EQ(count_near(listed[0], q, near), 1) << "it is listed twice";
       ++with_roots[static_cast<std::size_t>(roots)];
     }
