@@ -83,6 +83,35 @@ class PinnedBodies {
     return gaps(q, nullptr).cwiseAbs().maxCoeff();
   }
 
+  /// The gaps at the joints, x and y of each, and where asked for their derivatives.
+  [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q, Eigen::MatrixXd* jacobian) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
+    if (jacobian != nullptr) {
+      jacobian->setZero();
+    }
+    for (std::size_t joint = 0; joint < chain_.size(); ++joint) {
+      const auto row = 2 * static_cast<Eigen::Index>(joint);
+      for (const auto& [link, sign] :
+           {std::pair{chain_[joint].first, 1.0}, {chain_[joint].second, -1.0}}) {
+        if (link == ground_) {
+          result(row) += sign * places_[joint].real();
+          result(row + 1) += sign * places_[joint].imag();
+          continue;
+        }
+        const Eigen::Index first = first_of(link);
+        const Complex arm = std::polar(1.0, q(first + 2)) * places_[joint];
+        result(row) += sign * (q(first) + arm.real());
+        result(row + 1) += sign * (q(first + 1) + arm.imag());
+        if (jacobian != nullptr) {
+          (*jacobian)(row, first) = (*jacobian)(row + 1, first + 1) = sign;
+          (*jacobian)(row, first + 2) = -sign * arm.imag();
+          (*jacobian)(row + 1, first + 2) = sign * arm.real();
+        }
+      }
+    }
+    return result;
+  }
+
   /// The coordinates in a configuration: the frame of a link that is given by points has its origin
   /// at the first one, and its x-axis leads to the second one.
   [[nodiscard]] Eigen::VectorXd coordinates(const mechanism::Configuration& configuration) const {
@@ -111,34 +140,6 @@ class PinnedBodies {
 
   [[nodiscard]] Eigen::Index first_of(int link) const {
     return 3L * (link - (link > ground_ ? 1 : 0));
-  }
-
-  [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q, Eigen::MatrixXd* jacobian) const {
-    Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
-    if (jacobian != nullptr) {
-      jacobian->setZero();
-    }
-    for (std::size_t joint = 0; joint < chain_.size(); ++joint) {
-      const auto row = 2 * static_cast<Eigen::Index>(joint);
-      for (const auto& [link, sign] :
-           {std::pair{chain_[joint].first, 1.0}, {chain_[joint].second, -1.0}}) {
-        if (link == ground_) {
-          result(row) += sign * places_[joint].real();
-          result(row + 1) += sign * places_[joint].imag();
-          continue;
-        }
-        const Eigen::Index first = first_of(link);
-        const Complex arm = std::polar(1.0, q(first + 2)) * places_[joint];
-        result(row) += sign * (q(first) + arm.real());
-        result(row + 1) += sign * (q(first + 1) + arm.imag());
-        if (jacobian != nullptr) {
-          (*jacobian)(row, first) = (*jacobian)(row + 1, first + 1) = sign;
-          (*jacobian)(row, first + 2) = -sign * arm.imag();
-          (*jacobian)(row + 1, first + 2) = sign * arm.real();
-        }
-      }
-    }
-    return result;
   }
 
   const Chain& chain_;
