@@ -111,9 +111,10 @@ void declare_catalogue(CLI::App& command, CatalogueOptions& options) {
 
 void declare_derive(CLI::App& command, DeriveOptions& options) {
   command
-      .add_option("KIND_OR_MODEL", options.what,
-                  "a kind such as RRP-RRR, a model's number, or a scene file\n(JSON), whose groups "
-                  "are derived")
+      .add_option(
+          "KIND_OR_MODEL", options.what,
+          "a kind such as RRP-RRR, a model's number, or\na scene file (JSON), whose groups are "
+          "derived")
       ->required();
   command
       .add_option("--group", options.group,

@@ -363,7 +363,7 @@ Derivation derive(const structure::Model& model, int configurations,
                   const std::vector<loops::Elimination>& eliminations) {
   Derivation result = DerivationGatherer(model, model.representative).run();
   result.rigid = true;
-  result.rank = result.unknowns.size();
+  result.rank = static_cast<unsigned>(result.unknowns.size());
   result.reason = "in general position it has " + std::to_string(configurations) +
                   " configurations in complex numbers, each by itself";
   std::vector<std::string> names = {"0"};

@@ -21,6 +21,31 @@ _OUTPUT = {"x": ("position", 0), "y": ("position", 1),
            "mean_shift_x": ("mean_shift", 0), "mean_shift_y": ("mean_shift", 1)}
 
 
+def _force_columns(forces, deviation=""):
+    """Of efforts, joints and the ground, and of worst case and rss where they are there."""
+    columns = {f"{name}.{deviation}effort": effort for name, effort in forces["efforts"].items()}
+    for name, joint in (*forces["joints"].items(), ("ground", forces["ground"])):
+        on = {f"{name}.{link}": force for link, force in joint.get("forces", {}).items()}
+        for of, force in (on or {name: joint["force"]}).items():
+            columns[f"{of}.{deviation}fx"], columns[f"{of}.{deviation}fy"] = force.T
+        if "moment" in joint:
+            columns[f"{name}.{deviation}moment"] = joint["moment"]
+    return columns
+
+
+def _wanted_force_columns(result):
+    """Of all rows; none where the scene does not want forces."""
+    try:
+        forces = result.forces
+    except NotWanted:
+        return {}
+    columns = _force_columns(forces)
+    for deviation in ("worst_case", "rss"):
+        if deviation in forces:
+            columns.update(_force_columns(forces[deviation], deviation + "_"))
+    return columns
+
+
 def _state_columns(states):
     """Of all rows: what the scene does not want has no column."""
     columns = {}
@@ -34,6 +59,7 @@ def _state_columns(states):
                     columns[f"{name}.{column}"] = getattr(part, array)[(slice(None), *place)]
                 except NotWanted:
                     pass
+    columns.update(_wanted_force_columns(states))
     columns["regular"] = states.regular
     columns["residual"] = states.residual
     return columns
@@ -45,6 +71,7 @@ def _sample_columns(samples):
         columns[name] = samples.parameters[:, place]
     for name, position in samples.positions.items():
         columns[f"{name}.x"], columns[f"{name}.y"] = position.T
+    columns.update(_wanted_force_columns(samples))
     return columns
 
 

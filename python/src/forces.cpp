@@ -1,56 +1,46 @@
 #include "forces.hpp"
 
-#include <assur/mechanism/forces.hpp>
-#include <assur/mechanism/reported_parts.hpp>
+#include <pybind11/stl.h>
 
 #include "arrays.hpp"
 #include "errors.hpp"
+#include "names.hpp"
 
 namespace assur::python {
 
 namespace {
 
-using mechanism::Forces;
-
-py::array_t<double> array_of(const Eigen::Vector2d& vector) {
-  py::array_t<double> array(2);
-  std::copy_n(vector.data(), 2, array.mutable_data());
-  return array;
+/// The dictionary of a joint; an empty one is added for the first of its columns.
+py::dict joint_in(const py::dict& joints, const std::string& name) {
+  const py::str key(name);
+  if (!joints.contains(key)) {
+    joints[key] = py::dict();
+  }
+  return joints[key];
 }
 
-/// The numbers of forces, or of their derivatives; those that are not determined are NaN.
-py::dict numbers_of(const mechanism::Plan& plan, const Forces& forces) {
-  const mechanism::Mechanism& mechanism = plan.mechanism();
+}  // namespace
+
+py::dict forces_by_names(const std::vector<mechanism::ForceColumn>& columns, const ForcesAt& at) {
   py::dict efforts;
-  for (const mechanism::DriverIndex driver : mechanism.drivers().keys()) {
-    const mechanism::JointIndex joint = mechanism.drivers()[driver].joint;
-    efforts[py::str(mechanism.joints()[joint].name)] = forces.efforts[driver];
-  }
   py::dict joints;
-  for (const mechanism::JointForce& force : forces.joints) {
-    const mechanism::JointIndex joint = index_of(mechanism.joints(), force.joint);
-    if (joint.exists() && !plan.request().reported.has(joint)) {
-      continue;
-    }
-    py::dict told;
-    if (force.on.size() > 2) {
-      py::dict on;
-      for (const auto& [link, vector] : force.on) {
-        on[py::str(mechanism.links()[link].name)] = array_of(vector);
-      }
-      told["forces"] = on;
-    } else {
-      told["force"] = array_of(force.on.back().second);
-      told["on"] = mechanism.links()[force.on.back().first].name;
-    }
-    if (force.has_moment) {
-      told["moment"] = force.moment;
-    }
-    joints[py::str(force.joint)] = told;
-  }
   py::dict ground;
-  ground["force"] = array_of(forces.ground.force);
-  ground["moment"] = forces.ground.moment;
+  for (std::size_t place = 0; place < columns.size(); ++place) {
+    const mechanism::ForceColumn& column = columns[place];
+    py::dict part = column.joint.empty() ? ground : joint_in(joints, column.joint);
+    if (column.part == "effort") {
+      efforts[py::str(column.of)] = at(place, {});
+    } else if (column.part == "moment") {
+      part["moment"] = at(place, {});
+    } else if (column.part == "fx" && column.of != column.joint && !column.joint.empty()) {
+      joint_in(part, "forces")[py::str(column.on)] = at(place, {2});
+    } else if (column.part == "fx") {
+      part["force"] = at(place, {2});
+      if (!column.on.empty()) {
+        part["on"] = column.on;
+      }
+    }
+  }
   py::dict result;
   result["efforts"] = efforts;
   result["joints"] = joints;
@@ -58,29 +48,30 @@ py::dict numbers_of(const mechanism::Plan& plan, const Forces& forces) {
   return result;
 }
 
-}  // namespace
-
-py::dict forces_in(const SolvedScene& solved, std::size_t place) {
-  const mechanism::Plan& plan = solved.planned->plan;
-  const mechanism::Want& want = plan.request().want;
-  if (!want.forces) {
+py::dict forces_in(const RowsView& of, const py::object& owner) {
+  const ForceSection& section = of.rows->layout().forces;
+  if (section.columns.empty()) {
     throw NotWanted("forces: the scene does not want it; add \"forces\" to \"want\"");
   }
-  const mechanism::Values values = solved.values();
-  const mechanism::Configuration& configuration = solved.solution.configurations[place];
-  const Forces forces = forces_of(values, without_unknown(plan, configuration));
-  py::dict result = numbers_of(plan, forces);
-  result["reason"] = forces.reason;
-  if (want.sensitivity && plan.mechanism().parameters().size() > 0) {
-    const std::vector<Forces> all = force_sensitivities(values, configuration);
+  const auto block = [&](std::size_t number) {
+    return forces_by_names(section.columns,
+                           [&](std::size_t column, const std::vector<std::ptrdiff_t>& shape) {
+                             return numbers_at(of, section.block(number) + column, shape, owner);
+                           });
+  };
+  py::dict result = block(0);
+  result["reason"] = of.is_one()
+                         ? py::object(py::str(of.rows->reasons()[static_cast<std::size_t>(of.row)]))
+                         : py::object(tuple_of(of.rows->reasons()));
+  if (!section.parameters.empty()) {
     py::dict sensitivity;
-    for (const mechanism::ParameterIndex parameter : plan.mechanism().parameters().keys()) {
-      sensitivity[py::str(plan.mechanism().parameters()[parameter].name)] =
-          numbers_of(plan, all[parameter.place()]);
+    std::size_t number = 0;
+    for (const std::string& parameter : section.parameters) {
+      sensitivity[py::str(parameter)] = block(++number);
     }
     result["sensitivity"] = sensitivity;
-    result["worst_case"] = numbers_of(plan, worst_case(all, values.spread()));
-    result["rss"] = numbers_of(plan, root_sum_square(all, values.spread()));
+    result["worst_case"] = block(++number);
+    result["rss"] = block(++number);
   }
   return result;
 }

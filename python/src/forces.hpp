@@ -1,15 +1,26 @@
-// Turns the forces of one configuration into dictionaries.
+// Turns the numbers of columns of forces into dictionaries of arrays.
 #pragma once
 
 #include <pybind11/pybind11.h>
 
-#include "solved_scene.hpp"
+#include <assur/mechanism/force_columns.hpp>
+#include <functional>
+#include <vector>
+
+#include "rows.hpp"
 
 namespace assur::python {
 
-/// The efforts, the forces in joints and the resultant on the ground, under the names of the
-/// report; with sensitivities wanted, also these, with worst case and rss. Throws NotWanted where
-/// the scene does not want forces.
-[[nodiscard]] pybind11::dict forces_in(const SolvedScene& solved, std::size_t place);
+/// The numbers from a column on, in an array of this shape, or with one more axis in front.
+using ForcesAt =
+    std::function<pybind11::object(std::size_t column, const std::vector<std::ptrdiff_t>& shape)>;
+
+/// `efforts`, `joints` and `ground`, with the numbers under the names of the report.
+[[nodiscard]] pybind11::dict forces_by_names(const std::vector<mechanism::ForceColumn>& columns,
+                                             const ForcesAt& at);
+
+/// The forces of rows, with `reason`; with sensitivities wanted, also these, with worst case and
+/// rss. Throws NotWanted where the scene does not want forces.
+[[nodiscard]] pybind11::dict forces_in(const RowsView& of, const pybind11::object& owner);
 
 }  // namespace assur::python

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <assur/mechanism/point_values.hpp>
 #include <assur/variables.hpp>
+#include <iterator>
 
 namespace assur::python {
 
@@ -232,6 +233,13 @@ Layout::Layout(const mechanism::Plan& plan, const mechanism::Want& want)
   links = section_of<Frame>(names_at(of.links(), link_of), 1, want, plan);
   slides = section_of<SlideState>(names_at(of.joints(), slide_of), links.end(), want, plan);
   outputs = section_of<Point>(text::names_of(of.outputs()), slides.end(), want, plan);
+  forces.first = outputs.end();
+  if (want.forces) {
+    forces.columns = mechanism::force_columns(plan);
+    if (mechanism::wants_force_sensitivities(plan)) {
+      forces.parameters = text::names_of(of.parameters());
+    }
+  }
 }
 
 void Layout::write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
@@ -254,6 +262,26 @@ void Layout::write(const mechanism::Plan& plan, const mechanism::Configuration& 
   for (const Point& point : configuration.outputs) {
     write_part(outputs, place++, point, spread, row);
   }
+}
+
+std::pair<std::vector<double>, std::string> Layout::forces_of(
+    const mechanism::Plan& plan, const mechanism::Values& values,
+    const mechanism::Configuration& configuration) const {
+  const bool is_known = configuration.derivatives_known && configuration.rates_known;
+  const mechanism::Forces of = mechanism::forces_of(
+      values, is_known ? configuration : mechanism::without_unknown(plan, configuration));
+  std::vector<double> numbers = mechanism::force_numbers(plan, of);
+  numbers.reserve(forces.end() - forces.first);
+  const auto add = [&](const mechanism::Forces& more) {
+    std::ranges::copy(mechanism::force_numbers(plan, more), std::back_inserter(numbers));
+  };
+  if (!forces.parameters.empty()) {
+    const std::vector<mechanism::Forces> all = force_sensitivities(values, configuration);
+    std::ranges::for_each(all, add);
+    add(mechanism::worst_case(all, values.spread()));
+    add(mechanism::root_sum_square(all, values.spread()));
+  }
+  return {std::move(numbers), of.reason};
 }
 
 }  // namespace assur::python

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <array>
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/reported_parts.hpp>
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace assur::python {
@@ -48,20 +50,43 @@ struct Section {
   [[nodiscard]] std::size_t end() const { return first + names.size() * width; }
 };
 
-/// A row: the residual, then links, slides and outputs.
+/// Where a row holds forces: the numbers of the columns, then, with sensitivities wanted, their
+/// derivatives by one parameter after the other, their worst case and their rss.
+struct ForceSection {
+  std::vector<mechanism::ForceColumn> columns;  ///< none where no forces are wanted
+  std::vector<std::string> parameters;          ///< of the derivatives; none where not wanted
+  std::size_t first = 0;
+
+  /// Where the numbers are, or the derivatives by parameter number `block` from 1, or, after these,
+  /// worst case and rss.
+  [[nodiscard]] std::size_t block(std::size_t block) const {
+    return first + block * columns.size();
+  }
+  [[nodiscard]] std::size_t end() const {
+    return block(parameters.empty() ? 1 : parameters.size() + 3);
+  }
+};
+
+/// A row: the residual, then links, slides, outputs and forces.
 struct Layout {
   Layout(const mechanism::Plan& plan, const mechanism::Want& want);
 
-  [[nodiscard]] std::size_t width() const { return outputs.end(); }
+  [[nodiscard]] std::size_t width() const { return forces.end(); }
   template <typename Part>
   [[nodiscard]] const Section& section() const;
-  /// Writes the numbers of a configuration; those that are not known are NaN.
+  /// Writes the numbers of a configuration but its forces; those that are not known are NaN.
   void write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
              const mechanism::Spread& spread, double* row) const;
+  /// The numbers of the section of forces, and the reason why some of them are NaN. Throws
+  /// MechanismError for a load that has no value.
+  [[nodiscard]] std::pair<std::vector<double>, std::string> forces_of(
+      const mechanism::Plan& plan, const mechanism::Values& values,
+      const mechanism::Configuration& configuration) const;
 
   std::vector<mechanism::LinkIndex> link_of;    ///< in the order of the section
   std::vector<mechanism::JointIndex> slide_of;  ///< in the order of its section
   Section links, slides, outputs;
+  ForceSection forces;
   std::ptrdiff_t parameter_count;
 };
 

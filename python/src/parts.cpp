@@ -7,6 +7,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "forces.hpp"
 #include "given.hpp"
 
 namespace assur::python {
@@ -197,6 +198,17 @@ void bind_parts(py::module_& module) {
       .def_property_readonly(
           "outputs", [](const RowsView& of) { return Parts<Point>{of}; },
           "Outputs: the outputs by their names.")
+      .def_property_readonly(
+          "forces",
+          [](const py::object& self) { return forces_in(self.cast<const RowsView&>(), self); },
+          "dict: the efforts of drivers, the forces in joints and the resultant on the ground, "
+          "each a\n"
+          "float or an array of shape (2,), with the configurations as a first axis where there "
+          "are\n"
+          "several; NaN, with a reason, where one is not determined. With sensitivities wanted "
+          "also\n"
+          "these, worst case and rss, each in the same form. At events they are NaN. Raises "
+          "NotWanted.")
       .def_property_readonly(
           "residual",
           [](const py::object& self) {

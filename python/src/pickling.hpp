@@ -2,6 +2,7 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <cstring>
 #include <memory>
@@ -32,14 +33,16 @@ template <typename Number>
 }
 
 [[nodiscard]] inline py::tuple rows_state(const RowsView& view) {
-  return py::make_tuple(bytes_of(view.rows->numbers()), bytes_of(view.rows->regularities()));
+  return py::make_tuple(bytes_of(view.rows->numbers()), bytes_of(view.rows->regularities()),
+                        view.rows->reasons());
 }
 
 [[nodiscard]] inline std::shared_ptr<const Rows> rows_in(const PlannedScene& planned,
                                                          const py::handle& state) {
   const auto parts = py::cast<py::tuple>(state);
   return std::make_shared<Rows>(planned.plan, planned.layout, numbers_in<double>(parts[0]),
-                                numbers_in<unsigned char>(parts[1]));
+                                numbers_in<unsigned char>(parts[1]),
+                                parts[2].cast<std::vector<std::string>>());
 }
 
 }  // namespace assur::python

@@ -103,6 +103,7 @@ PlannedScene::PlannedScene(SharedScene of)
   mechanism::Want rates = plan.request().want;
   rates.position = false;
   rates.sensitivity = false;
+  rates.forces = false;
   layout_of_rates = std::make_shared<Layout>(plan, rates);
 }
 

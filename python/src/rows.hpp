@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,17 +17,22 @@ class Rows {
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout)
       : plan_(std::move(plan)), layout_(std::move(layout)) {}
 
-  /// Rows that were read from `numbers` and `regularities`.
+  /// Rows that were read from `numbers`, `regularities` and `reasons`.
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout, std::vector<double> numbers,
-       std::vector<unsigned char> regular)
+       std::vector<unsigned char> regular, std::vector<std::string> reasons)
       : plan_(std::move(plan)),
         layout_(std::move(layout)),
         numbers_(std::move(numbers)),
-        regular_(std::move(regular)) {}
+        regular_(std::move(regular)),
+        reasons_(std::move(reasons)) {}
 
   /// Makes room for a number of rows.
   void reserve(std::size_t rows);
-  void add(const mechanism::Configuration& configuration, const mechanism::Spread& spread);
+  /// Throws MechanismError for a load that has no value, and then adds nothing.
+  void add(const mechanism::Configuration& configuration, const mechanism::Values& values);
+  /// Adds a row in which no force is known.
+  void add_without_forces(const mechanism::Configuration& configuration,
+                          const mechanism::Spread& spread);
   /// Adds a row in which no number is known.
   void add_gap();
 
@@ -39,12 +45,15 @@ class Rows {
   [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
   [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
   [[nodiscard]] const std::vector<unsigned char>& regularities() const { return regular_; }
+  /// With forces wanted, for each row why some force is not determined; empty where all are.
+  [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
 
  private:
   mechanism::Plan plan_;
   std::shared_ptr<const Layout> layout_;
   std::vector<double> numbers_;
   std::vector<unsigned char> regular_;
+  std::vector<std::string> reasons_;
 };
 
 /// All rows, or one of them.

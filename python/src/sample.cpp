@@ -13,6 +13,7 @@
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "errors.hpp"
+#include "forces.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
 #include "pickling.hpp"
@@ -197,6 +198,60 @@ py::dict positions_of(const py::object& self) {
   return positions;
 }
 
+template <typename Vector>
+py::object array_of(const Vector& numbers, std::vector<py::ssize_t> shape) {
+  py::array_t<double> array(std::move(shape));
+  std::copy_n(numbers.data(), numbers.size(), array.mutable_data());  // symmetric, or a vector
+  return array;
+}
+
+/// The columns of the wanted forces. Throws NotWanted where there are none.
+std::vector<mechanism::ForceColumn> force_columns_of(const Sampled& samples) {
+  std::vector<mechanism::ForceColumn> columns;
+  for (const mechanism::NominalForce& force : samples.sampling.nominal_forces()) {
+    columns.push_back(force.column);
+  }
+  if (columns.empty()) {
+    throw NotWanted("forces: the scene does not want it; add \"forces\" to \"want\"");
+  }
+  return columns;
+}
+
+py::dict forces_of_samples(const py::object& self) {
+  const auto& samples = self.cast<const Sampled&>();
+  const std::vector<mechanism::ForceColumn> columns = force_columns_of(samples);
+  const double* const first = samples.rows.data() + samples.width - columns.size();
+  return forces_by_names(
+      columns, [&](std::size_t column, const std::vector<std::ptrdiff_t>& shape) {
+        std::vector<py::ssize_t> extents{static_cast<py::ssize_t>(samples.count)};
+        std::vector<py::ssize_t> strides{static_cast<py::ssize_t>(samples.width * sizeof(double))};
+        for (const std::ptrdiff_t extent : shape) {
+          extents.push_back(extent);
+          strides.push_back(sizeof(double));
+        }
+        return view(py::dtype::of<double>(), extents, strides, first + column, self);
+      });
+}
+
+/// The forces at the nominal values, with worst case and rss.
+py::dict nominal_forces_of(const Sampled& samples) {
+  const std::vector<mechanism::ForceColumn> columns = force_columns_of(samples);
+  const auto block = [&](double mechanism::NominalForce::*number) {
+    return forces_by_names(
+        columns, [&](std::size_t column, const std::vector<std::ptrdiff_t>& shape) -> py::object {
+          const auto& all = samples.sampling.nominal_forces();
+          if (shape.empty()) {
+            return py::float_(all[column].*number);
+          }
+          return array_of(Eigen::Vector2d(all[column].*number, all[column + 1].*number), {2});
+        });
+  };
+  py::dict result = block(&mechanism::NominalForce::number);
+  result["worst_case"] = block(&mechanism::NominalForce::worst_case);
+  result["rss"] = block(&mechanism::NominalForce::rss);
+  return result;
+}
+
 py::dict nominal_of(const Sampled& samples) {
   py::dict nominal;
   for (const NominalPoint& point : samples.sampling.nominal()) {
@@ -231,13 +286,6 @@ std::string reason_of_sample(const Sampled& samples, const py::object& of) {
                           std::to_string(samples.count));
   }
   return samples.sampling.reason_of(sample);
-}
-
-template <typename Vector>
-py::object array_of(const Vector& numbers, std::vector<py::ssize_t> shape) {
-  py::array_t<double> array(std::move(shape));
-  std::copy_n(numbers.data(), numbers.size(), array.mutable_data());  // symmetric, or a vector
-  return array;
 }
 
 py::object array_of(const std::optional<Eigen::Vector2d>& numbers) {
@@ -284,11 +332,24 @@ void bind_nominal(py::module_& module) {
 void bind_sample(py::module_& module) {
   bind_nominal(module);
   py::class_<Sampled, std::shared_ptr<Sampled>>(
-      module, "Samples", "Outputs under random deviations within the tolerances.")
+      module, "Samples",
+      "Outputs, and forces where they are wanted, under random deviations within the tolerances.")
       .def_property_readonly(
           "positions", positions_of,
           "dict of arrays of shape (count, 2): x, y of each output, by its name, in the scene's\n"
           "unit; NaN where a sample has no configuration.")
+      .def_property_readonly(
+          "forces", forces_of_samples,
+          "dict: the efforts of drivers, the forces in joints and the resultant on the ground, in "
+          "the\n"
+          "form of States.forces, with the samples as the first axis of every array; NaN where one "
+          "is not\n"
+          "determined. Raises NotWanted.")
+      .def_property_readonly(
+          "nominal_forces", nominal_forces_of,
+          "dict: the same at the nominal values, and, each in the same form, the worst_case and "
+          "rss that\n"
+          "derivatives there predict. Raises NotWanted.")
       .def_property_readonly(
           "outcome",
           [](const py::object& self) { return view_of(self.cast<const Sampled&>().outcome, self); },

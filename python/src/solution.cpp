@@ -9,7 +9,6 @@
 #include "bindings.hpp"
 #include "drawing.hpp"
 #include "errors.hpp"
-#include "forces.hpp"
 #include "given.hpp"
 #include "long_call.hpp"
 #include "results.hpp"
@@ -186,14 +185,6 @@ void bind_solution(py::module_& module) {
           "States or None: the states with the rates of each motion, where several motions cross "
           "in\n"
           "this configuration.")
-      .def_property_readonly(
-          "forces",
-          [](const SolvedConfiguration& one) { return forces_in(*one.solution, one.place); },
-          "dict: the efforts of drivers, the forces in joints and the resultant on the ground; "
-          "NaN,\n"
-          "with a reason, where one is not determined. With sensitivities wanted also these, "
-          "worst\n"
-          "case and rss, each in the same form. Raises NotWanted.")
       .def("svg", svg_of_one,
            "svg(self)\n--\n\n"
            "Returns a picture of this configuration, as the text of an SVG file; see Scene.svg.")

@@ -24,14 +24,23 @@ using mechanism::ParameterIndex;
 /// Of an item whose values cannot be solved; mechanism::SolutionStatus has the others.
 constexpr std::uint8_t refused = 3;
 
-/// Solves an item. An error names the item by its place.
-void solve_item(const mechanism::Plan& plan, const Columns& columns, py::ssize_t item,
-                mechanism::Values& values, mechanism::Solution& solution) {
-  try {
-    values.set(columns.row(item));
-    plan.solve(values, solution);
-  } catch (const mechanism::MechanismError& error) {
-    throw mechanism::MechanismError("values[" + std::to_string(item) + "]", error.what());
+/// Adds an item, all of whose configurations are rows.
+void add_item(const mechanism::Plan& plan, const Columns& columns, py::ssize_t item,
+              mechanism::Values& values, mechanism::Solution& solution, Rows& rows,
+              SolvedBatch& batch) {
+  values.set(columns.row(item));
+  plan.solve(values, solution);
+  batch.status.push_back(static_cast<std::uint8_t>(solution.status));
+  batch.gap.push_back(solution.configurations.empty() ? 1 : 0);
+  batch.offsets.push_back(static_cast<std::int64_t>(rows.count()));
+  if (item == 0) {
+    rows.reserve(static_cast<std::size_t>(columns.count) * solution.configurations.size());
+  }
+  std::int64_t number = 0;
+  for (const mechanism::Configuration& configuration : solution.configurations) {
+    rows.add(configuration, values);
+    batch.item.push_back(item);
+    batch.configuration.push_back(++number);
   }
 }
 
@@ -45,18 +54,10 @@ std::shared_ptr<SolvedBatch> solve_all(const SharedPlan& planned, const Columns&
     batch->status.reserve(static_cast<std::size_t>(columns.count));
     for (py::ssize_t item = 0; item < columns.count; ++item) {
       call.go_on();
-      solve_item(planned->plan, columns, item, values, solution);
-      batch->status.push_back(static_cast<std::uint8_t>(solution.status));
-      batch->gap.push_back(solution.configurations.empty() ? 1 : 0);
-      batch->offsets.push_back(static_cast<std::int64_t>(rows->count()));
-      if (item == 0) {
-        rows->reserve(static_cast<std::size_t>(columns.count) * solution.configurations.size());
-      }
-      std::int64_t number = 0;
-      for (const mechanism::Configuration& configuration : solution.configurations) {
-        rows->add(configuration, values.spread());
-        batch->item.push_back(item);
-        batch->configuration.push_back(++number);
+      try {
+        add_item(planned->plan, columns, item, values, solution, *rows, *batch);
+      } catch (const mechanism::MechanismError& error) {
+        throw mechanism::MechanismError("values[" + std::to_string(item) + "]", error.what());
       }
     }
     batch->offsets.push_back(static_cast<std::int64_t>(rows->count()));
@@ -153,7 +154,7 @@ class BatchFollower {
       const mechanism::Solution& solution = branches_.solve(values_);
       batch_->status.push_back(static_cast<std::uint8_t>(solution.status));
       if (const std::optional<std::size_t> place = place_in(solution)) {
-        rows_->add(solution.configurations[*place], values_.spread());
+        rows_->add(solution.configurations[*place], values_);
         batch_->gap.push_back(0);
         batch_->configuration.push_back(static_cast<std::int64_t>(*place) + 1);
         return;

@@ -14,7 +14,7 @@ std::shared_ptr<const Rows> rates_of(const PlannedScene& planned,
   }
   const auto rows = std::make_shared<Rows>(planned.plan, planned.layout_of_rates);
   for (const mechanism::Configuration& branch : configuration.branches) {
-    rows->add(branch, spread);
+    rows->add_without_forces(branch, spread);
   }
   return rows;
 }
@@ -29,7 +29,7 @@ SolvedScene::SolvedScene(SharedPlan of, Replaced replaced_values, Asked what, st
   rows = in_scene(planned->scene->file, [&] {
     return planned->spare.with(planned->plan, replaced, [&](const mechanism::Values& values) {
       solve(values);
-      return rows_of(values.spread());
+      return rows_of(values);
     });
   });
 }
@@ -48,13 +48,13 @@ void SolvedScene::solve(const mechanism::Values& values) {
   }
 }
 
-std::shared_ptr<const Rows> SolvedScene::rows_of(const mechanism::Spread& spread) {
+std::shared_ptr<const Rows> SolvedScene::rows_of(const mechanism::Values& values) {
   const auto made = std::make_shared<Rows>(planned->plan, planned->layout);
   made->reserve(solution.configurations.size());
   branches.reserve(solution.configurations.size());
   for (const mechanism::Configuration& configuration : solution.configurations) {
-    made->add(configuration, spread);
-    branches.push_back(rates_of(*planned, configuration, spread));
+    made->add(configuration, values);
+    branches.push_back(rates_of(*planned, configuration, values.spread()));
   }
   return made;
 }

@@ -40,7 +40,7 @@ struct SolvedScene : RowsView, std::enable_shared_from_this<SolvedScene> {
 
  private:
   void solve(const mechanism::Values& values);
-  [[nodiscard]] std::shared_ptr<const Rows> rows_of(const mechanism::Spread& spread);
+  [[nodiscard]] std::shared_ptr<const Rows> rows_of(const mechanism::Values& values);
 };
 
 using SharedSolution = std::shared_ptr<SolvedScene>;

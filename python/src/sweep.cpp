@@ -21,7 +21,9 @@ namespace {
 /// Collects what a sweep reports.
 class Collector {
  public:
-  explicit Collector(const SharedPlan& planned) : planned_(planned) {
+  /// `values` have the numbers of all parameters but the swept one.
+  Collector(const SharedPlan& planned, mechanism::Values values)
+      : planned_(planned), values_(std::move(values)) {
     result_.events = empty<Events>();
     result_.unassigned = empty<Branch>();
   }
@@ -73,7 +75,12 @@ class Collector {
   }
 
   void append(const mechanism::SweepRecord& record, SweptRows& to) {
-    rows_of_[&to]->add(*record.state, *record.spread);
+    if (record.event.empty() && planned_->plan.request().want.forces) {
+      values_.set(planned_->plan.request().sweep->parameter, record.parameter);
+      rows_of_[&to]->add(*record.state, values_);
+    } else {
+      rows_of_[&to]->add_without_forces(*record.state, *record.spread);
+    }
     to.step.push_back(record.step);
     to.configuration.push_back(record.configuration);
     to.parameter.push_back(record.parameter);
@@ -83,6 +90,7 @@ class Collector {
   }
 
   const SharedPlan& planned_;
+  mechanism::Values values_;
   SweptScene result_;
   std::vector<std::shared_ptr<Rows>> growing_;
   std::map<const SweptRows*, Rows*> rows_of_;
@@ -105,30 +113,33 @@ SweptScene swept(const SharedPlan& planned, const py::object& values, const py::
     return swept_through_items(planned, all);
   }
   const auto replaced = numbers_of(planned->plan.mechanism(), all);
-  Collector collector(planned);
   LongCall call;
-  in_scene(planned->scene->file, [&] {
+  return in_scene(planned->scene->file, [&] {
     expect_others(*planned, replaced);
-    mechanism::sweep(planned->plan, planned->plan.values(replaced), collector.observer(call));
+    const mechanism::Values at = planned->plan.values(replaced);
+    Collector collector(planned, at);
+    mechanism::sweep(planned->plan, at, collector.observer(call));
+    return std::move(collector).result();
   });
-  return std::move(collector).result();
 }
 
 std::shared_ptr<Branch> swept_branch(const SharedPlan& planned, const py::object& of,
                                      const py::object& values, const py::kwargs& keywords) {
   const int number = place_number(of, "number");
   const auto replaced = numbers_of(planned->plan.mechanism(), given(values, keywords));
-  Collector collector(planned);
   std::optional<double> end;
+  SweptScene result;
   {
     LongCall call;
-    end = in_scene(planned->scene->file, [&] {
+    in_scene(planned->scene->file, [&] {
       expect_others(*planned, replaced);
-      return mechanism::sweep_branch(planned->plan, planned->plan.values(replaced),
-                                     static_cast<std::size_t>(number), collector.observer(call));
+      const mechanism::Values at = planned->plan.values(replaced);
+      Collector collector(planned, at);
+      end = mechanism::sweep_branch(planned->plan, at, static_cast<std::size_t>(number),
+                                    collector.observer(call));
+      result = std::move(collector).result();
     });
   }
-  SweptScene result = std::move(collector).result();
   std::shared_ptr<Branch> branch =
       result.branches.empty() ? result.unassigned : result.branches.begin()->second;
   branch->number = number;

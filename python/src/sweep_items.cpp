@@ -88,7 +88,7 @@ class ItemSweeper {
     for (std::size_t place = 0; place < numbers.size(); ++place) {
       const int number = numbers[place];
       Branch& branch = number == 0 ? *result_.unassigned : *result_.branches.at(number);
-      rows_of_.at(number)->add(solution.configurations[place], values_.spread());
+      rows_of_.at(number)->add(solution.configurations[place], values_);
       branch.step.push_back(static_cast<std::int32_t>(item));
       branch.configuration.push_back(static_cast<std::int32_t>(place) + 1);
       branch.parameter.push_back(static_cast<double>(item));

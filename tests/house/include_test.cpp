@@ -105,7 +105,7 @@ House house() {
           stage("document",
                 {"structure", "equations", "derivatives", "elimination", "pivoting", "forces",
                  "program"},
-                {"ginac"}),
+                {"ginac"}, {runtime}),
           stage("audit/code", {"equations", "closures"}),
           stage("audit/running", {}, {"fcntl.h", "poll.h", "sys", "unistd.h"}),
           stage(

@@ -2,13 +2,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <assur/directions.hpp>
+#include <assur/mechanism/force_columns.hpp>
 #include <cmath>
 #include <iterator>
 #include <memory>
 #include <utility>
 
 #include "counter_random.hpp"
-#include "forces/force_rows.hpp"
 #include "outcome.hpp"
 #include "plan/plan_data.hpp"
 
@@ -166,11 +166,11 @@ Solution nominal_solution(const Plan& plan, std::size_t branch) {
 /// not known.
 std::vector<double> force_numbers_or_none(const Plan& plan, const Values& values,
                                           const Configuration* configuration) {
-  const std::size_t count = forces::force_columns(plan).size();
+  const std::size_t count = force_columns(plan).size();
   if (count == 0 || configuration == nullptr || !configuration->rates_known) {
     return std::vector<double>(count, none);
   }
-  return forces::force_numbers(plan, forces_of(values, *configuration));
+  return force_numbers(plan, forces_of(values, *configuration));
 }
 
 std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& configuration) {
@@ -193,15 +193,15 @@ std::vector<NominalPoint> nominal_points(const Plan& plan, const Configuration& 
 
 std::vector<NominalForce> nominal_forces(const Plan& plan, const Configuration& configuration) {
   std::vector<NominalForce> result;
-  const std::vector<forces::ForceColumn> columns = forces::force_columns(plan);
+  const std::vector<ForceColumn> columns = force_columns(plan);
   if (columns.empty()) {
     return result;
   }
   const Values values = plan.values();
   const std::vector<double> numbers = force_numbers_or_none(plan, values, &configuration);
-  const std::vector<double> deviations = forces::force_deviations(plan, values, configuration);
+  const std::vector<double> deviations = force_deviations(plan, values, configuration);
   for (std::size_t place = 0; place < columns.size(); ++place) {
-    result.push_back({columns[place].name(), numbers[place], deviations[place],
+    result.push_back({columns[place], numbers[place], deviations[place],
                       deviations[columns.size() + place]});
   }
   return result;
@@ -381,7 +381,7 @@ Campaign Sampling::campaign() const {
                 std::uint64_t sample, std::vector<double>& rows) { worker->add_row(sample, rows); };
       }};
   campaign::add_output_columns(plan_->mechanism(), campaign.columns);
-  for (const forces::ForceColumn& column : forces::force_columns(*plan_)) {
+  for (const ForceColumn& column : force_columns(*plan_)) {
     campaign.columns.push_back({column.name(), Column::Kind::real});
   }
   return campaign;

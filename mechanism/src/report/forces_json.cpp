@@ -1,11 +1,10 @@
 #include "forces_json.hpp"
 
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/forces.hpp>
 #include <assur/mechanism/reported_parts.hpp>
 #include <cmath>
 #include <utility>
-
-#include "forces/force_rows.hpp"
 
 namespace assur::mechanism::report {
 
@@ -42,7 +41,7 @@ struct Deviations {
   Forces worst_case, rss;
 
   Deviations(const Report& report, const Configuration& configuration) {
-    if (forces::wants_force_sensitivities(report.plan)) {
+    if (wants_force_sensitivities(report.plan)) {
       std::vector<Forces> all = force_sensitivities(report.values, configuration);
       worst_case = mechanism::worst_case(all, report.values.spread());
       rss = root_sum_square(all, report.values.spread());

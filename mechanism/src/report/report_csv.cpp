@@ -1,12 +1,12 @@
 // Turns solutions and sweeps into the lines of a CSV table.
 #include <array>
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/point_values.hpp>
 #include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "forces/force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -113,8 +113,8 @@ std::vector<double> told_forces(const Plan& plan, const Values& values,
     return {};
   }
   std::vector<double> numbers =
-      forces::force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
-  const std::vector<double> deviations = forces::force_deviations(plan, values, configuration);
+      force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
+  const std::vector<double> deviations = force_deviations(plan, values, configuration);
   numbers.insert(numbers.end(), deviations.begin(), deviations.end());
   return numbers;
 }
@@ -127,8 +127,8 @@ std::vector<double> told_forces(const Plan& plan, const SweepRecord& record) {
     return told_forces(plan, plan.values({{mechanism.parameters()[swept].name, record.parameter}}),
                        *record.state);
   }
-  const std::size_t parts = forces::wants_force_sensitivities(plan) ? 3 : 1;
-  return std::vector<double>(parts * forces::force_columns(plan).size(),
+  const std::size_t parts = wants_force_sensitivities(plan) ? 3 : 1;
+  return std::vector<double>(parts * force_columns(plan).size(),
                              std::numeric_limits<double>::quiet_NaN());
 }
 
@@ -170,13 +170,13 @@ std::string csv_header(const Plan& plan) {
     add(want.sensitivity && request.covariance, output.name,
         {"variance_x", "variance_y", "covariance_xy", "mean_shift_x", "mean_shift_y"});
   }
-  const std::vector<forces::ForceColumn> forces = forces::force_columns(plan);
-  for (const forces::ForceColumn& column : forces) {
+  const std::vector<ForceColumn> forces = force_columns(plan);
+  for (const ForceColumn& column : forces) {
     cells.push_back(column.name());
   }
   for (const char* deviation : {"worst_case_", "rss_"}) {
-    for (const forces::ForceColumn& column : forces) {
-      add(forces::wants_force_sensitivities(plan), column.of, {deviation + column.part});
+    for (const ForceColumn& column : forces) {
+      add(wants_force_sensitivities(plan), column.of, {deviation + column.part});
     }
   }
   add(true, "solution", {"regularity", "residual"});

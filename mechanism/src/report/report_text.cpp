@@ -1,6 +1,7 @@
 // Turns a solution into tables for people.
 #include <algorithm>
 #include <array>
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/point_values.hpp>
 #include <assur/text/numbers.hpp>
 #include <cmath>
@@ -8,7 +9,6 @@
 #include <numbers>
 
 #include "drawn_configuration.hpp"
-#include "forces/force_rows.hpp"
 #include "report_words.hpp"
 
 namespace assur::mechanism::report {
@@ -202,7 +202,7 @@ std::string tables_text(const Configuration& configuration, const Report& report
 
 /// The numbers of forces, with those within the rounding of the largest one of their kind printed
 /// as zero. A couple is as uncertain as the largest force at the largest distance.
-std::vector<double> shown_forces(const std::vector<forces::ForceColumn>& columns,
+std::vector<double> shown_forces(const std::vector<ForceColumn>& columns,
                                  std::vector<double> numbers, double distance) {
   double force = 0;
   double couple = 0;
@@ -224,7 +224,7 @@ std::vector<double> shown_forces(const std::vector<forces::ForceColumn>& columns
 /// sensitivities, a table of deviations, and one for each parameter.
 std::string forces_text(const Configuration& configuration, const Report& report) {
   const Plan& plan = report.plan;
-  const std::vector<forces::ForceColumn> columns = forces::force_columns(plan);
+  const std::vector<ForceColumn> columns = force_columns(plan);
   if (columns.empty()) {
     return "";
   }
@@ -235,7 +235,7 @@ std::string forces_text(const Configuration& configuration, const Report& report
     text += "  " + title + "\n" + (head.empty() ? "" : table_head(head));
     std::vector<std::vector<double>> numbers;
     for (const Forces& forces : all) {
-      numbers.push_back(shown_forces(columns, forces::force_numbers(plan, forces), distance));
+      numbers.push_back(shown_forces(columns, force_numbers(plan, forces), distance));
     }
     for (std::size_t row = 0; row < columns.size(); ++row) {
       std::vector<double> cells;
@@ -248,7 +248,7 @@ std::string forces_text(const Configuration& configuration, const Report& report
   const Forces forces = forces_of(report.values, configuration);
   add_table("forces", {}, {forces});
   text += forces.reason.empty() ? "" : "    not determined: " + forces.reason + "\n";
-  if (forces::wants_force_sensitivities(plan)) {
+  if (wants_force_sensitivities(plan)) {
     const std::vector<Forces> sensitivities = force_sensitivities(report.values, configuration);
     const Spread& spread = report.values.spread();
     for (const ParameterIndex parameter : plan.mechanism().parameters().keys()) {

@@ -135,6 +135,15 @@ TEST(EmitForces, FollowLinksThatLawsShape) {
 INSTANTIATE_TEST_SUITE_P(Ties, EmitForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
                          name_of_ties);
 
+/// Their multipliers are found in numbers.
+TEST(EmitForces, KeepLargerGroupsInEquilibrium) {
+  constexpr unsigned seed = 61;
+  const RandomDrivenScene made(seed, Places::anywhere, 1, Ties::drivers_in_larger_groups);
+  Json json = loaded(made.scene(), seed);
+  json["want"] = wanted;
+  expect_equal(compare_all({{"larger", json}}));
+}
+
 TEST(EmitForces, TellOfPinsSlidesAndLoadsThatReadJoints) {
   expect_equal(compare_all({{"mixed", mixed_scene()}}));
 }

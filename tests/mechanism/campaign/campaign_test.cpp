@@ -179,7 +179,7 @@ TEST(Sampling, HasTheForcesOfEachSample) {
       campaign.columns.begin());
   ASSERT_LT(effort_at, campaign.columns.size());
   const NominalForce& nominal = sampling.nominal_forces().front();
-  EXPECT_EQ(nominal.name, "cylinder.effort");
+  EXPECT_EQ(nominal.column.name(), "cylinder.effort");
   double most = 0;
   for (std::size_t sample = 0; sample < count; ++sample) {
     const double effort = rows[sample * campaign.columns.size() + effort_at];

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <assur/mechanism/campaign_columns.hpp>
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/plan.hpp>
 #include <assur/mechanism/point_values.hpp>
 #include <cstdint>
@@ -80,7 +81,7 @@ struct NominalPoint {
 /// A number of the wanted forces at the nominal values, with the deviations that derivatives there
 /// predict; NaN where one is not known.
 struct NominalForce {
-  std::string name;  ///< `A.effort`, `C.fx`
+  ForceColumn column;
   double number, worst_case, rss;
 };
 
@@ -102,6 +103,7 @@ class Sampling {
   /// wanted forces, `A.effort`.
   [[nodiscard]] Campaign campaign() const;
   [[nodiscard]] const std::vector<NominalPoint>& nominal() const { return nominal_; }
+  /// In the order of the campaign's columns.
   [[nodiscard]] const std::vector<NominalForce>& nominal_forces() const { return forces_; }
   [[nodiscard]] const std::vector<Deviation>& deviations() const { return deviations_; }
   /// The values of the deviating parameters in a sample, in the order of `deviations()`.

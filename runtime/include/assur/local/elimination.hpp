@@ -69,14 +69,19 @@ class Pivots {
   Memory<int, MostColumns> rows_;
 };
 
-/// The type of a number's absolute value.
+/// The absolute value of a number, real or complex.
 template <typename Scalar>
-using SizeOf = decltype(std::abs(Scalar()));
+[[nodiscard]] auto magnitude(const Scalar& number) {
+  using std::abs;
+  return abs(number);
+}
+template <typename Scalar>
+using SizeOf = decltype(magnitude(Scalar()));
 
 /// A measure of size by which pivots are compared; that of complex numbers takes no root.
 template <typename Scalar>
-[[nodiscard]] Scalar pivot_size(const Scalar& entry) {
-  return std::abs(entry);
+[[nodiscard]] auto pivot_size(const Scalar& entry) {
+  return magnitude(entry);
 }
 template <typename Scalar>
 [[nodiscard]] Scalar pivot_size(const std::complex<Scalar>& entry) {

@@ -1,6 +1,5 @@
-#include "forces/force_rows.hpp"
-
 #include <algorithm>
+#include <assur/mechanism/force_columns.hpp>
 
 namespace assur::mechanism::forces {
 
@@ -58,6 +57,10 @@ bool has_moment(const Plan& plan, const std::string& name) {
 
 }  // namespace
 
+}  // namespace assur::mechanism::forces
+
+namespace assur::mechanism {
+
 std::vector<ForceColumn> force_columns(const Plan& plan) {
   std::vector<ForceColumn> columns;
   if (!plan.request().want.forces) {
@@ -68,18 +71,18 @@ std::vector<ForceColumn> force_columns(const Plan& plan) {
     const Joint& joint = mechanism.joints()[driver.joint];
     columns.push_back({joint.name, "effort", joint.type == JointType::revolute});
   }
-  for (const std::string& joint : told_joints(plan)) {
-    const std::vector<LinkIndex> links = links_at(plan, joint);
+  for (const std::string& joint : forces::told_joints(plan)) {
+    const std::vector<LinkIndex> links = forces::links_at(plan, joint);
     for (const LinkIndex link : links) {
       if (links.size() > 2 || link == links.back()) {
-        const std::string of =
-            joint + (links.size() > 2 ? "." + mechanism.links()[link].name : std::string());
-        columns.push_back({of, "fx"});
-        columns.push_back({of, "fy"});
+        const std::string& on = mechanism.links()[link].name;
+        const std::string of = joint + (links.size() > 2 ? "." + on : std::string());
+        columns.push_back({of, "fx", false, joint, on});
+        columns.push_back({of, "fy", false, joint, on});
       }
     }
-    if (has_moment(plan, joint)) {
-      columns.push_back({joint, "moment", true});
+    if (forces::has_moment(plan, joint)) {
+      columns.push_back({joint, "moment", true, joint, mechanism.links()[links.back()].name});
     }
   }
   columns.insert(columns.end(), {{"ground", "fx"}, {"ground", "fy"}, {"ground", "moment", true}});
@@ -91,7 +94,7 @@ std::vector<double> force_numbers(const Plan& plan, const Forces& forces) {
   const auto add = [&](const Eigen::Vector2d& vector) {
     numbers.insert(numbers.end(), {vector.x(), vector.y()});
   };
-  for (const std::string& name : told_joints(plan)) {
+  for (const std::string& name : forces::told_joints(plan)) {
     const auto joint = std::ranges::find(forces.joints, name, &JointForce::joint);
     for (const auto& [link, force] : joint->on) {
       if (joint->on.size() > 2 || link == joint->on.back().first) {
@@ -125,4 +128,4 @@ std::vector<double> force_deviations(const Plan& plan, const Values& values,
   return numbers;
 }
 
-}  // namespace assur::mechanism::forces
+}  // namespace assur::mechanism

@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
-namespace assur::mechanism::forces {
+namespace assur::mechanism {
 
 /// A number of the forces: `A.effort`, `C.fx`, `P.rod.fx`.
 struct ForceColumn {
   std::string of;          ///< `A`, `P.rod`
   std::string part;        ///< `effort`, `fx`
   bool is_couple = false;  ///< otherwise it is a force
+  std::string joint = {};  ///< that transmits it; empty for an effort, and for the ground
+  std::string on = {};     ///< the link on which it acts then
 
   [[nodiscard]] std::string name() const { return of + "." + part; }
 };
@@ -29,4 +31,4 @@ struct ForceColumn {
 [[nodiscard]] std::vector<double> force_deviations(const Plan& plan, const Values& values,
                                                    const Configuration& configuration);
 
-}  // namespace assur::mechanism::forces
+}  // namespace assur::mechanism
