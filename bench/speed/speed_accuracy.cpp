@@ -26,11 +26,12 @@ struct Part {
   const char* name;
   std::vector<Task> (*tasks)(const TaskSizes& sizes);
 };
-constexpr std::array<Part, 8> parts = {{
+constexpr std::array<Part, 9> parts = {{
     {"everyday", everyday_tasks},
     {"forces", force_tasks},
     {"derivatives", derivative_tasks},
     {"positions", position_tasks},
+    {"groups", group_tasks},
     {"tracking", tracking_tasks},
     {"scenes", [](const TaskSizes&) { return scene_tasks(); }},
     {"sweeps", sweep_tasks},

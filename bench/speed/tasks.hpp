@@ -19,5 +19,6 @@ struct TaskSizes {
 [[nodiscard]] std::vector<Task> batch_tasks(const TaskSizes& sizes);
 [[nodiscard]] std::vector<Task> everyday_tasks(const TaskSizes& sizes);
 [[nodiscard]] std::vector<Task> force_tasks(const TaskSizes& sizes);
+[[nodiscard]] std::vector<Task> group_tasks(const TaskSizes& sizes);
 
 }  // namespace assur::speed

@@ -15,7 +15,7 @@ struct Naming {
   int family;
   std::string_view label;
 };
-constexpr std::array<Naming, 26> namings = {{
+constexpr std::array<Naming, 27> namings = {{
     {"generated, the nearest of all configurations", 1, "nearest of all"},
     {"generated, Newton from the neighbour", 1, "Newton, generated"},
     {"generated, ", 1, ""},
@@ -38,6 +38,7 @@ constexpr std::array<Naming, 26> namings = {{
     {"MINPACK", 6, "MINPACK"},
     {"SolveSpace", 6, "SolveSpace"},
     {"64-start", 7, "64-start"},
+    {"200-start", 7, "200-start"},
     {"companion", 7, "companion"},
     {"half angle, Eigen's polynomial solver", 7, "half angle"},
     {"grid of 360 and bisection", 7, "grid, bisection"},

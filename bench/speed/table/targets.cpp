@@ -6,6 +6,7 @@ const std::vector<Target>& targets() {
   constexpr const char* derivatives = "sensitivities, velocity, acceleration";
   constexpr const char* closure = "Jacobian and parameter derivatives";
   constexpr const char* positions = "all configurations";
+  constexpr const char* six_links = "six-link group, all configurations";
   constexpr const char* six_bar = "six-bar, worst case of M, positions known";
   constexpr const char* six_bar_from_crank = "six-bar, worst case of M, from the crank's angle";
   static const std::vector<Target> list = [&] {
@@ -24,6 +25,8 @@ const std::vector<Target>& targets() {
         {positions, "generated", "64-start Newton", Measure::time, 0.006},
         {positions, "generated", "PHCpack, solving alone", Measure::time, 0.0001},
         {positions, "generated", "PHCpack, the whole process", Measure::time, 0.0001},
+        {six_links, "emitted", "Eigen, complex eigenproblem 20 x 20", Measure::time, 3},
+        {six_links, "emitted", "200-start Newton", Measure::time, 0.05},
     };
     for (const char* everyday :
          {"dyad RRR, all configurations", "dyad RRP, all configurations",

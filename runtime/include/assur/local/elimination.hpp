@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -77,9 +78,19 @@ template <typename Scalar>
 template <typename Scalar>
 using SizeOf = decltype(magnitude(Scalar()));
 
+/// A measure of size by which pivots are compared; that of complex numbers takes no root.
+template <typename Scalar>
+[[nodiscard]] auto pivot_size(const Scalar& entry) {
+  return magnitude(entry);
+}
+template <typename Scalar>
+[[nodiscard]] Scalar pivot_size(const std::complex<Scalar>& entry) {
+  return std::abs(entry.real()) + std::abs(entry.imag());
+}
+
 /// Eliminates that one of the first `columns` columns which has the largest entry above `least` in
 /// a row without a pivot: from all rows but this one, where a unit remains; the other columns are
-/// transformed with it. Returns the entry; zero where none is above `least`.
+/// transformed with it. Returns the entry's size; zero where none is above `least`.
 template <typename Scalar, typename Pivots>
 [[nodiscard]] SizeOf<Scalar> eliminate_largest(Table<Scalar>& table, int columns,
                                                SizeOf<Scalar> least, Pivots& pivots) {
@@ -88,8 +99,8 @@ template <typename Scalar, typename Pivots>
   int pivot_column = -1;
   for (int row = 0; row < table.rows(); ++row) {
     for (int column = 0; column < columns && pivots.column_of(row) < 0; ++column) {
-      if (pivots.row_of(column) < 0 && magnitude(table(row, column)) > largest) {
-        largest = magnitude(table(row, column));
+      if (pivots.row_of(column) < 0 && pivot_size(table(row, column)) > largest) {
+        largest = pivot_size(table(row, column));
         pivot_row = row;
         pivot_column = column;
       }

@@ -259,7 +259,7 @@ template <typename Of, typename Kernel>
       }
       const Complex below = kernel(without);
       const Complex above = kernel(with);
-      if (const double weight = std::abs(below) * std::abs(above); weight > best) {
+      if (const double weight = std::norm(below) * std::norm(above); weight > best) {
         best = weight;
         theta(angle) = below / above;
       }
