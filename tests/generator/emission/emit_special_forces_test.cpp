@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "generator/printed_forces.hpp"
+#include "mechanism/driven_scene_campaign.hpp"
+#include "mechanism/loaded_scene.hpp"
 
 namespace assur::test::emit_special_forces_test {
 namespace {
@@ -207,6 +209,43 @@ TEST(EmitSpecialForces, OfMovingDriversAtAChangePointAreThoseOfSolve) {
   }
   EXPECT_GT(compare(scenes).unknown, 0);
 }
+
+class EmitSpecialForcesOfScenes : public DrivenScenes {};
+
+/// On a lattice of whole numbers springs have ends that coincide, links lie in one line, and
+/// drivers move through change points. A scene in which a link has no direction is not emitted, nor
+/// one whose links are solved relative to a moving link where nothing can be assembled.
+TEST_P(EmitSpecialForcesOfScenes, OnALatticeAreThoseOfSolve) {
+  if (!is_whole_campaign()) {
+    GTEST_SKIP() << "compiling the solvers takes minutes";
+  }
+  std::vector<NamedScene> scenes;
+  int refused = 0;
+  const TemporaryDirectory directory;
+  for_each_scene(60, 60, Places::lattice, [&](const RandomDrivenScene& made, unsigned seed) {
+    Json json = loaded(made.scene(), seed);
+    json["want"] = {"position", "forces"};
+    const auto file = directory.write("scene.json", json.dump());
+    const CommandResult emitted =
+        run_assur("emit --scene " + file.string() + " --output " + directory.path().string());
+    if (emitted.status == 0) {
+      scenes.push_back({"scene_" + std::to_string(seed), json});
+    } else {
+      const auto says = [&](const char* text) {
+        return emitted.messages.find(text) != std::string::npos;
+      };
+      EXPECT_TRUE(says("no direction") || says("relative to a moving link")) << emitted.messages;
+      ++refused;
+    }
+  });
+  std::cout << refused << " refused; ";
+  (void)compare(scenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ties, EmitSpecialForcesOfScenes,
+                         testing::Values(Ties::drivers, Ties::groups,
+                                         Ties::drivers_in_larger_groups),
+                         name_of_ties);
 
 /// Rates are not known at the change point, so that no force of the parallelogram is, while those
 /// of the other group are the same wherever the parallelogram stands.
