@@ -72,6 +72,12 @@ cpp::Expression slide_of(const cpp::Expression& displacement, const OptionalExpr
 
 cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                              FunctionBody& body) {
+  return displacement(solver, solver.mechanism().joints()[slide].between, body);
+}
+
+cpp::Expression displacement(const SolverScene& solver,
+                             const std::vector<mechanism::FeatureIndex>& between,
+                             FunctionBody& body) {
   const mechanism::Mechanism& mechanism = solver.mechanism();
   const auto frame_of = [&](mechanism::FeatureIndex index) {
     const mechanism::Feature& described = mechanism.features()[index];
@@ -80,7 +86,6 @@ cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex sl
                                               {feature.x, feature.y, feature.along});
     return nested_frames({solver.placed(described.link), own});
   };
-  const std::vector<mechanism::FeatureIndex>& between = mechanism.joints()[slide].between;
   const std::size_t line = mechanism.features()[between[0]].is_line ? 0 : 1;
   const cpp::Expression from = frame_of(between[line]);
   return cpp::call("support::displacement_along", {from, frame_of(between[1 - line])});

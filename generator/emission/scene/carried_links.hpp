@@ -28,6 +28,10 @@ namespace assur::generator::emission::scene {
 /// How far along its line a slide is, where the links stand.
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                                            FunctionBody& body);
+/// That of the second of two features along the line that one of them is.
+[[nodiscard]] cpp::Expression displacement(const SolverScene& solver,
+                                           const std::vector<mechanism::FeatureIndex>& between,
+                                           FunctionBody& body);
 
 /// Declares the coordinates of the joints that a driver's law reads and that groups place, as far
 /// as `is_read` tells for their names.

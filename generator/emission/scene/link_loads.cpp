@@ -234,8 +234,11 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
     }
   }
   const cpp::Expression coordinate = body_.local("coordinate_of_" + spring.name);
-  const bool turns = mechanism.joints()[joint].type == mechanism::JointType::revolute;
-  const mechanism::DriverIndex driver = mechanism.driver_of(joint);
+  // A redundant joint has its features still, though none of the joints may have them.
+  const bool turns = std::ranges::none_of(
+      between, [&](FeatureIndex feature) { return mechanism.features()[feature].is_line; });
+  const mechanism::DriverIndex driver =
+      joint.exists() ? mechanism.driver_of(joint) : mechanism::DriverIndex();
   const auto frame_of = [&](std::size_t end) {
     return nested_frames({solver_.placed(link_of(between[end]))});
   };
@@ -243,7 +246,7 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
   if (!by_law || counts(spring.damping)) {
     const cpp::Expression measured =
         turns ? cpp::call(cpp::scalar_only("support::angle_between"), {frame_of(0), frame_of(1)})
-              : displacement(solver_, joint, body_);
+              : displacement(solver_, between, body_);
     body_.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, coordinate, measured));
   }
   const cpp::Expression position =

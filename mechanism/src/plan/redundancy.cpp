@@ -83,12 +83,18 @@ class Balancer {
     return std::ranges::any_of(joint.between,
                                [&](FeatureIndex feature) { return feature.place() >= described_; });
   }
-  /// Whether the law of a driver reads where the joint is.
+  /// Whether the law of a driver, or a load, reads where the joint is: one that is left out has no
+  /// coordinate.
   [[nodiscard]] bool is_read(JointIndex joint) const {
-    return std::ranges::any_of(mechanism_.drivers(), [&](const Driver& driver) {
-      const std::vector<JointIndex> read = mechanism_.numbers()[driver.position].formula.joints();
-      return std::ranges::find(read, joint) != read.end();
-    });
+    const auto reads = [&](NumberIndex number) {
+      return number.exists() &&
+             std::ranges::count(mechanism_.numbers()[number].formula.joints(), joint) > 0;
+    };
+    return std::ranges::any_of(mechanism_.drivers(),
+                               [&](const Driver& driver) { return reads(driver.position); }) ||
+           std::ranges::any_of(mechanism_.loading().loads, [&](const Load& load) {
+             return reads(load.force_x) || reads(load.force_y) || reads(load.moment);
+           });
   }
   [[nodiscard]] const std::string& link_name(FeatureIndex feature) const {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
