@@ -91,7 +91,8 @@ Formula Mechanism::formula(const std::string& text, const std::string& part, Rea
              [&](const std::string& name) {
                if (reads == Reads::parameters) {
                  throw MechanismError(
-                     part, "joint(" + name + ") may stand only in the position of a driver");
+                     part,
+                     "joint(" + name + ") may stand only in the position of a driver or in a load");
                }
                return joint_named(name, part);
              }}};

@@ -1,6 +1,7 @@
 // Turns events and the rows of steps into the circuits of a sweep's branches.
 #pragma once
 
+#include <assur/mechanism/sweep.hpp>
 #include <vector>
 
 #include "shown_branches.hpp"

@@ -68,7 +68,7 @@ TEST(Laws, ThatReadWhatIsNoCoordinateAreNamed) {
 }
 
 TEST(Laws, ThatDoNotStandInAPositionAreNamed) {
-  const std::string alone = ": joint(D) may stand only in the position of a driver";
+  const std::string alone = ": joint(D) may stand only in the position of a driver or in a load";
   Json scene = robot();
   scene["drivers"]["E"]["velocity"] = "joint(D)";
   EXPECT_EQ(message_of(scene), "scene: drivers.E.velocity" + alone);
