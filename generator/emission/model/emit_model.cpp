@@ -157,8 +157,8 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
     }
     add_functions(rigid.positions, elimination->vocabulary);
     if (contents.forces) {
-      const ForceFunction forces = force_function(
-          forces::group_forces(equations, derivatives, &*structured));
+      const ForceFunction forces =
+          force_function(forces::group_forces(equations, derivatives, &*structured));
       for (const auto& [symbol, entry] : forces.loads) {
         spelling.take_out(symbol, entry);
       }

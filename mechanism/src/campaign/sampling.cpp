@@ -201,8 +201,8 @@ std::vector<NominalForce> nominal_forces(const Plan& plan, const Configuration& 
   const std::vector<double> numbers = force_numbers_or_none(plan, values, &configuration);
   const std::vector<double> deviations = force_deviations(plan, values, configuration);
   for (std::size_t place = 0; place < columns.size(); ++place) {
-    result.push_back({columns[place], numbers[place], deviations[place],
-                      deviations[columns.size() + place]});
+    result.push_back(
+        {columns[place], numbers[place], deviations[place], deviations[columns.size() + place]});
   }
   return result;
 }

@@ -128,36 +128,37 @@ TEST(EmitForces, FollowVariableParameters) {
            ";\n  std::array<S::State<double>, S::max_configurations> states;\n  const auto found "
            "= " +
            "S::solve(S::Drivers<double>{}" + given +
-           R"cpp(                                                                    , states);
-                                                                                     for (
-                                                                                         int i = 0;
-                                                                                         i <
-                                                                                         found
-                                                                                             .count;
-                                                                                         ++i) {
-                                                                                       const auto& s = states
-                                                                                           [static_cast<
-                                                                                               std::
-                                                                                                   size_t>(
-                                                                                               i)];
-                                                                                       std::printf(
-                                                                                           "%.9g "
-                                                                                           "%.9g "
-                                                                                           "%.9g "
-                                                                                           "%.9g\n",
-                                                                                           s.efforts
-                                                                                               .A,
-                                                                                           s.forces
-                                                                                               .S
-                                                                                               .moment,
-                                                                                           s.forces
-                                                                                               .C
-                                                                                               .rod(
-                                                                                                   0),
-                                                                                           s.ground
-                                                                                               .moment);
-                                                                                     }
-                                                                                     }
+           R"cpp(                                                                                     , states);
+                                                                                                      for (
+                                                                                                          int i =
+                                                                                                              0;
+                                                                                                          i <
+                                                                                                          found
+                                                                                                              .count;
+                                                                                                          ++i) {
+                                                                                                        const auto& s = states
+                                                                                                            [static_cast<
+                                                                                                                std::
+                                                                                                                    size_t>(
+                                                                                                                i)];
+                                                                                                        std::printf(
+                                                                                                            "%.9g "
+                                                                                                            "%.9g "
+                                                                                                            "%.9g "
+                                                                                                            "%.9g\n",
+                                                                                                            s.efforts
+                                                                                                                .A,
+                                                                                                            s.forces
+                                                                                                                .S
+                                                                                                                .moment,
+                                                                                                            s.forces
+                                                                                                                .C
+                                                                                                                .rod(
+                                                                                                                    0),
+                                                                                                            s.ground
+                                                                                                                .moment);
+                                                                                                      }
+                                                                                                      }
            )cpp";
   };
   const std::string told =

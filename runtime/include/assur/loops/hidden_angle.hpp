@@ -17,6 +17,8 @@
 
 namespace assur::loops {
 
+inline constexpr double full_turn = 6.283185307179586;  ///< radians
+
 /// The equations of a group in which one angle is the ground and one is hidden.
 template <typename Of>
 class HiddenAngle {
@@ -128,8 +130,7 @@ class HiddenAngle {
   }
 
   [[nodiscard]] static Complex root_of_one(int power, int order) {
-    constexpr double turn = 6.283185307179586;
-    return std::polar(1.0, turn * power / order);
+    return std::polar(1.0, full_turn * power / order);
   }
 
   template <typename Visit>
@@ -319,9 +320,8 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
       if (w(other) != Complex(0) && std::abs(x_of(other) - x) < one_x * std::abs(x)) {
         constexpr int places = 8;
-        constexpr double turn = 6.283185307179586;
         for (int place = 0; place < places; ++place) {
-          tell(x, kernel(index) + std::polar(1.0, turn * place / places) * kernel(other));
+          tell(x, kernel(index) + std::polar(1.0, full_turn * place / places) * kernel(other));
         }
       }
     }
