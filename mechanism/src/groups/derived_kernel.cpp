@@ -346,15 +346,23 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
       real.list.size(), static_cast<std::size_t>(models::most_configurations)));
   found.regularity.resize(found.configurations.size());
   const double unsure = unsure_jacobian(d, u, displaced);
+  const double size = size_of(d, u);
   for (const ComplexConfiguration& at : real.list) {
     found.configurations[found.count] = flat(at);
     const Eigen::MatrixXd j = assur::loops::real_closures(equations, at).j;
-    const Status status = support::regularity_by_lu(j, unsure).status;
+    const Status status = regularity(j, size, unsure).status;
     found.regularity[found.count++] = status == Status::ok ? Status::ok : Status::near_singular;
   }
   if (found.count == 0 && found.mobility > 0) {
     found.status = AssemblyStatus::degenerate;
   }
+}
+
+Regularity<double> DerivedKernel::regularity(const Eigen::MatrixXd& j, double size,
+                                             double unsure) const {
+  Eigen::MatrixXd in_size = j;
+  in_size.leftCols(loops_.angle_count) /= size;
+  return support::regularity_by_lu(in_size, unsure);
 }
 
 double DerivedKernel::size_of(const FlatVariables& d, const FlatVariables& u) const {
@@ -433,7 +441,7 @@ void DerivedKernel::move(const FlatVariables& d, const FlatVariables& u, const F
   const support::Displacement given = query.displaced;
   motion.held =
       std::max(std::max(given.moved, epsilon * longest_input), given.turned * motion.size);
-  motion.standing = support::regularity_by_lu(j, unsure_jacobian(d, u, given));
+  motion.standing = regularity(j, motion.size, unsure_jacobian(d, u, given));
   const bool solvable = is_solvable(motion.standing.status);
   motion.inverse = solvable ? Eigen::MatrixXd(j.fullPivLu().inverse())
                             : Eigen::MatrixXd::Constant(unknowns, unknowns, unknown);

@@ -68,6 +68,10 @@ class DerivedKernel final : public ModelKernel {
   /// The longest length of the group; of the external joints' places only differences count.
   [[nodiscard]] double size_of(const models::FlatVariables& d,
                                const models::FlatVariables& u) const;
+  /// How firmly the closures hold the unknowns, as emitted solvers judge it
+  /// (support/loop_group.hpp).
+  [[nodiscard]] Regularity<double> regularity(const Eigen::MatrixXd& j, double size,
+                                              double unsure) const;
   /// How far the loop Jacobian may be off, as `support::unsure_jacobian` has it.
   [[nodiscard]] double unsure_jacobian(const models::FlatVariables& d,
                                        const models::FlatVariables& u,

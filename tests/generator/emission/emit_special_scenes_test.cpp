@@ -116,6 +116,39 @@ SceneMaker parallel_guides() {
   return scene;
 }
 
+/// A crank and a group of six links, all in one line.
+Json row_of_six_links() {
+  return Json::parse(R"({
+    "points": {"A": [-2, 0], "B": [3, 0], "C": [0, 0], "D": [-1, 0], "E": [-2, 0], "F": [-3, 0],
+               "G": [-1, 0], "H": [-1, 0], "I": [3, 0], "J": [-2, 0]},
+    "links": {"ground": ["H", "A"], "crank": ["B", "A"], "one": ["C", "H", "I"], "two": ["E", "G"],
+              "three": ["C", "D"], "four": ["D", "F", "J"], "five": ["G", "I", "J"],
+              "six": ["E", "F", "B"]},
+    "drivers": {"A": {"position": "pi", "velocity": 1}}})");
+}
+
+/// The same with two links between the same two pins, so that the group moves.
+Json row_that_moves() {
+  return Json::parse(R"({
+    "points": {"A": [0, 0], "B": [1, 0], "C": [1, 0], "D": [-2, 0], "E": [2, 0], "F": [-3, 0],
+               "G": [-3, 0], "H": [0, 0], "I": [1, 0], "J": [-2, 0]},
+    "links": {"ground": ["E", "F", "A"], "crank": ["B", "A"], "one": ["G", "I", "J"],
+              "two": ["C", "D"], "three": ["B", "G"], "four": ["D", "E", "J"], "five": ["F", "H"],
+              "six": ["C", "H", "I"]},
+    "drivers": {"A": {"position": "pi", "velocity": 1}}})");
+}
+
+/// Five configurations of six links, of which one is double.
+Json double_of_six_links() {
+  return Json::parse(R"({
+    "points": {"A": [0, -1], "B": [3, 2], "C": [0, 3], "D": [-1, -1], "E": [-1, -2], "F": [2, 1],
+               "G": [2, -1], "H": [-3, -3], "I": [-2, 0], "J": [3, 2]},
+    "links": {"ground": ["F", "J", "A"], "one": ["C", "D"], "two": ["C", "F", "G"],
+              "three": ["E", "B"], "four": ["D", "E", "H", "I"], "five": ["I", "J"],
+              "crank": ["B", "A"], "six": ["G", "H"]},
+    "drivers": {"A": {"position": "-3/4*pi", "velocity": 1}}})");
+}
+
 /// A crank with two dyads, and a third dyad between the first one and the ground. In one of the
 /// first's two configurations the third's outer pins coincide, and there it moves if its bars are
 /// equal.
@@ -191,6 +224,9 @@ std::vector<SpecialScene> special_scenes() {
       {"parallel_slots", parallel_slots().scene()},
       {"half_platform", platform(0.5, 2).scene()},
       {"bars_on_one_pin", bars_on_one_pin().scene()},
+      {"row_of_six_links", row_of_six_links()},
+      {"row_that_moves", row_that_moves()},
+      {"double_of_six_links", double_of_six_links()},
   };
   if (is_whole_campaign()) {  // similar to those above
     scenes.insert(

@@ -2,6 +2,7 @@
 // the same; what is known of named groups comes out.
 #include <gtest/gtest.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <array>
 #include <assur/mechanism/plan.hpp>
@@ -61,6 +62,42 @@ double distance_to(const std::vector<Eigen::VectorXd>& listed, const Eigen::Vect
   return result;
 }
 
+/// Whether the first two joints of every link, which tell its direction, are in two places.
+bool have_directions(const Chain& chain, const Places& places, int links) {
+  std::vector<std::vector<std::complex<double>>> of_links(static_cast<std::size_t>(links));
+  for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+    for (const int link : {chain[joint].first, chain[joint].second}) {
+      of_links[static_cast<std::size_t>(link)].push_back(places[joint]);
+    }
+  }
+  return std::ranges::all_of(of_links, [](const auto& at) { return at[0] != at[1]; });
+}
+
+/// Whether links that are drawn in a singular position close beside it, too: where they are moved
+/// by a tenth of a radian, the Levenberg-Marquardt method leads back there if they do not.
+bool moves(const PinnedBodies& bodies, unsigned seed) {
+  std::mt19937 engine(seed);
+  constexpr int starts = 20;
+  constexpr int steps = 60;
+  constexpr double away = 0.02;
+  std::uniform_real_distribution<double> by(-0.1, 0.1);
+  for (int start = 0; start < starts; ++start) {
+    Eigen::VectorXd q =
+        Eigen::VectorXd::NullaryExpr(bodies.size(), [&](Eigen::Index) { return by(engine); });
+    Eigen::MatrixXd jacobian(bodies.size(), bodies.size());
+    for (int step = 0; step < steps; ++step) {
+      const Eigen::VectorXd gaps = bodies.gaps(q, &jacobian);
+      Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+      normal.diagonal().array() += gaps.squaredNorm();
+      q -= normal.ldlt().solve(jacobian.transpose() * gaps);
+    }
+    if (bodies.gap(q) < 1e-10 && q.cwiseAbs().maxCoeff() > away && q.cwiseAbs().maxCoeff() < 1) {
+      return true;
+    }
+  }
+  return false;
+}
+
 int count_near(const std::vector<Eigen::VectorXd>& listed, const Eigen::VectorXd& q, double near) {
   return static_cast<int>(std::ranges::count_if(
       listed, [&](const Eigen::VectorXd& one) { return distance_of(one, q) < near; }));
@@ -87,6 +124,53 @@ int roots_near(const PinnedBodies& bodies, const Eigen::VectorXd& q, double near
   }
   const double sum = slope + std::sqrt(discriminant);
   return (2 * std::abs(gap) < near * sum ? 1 : 0) + (sum < near * std::abs(bend) ? 1 : 0);
+}
+
+// With all joints in one line the Jacobian loses a rank for each loop.
+TEST(SpecialGroups, InOneLineAreFoundAndNotCalledRegular) {
+  constexpr unsigned seed = 7;
+  constexpr double near = 1e-3;
+  std::mt19937 engine(seed);
+  std::uniform_int_distribution<int> place(-3, 3);
+  int isolated = 0;
+  int moving = 0;
+  int told = 0;
+  int missed = 0;
+  for (int trial = 0; isolated + moving < 40; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    const Chain& chain = seven_link_chains()[static_cast<std::size_t>(trial) % 3];
+    const int ground = trial % 7;
+    Places places(chain.size());
+    for (std::complex<double>& one : places) {
+      one = place(engine);
+    }
+    if (!have_directions(chain, places, 7)) {
+      continue;
+    }
+    const PinnedBodies bodies(chain, places, 7, ground);
+    const mechanism::Solution solution = solved(drawn_chain(chain, places, 7, ground));
+    EXPECT_NE(solution.incomplete, "");
+    if (moves(bodies, seed)) {
+      ++moving;
+      told += !solution.families.empty() || solution.mobility > 0 ? 1 : 0;
+      continue;
+    }
+    ++isolated;
+    int drawn = 0;
+    for (const mechanism::Configuration& one : solution.configurations) {
+      if (bodies.coordinates(one).cwiseAbs().maxCoeff() < near) {
+        ++drawn;
+        EXPECT_NE(one.regularity, Status::ok);
+      }
+    }
+    EXPECT_LE(drawn, 1);
+    missed += drawn == 0 ? 1 : 0;
+  }
+  std::cout << "seed " << seed << ": " << isolated << " isolated, " << moving << " move, of which "
+            << told << " are told to; not listed: " << missed << "\n";
+  EXPECT_LE(missed, 1);  // four pins in one point make families of complex configurations
+  EXPECT_GT(isolated, 10);
+  EXPECT_GT(told, moving / 2);
 }
 
 // Joints that move by 1e-12 part a double configuration by the root of it, or leave a complex pair

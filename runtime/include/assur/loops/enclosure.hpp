@@ -5,6 +5,7 @@
 #include <array>
 #include <assur/loops/hidden_angle.hpp>
 #include <assur/loops/loop_equations.hpp>
+#include <assur/loops/settling.hpp>
 #include <cmath>
 #include <limits>
 #include <type_traits>
@@ -235,11 +236,12 @@ template <typename Of, typename Eliminations>
     Enclosed<Of> ball{near, 0, 0, false};
     const bool is_settled = polish(own, ball.at);
     if (!is_settled || !enclose(own, ball)) {
-      if (closes(own, ball.at)) {
+      if (!closes(own, ball.at)) {  // where J is singular, Newton's steps may not settle
+        ball.at = settled(own, made_real(near));
+      }
+      if (closes(own, ball.at) && !result.unproven.is_full()) {
         ball.at.s *= unit;
-        if (!result.unproven.is_full()) {
-          result.unproven.push_back(ball.at);
-        }
+        result.unproven.push_back(ball.at);
       }
       return;
     }

@@ -44,16 +44,17 @@ template <typename Group>
 struct LoopGroup {
   static constexpr int pivot_count = 1, core_pivot_count = 1;
 
-  /// The one pivot is the reciprocal condition of J. LU solves J x = b without cancelling more than
-  /// that tells, so that the terms of the determinant count as large as itself.
+  /// The one pivot is the reciprocal condition of J, with turns as lengths of the group. Rows are
+  /// not scaled: all closures across a group in one line vanish at once.
   template <typename Inputs, typename Configuration, typename Scalar>
   [[gnu::noinline]] static void degeneracies(const Inputs& u, const Configuration& q,
                                              Vector<Scalar, 1>& pivot, Vector<Scalar, 1>& size,
                                              Scalar& terms) {
-    using std::abs;
-    pivot(0) = signed_reciprocal_condition(jacobian_at<Scalar>(u, q));
+    auto J = jacobian_at<Scalar>(u, q);
+    J.leftCols(Group::LoopSizes::angles) /= Scalar(Group::own_length);
+    pivot(0) = signed_reciprocal_condition(J);
     size(0) = Scalar(1);
-    terms = abs(pivot(0));
+    terms = Scalar(1);
   }
 
   template <typename Inputs, typename Configuration, typename Inverse>

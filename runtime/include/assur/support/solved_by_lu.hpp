@@ -10,18 +10,11 @@
 
 namespace assur::support {
 
-/// The reciprocal condition number of a square matrix in the maximum norm, with columns and rows
-/// scaled to largest entries of one, so that units do not count; with the sign of the determinant.
-/// Zero, or no number, where the matrix has no inverse.
+/// The reciprocal condition number of a square matrix in the maximum norm, with the sign of the
+/// determinant. Zero, or no number, where the matrix has no inverse.
 template <typename Square>
-[[nodiscard]] typename Square::Scalar signed_reciprocal_condition(Square J) {
+[[nodiscard]] typename Square::Scalar signed_reciprocal_condition(const Square& J) {
   using Scalar = typename Square::Scalar;
-  for (Eigen::Index column = 0; column < J.cols(); ++column) {
-    J.col(column) /= Scalar(J.col(column).cwiseAbs().maxCoeff());
-  }
-  for (Eigen::Index row = 0; row < J.rows(); ++row) {
-    J.row(row) /= Scalar(J.row(row).cwiseAbs().maxCoeff());
-  }
   const auto norm = [](const auto& matrix) {
     return Scalar(matrix.cwiseAbs().rowwise().sum().maxCoeff());
   };
@@ -30,15 +23,16 @@ template <typename Square>
   return sign / (norm(J) * norm(lu.inverse().eval()));
 }
 
-/// How firmly closures with the Jacobian J hold the unknowns where LU solves J x = b. LU cancels no
-/// more than the reciprocal condition tells. `unsure` is the part by which J may be off.
+/// How firmly closures with the Jacobian J hold the unknowns, all in one unit. Rounding moves the
+/// configuration by itself over the reciprocal condition, which changes J by as much: derivatives
+/// lose that factor twice. `unsure` is the part by which J may be off beside that.
 template <typename Square>
 [[nodiscard]] Regularity<typename Square::Scalar> regularity_by_lu(const Square& J,
                                                                    typename Square::Scalar unsure) {
   using Scalar = typename Square::Scalar;
   using std::abs;
   const Scalar firmness = abs(signed_reciprocal_condition(J));
-  return detail::regularity_of(detail::Firmness<Scalar>{Scalar(1), firmness, Scalar(1)},
+  return detail::regularity_of(detail::Firmness<Scalar>{firmness, firmness, Scalar(1)},
                                derivative_rounding<Scalar>() + unsure);
 }
 
@@ -51,12 +45,20 @@ struct SolvedByLu {
   static constexpr int core_pivot_count = 1;
   static constexpr std::array<const char*, pivot_count> pivots = {{"a dead centre: det J = 0"}};
 
-  /// The one pivot is the reciprocal condition of J.
+  /// The one pivot is the reciprocal condition of J with columns and rows scaled to largest entries
+  /// of one, since closures may have any units.
   template <typename Dimensions, typename Inputs, typename Configuration, typename Scalar>
   static void degeneracies(const Dimensions& d, const Inputs& u, const Configuration& q,
                            Vector<Scalar, pivot_count>& pivot, Vector<Scalar, pivot_count>& size,
                            Scalar& terms) {
-    pivot(0) = signed_reciprocal_condition(jacobian_at<Scalar>(d, u, q));
+    auto J = jacobian_at<Scalar>(d, u, q);
+    for (Eigen::Index column = 0; column < J.cols(); ++column) {
+      J.col(column) /= Scalar(J.col(column).cwiseAbs().maxCoeff());
+    }
+    for (Eigen::Index row = 0; row < J.rows(); ++row) {
+      J.row(row) /= Scalar(J.row(row).cwiseAbs().maxCoeff());
+    }
+    pivot(0) = signed_reciprocal_condition(J);
     size(0) = Scalar(1);
     terms = Scalar(1);
   }
