@@ -5,8 +5,6 @@
 #include <sstream>
 
 #include "audit/init/draft_text.hpp"
-#include "audit/init/paper_draft.hpp"
-#include "audit/init/program_draft.hpp"
 #include "closures/statement.hpp"
 
 namespace assur::generator::audit::init {

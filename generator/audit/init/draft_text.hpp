@@ -1,9 +1,18 @@
-// Holds the lines of a draft.
+// The texts of drafts: of the audit file of a program, of the map of a paper, and of their lines.
 #pragma once
 
-#include <string>
+#include "audit/init/program_words.hpp"
 
 namespace assur::generator::audit::init {
+
+/// The draft of a program's audit file; `named` is the program's file in its statements. Throws
+/// InputError where nothing can be audited.
+[[nodiscard]] std::string program_draft(const std::string& code, Language language,
+                                        const std::string& file, const std::string& named);
+
+/// The draft of the map of a paper in LaTeX. Throws InputError where no displayed equation has a
+/// symbol.
+[[nodiscard]] std::string paper_draft(const std::string& paper, const std::string& file);
 
 /// What a line begins with that the user is to replace.
 inline const std::string fill_mark = "# fill in: ";

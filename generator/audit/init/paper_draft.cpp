@@ -1,4 +1,4 @@
-#include "audit/init/paper_draft.hpp"
+#include "audit/init/draft_text.hpp"
 
 #include <algorithm>
 #include <assur/text/error.hpp>
@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <set>
 
-#include "audit/init/draft_text.hpp"
 #include "latex/displayed.hpp"
 #include "latex/macros.hpp"
 #include "latex/notation.hpp"

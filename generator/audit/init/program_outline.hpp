@@ -1,36 +1,9 @@
-// Turns the words of a program into its functions: what they take, and the positions or matrices
-// that they give.
+// The functions of a program: what they take, and the positions or matrices that they give.
 #pragma once
 
-#include <map>
-#include <set>
-
-#include "audit/init/program_words.hpp"
+#include "audit/init/given_matrix.hpp"
 
 namespace assur::generator::audit::init {
-
-/// What a function takes.
-struct Argument {
-  enum class Kind : unsigned char { number, list, object, output };
-
-  std::string name;
-  std::string type;  ///< as it is declared, without `const`, `&` and the size of an array
-  Kind kind = Kind::number;
-  bool is_array = false;           ///< `q[2]` or `*q`
-  std::vector<std::string> parts;  ///< names for a number each; of an object, its members
-  std::vector<std::string> members;
-  std::size_t size = 0;  ///< of a list
-};
-
-/// What a function gives: a column, or a matrix.
-struct Given {
-  std::string name;  ///< of the variable that holds it; empty if it has none
-  std::size_t rows = 0;
-  std::size_t columns = 0;
-  std::vector<Words> entries;      ///< row by row; empty where they cannot be told
-  std::vector<std::string> names;  ///< of the variables that are its entries; may be empty
-  std::vector<std::string> by;     ///< what a matrix of `jacobian([...])` is differentiated by
-};
 
 struct ProgramFunction {
   std::string name;

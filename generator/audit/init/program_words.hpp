@@ -1,4 +1,4 @@
-// Turns a program in any of the languages that audits run into its words, without comments.
+// The words of a program, in any of the languages that audits run, without its comments.
 #pragma once
 
 #include <initializer_list>
@@ -13,6 +13,13 @@ enum class Language : unsigned char { cpp, c, javascript, python, matlab };
 
 /// By the ending of the file's name; nothing for a language that audits do not run.
 [[nodiscard]] std::optional<Language> language_of_file(const std::string& file);
+[[nodiscard]] inline bool is_c_or_cpp(Language language) {
+  return language == Language::c || language == Language::cpp;
+}
+/// Of a list.
+[[nodiscard]] inline std::size_t first_index(Language language) {
+  return language == Language::matlab ? 1 : 0;
+}
 
 struct Word {
   /// A `line_end` ends a statement; only Python and MATLAB have them.
