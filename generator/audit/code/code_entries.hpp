@@ -33,7 +33,6 @@ class CodeReader {
              Language language)
       : code_(code), audited_(audited), variables_(system, language) {}
 
- protected:
   /// A cell that holds the value of an expression, or why it cannot be read. Throws CodeError for
   /// what may do more than give a value.
   [[nodiscard]] Cell cell_of(Tokens value, std::vector<Spelled>* used = nullptr);
@@ -44,7 +43,10 @@ class CodeReader {
   /// One entry for each cell. Throws CodeError unless there are as many as the audit asks for.
   [[nodiscard]] std::vector<CodeEntry> entries_of(const std::vector<Cell>& cells,
                                                   closures::Place place) const;
+  /// The whole matrix is given values at a place.
+  void note_filled(closures::Place place) { filled_ = place; }
 
+ protected:
   const std::string& code_;
   const AuditedMatrix& audited_;
   Variables variables_;

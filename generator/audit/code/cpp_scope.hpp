@@ -1,4 +1,4 @@
-// Turns the declarations and assignments of a C++ function, except its matrix, into variables.
+// The variables of a C++ function, except its matrix, and what its statements set them to.
 #pragma once
 
 #include "audit/code/code_entries.hpp"
@@ -10,7 +10,11 @@ class CppScope : public CodeReader {
   CppScope(const std::string& code, const AuditedMatrix& audited, closures::ClosureSystem& system)
       : CodeReader(code, audited, system, Language::cpp), array_(audited.array) {}
 
- protected:
+  [[nodiscard]] const std::string& array() const { return array_; }
+  [[nodiscard]] const AuditedMatrix& audited() const { return audited_; }
+  [[nodiscard]] Variables& variables() { return variables_; }
+  [[nodiscard]] const TypeNames& types() const { return types_; }
+
   [[noreturn]] void refuse(const Token& at) const;
   [[noreturn]] void refuse_statement(Tokens statement) const;
   [[noreturn]] void refuse_mention(const Token& token, const std::string& where) const;
@@ -38,6 +42,7 @@ class CppScope : public CodeReader {
   /// How many tokens at the front are an entry of the matrix; zero if they are none.
   [[nodiscard]] std::size_t entry_length(Tokens tokens) const;
 
+ protected:
   const std::string& array_;
   bool gives_values_ = false;  ///< it is the name of a function
 };
