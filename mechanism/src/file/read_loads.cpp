@@ -1,6 +1,5 @@
-#include "read_loads.hpp"
-
 #include "load_keys.hpp"
+#include "loads_and_requests.hpp"
 
 namespace assur::mechanism::file {
 

@@ -8,14 +8,15 @@
 #include <assur/text/utf8.hpp>
 
 #include "json_values.hpp"
-#include "read_loads.hpp"
+#include "loads_and_requests.hpp"
 #include "scene_keys.hpp"
 
 namespace assur::mechanism::file {
 
 namespace {
 
-/// Reads a document from its parameters to its requests: each part may name what earlier ones hold.
+/// Reads a document from its parameters to its outputs, its loads and its requests: each part may
+/// name what earlier ones hold.
 class SceneReader {
  public:
   SceneReader(const SceneJson& root, const std::vector<std::string>& settings,
@@ -48,12 +49,7 @@ class SceneReader {
     read_drivers();
     read_outputs();
     read_loads(root_, mechanism_, drawn_);
-    read_want();
-    read_report();
-    read_reference();
-    read_redundancy();
-    read_sweep();
-    read_covariance();
+    read_request(root_, mechanism_, drawn_, request_);
   }
 
  private:
@@ -328,175 +324,6 @@ class SceneReader {
     for (const auto& [name, value] : outputs.items()) {
       drawn_.add_output(name, text_of(value, "outputs." + name));
     }
-  }
-
-  void read_want() {
-    if (!root_.contains("want")) {
-      return;
-    }
-    if (!root_["want"].is_array()) {
-      throw MechanismError(
-          "want",
-          "expected a list of position, velocity, acceleration, sensitivity, forces, "
-          "dynamics, coefficients");
-    }
-    Want& want = request_.want;
-    want = {false, false, false, false};
-    const std::vector<std::string> known = {"position", "velocity", "acceleration", "sensitivity",
-                                            "forces",   "dynamics", "coefficients"};
-    const std::array<bool*, 7> flags = {&want.position,    &want.velocity, &want.acceleration,
-                                        &want.sensitivity, &want.forces,   &want.dynamics,
-                                        &want.coefficients};
-    for (std::size_t index = 0; index < root_["want"].size(); ++index) {
-      const std::string part = "want[" + std::to_string(index) + "]";
-      const std::string wish = text_of(root_["want"][index], part);
-      const auto found = std::find(known.begin(), known.end(), wish);
-      if (found == known.end()) {
-        throw MechanismError(part, "no such result " + text::in_quotes(wish) +
-                                       text::suggestion_or_choice(wish, known));
-      }
-      bool& flag = *flags[static_cast<std::size_t>(found - known.begin())];
-      if (flag) {
-        throw MechanismError(part, text::in_quotes(wish) + " occurs twice; leave one out");
-      }
-      flag = true;
-    }
-  }
-
-  void read_report() {
-    if (!root_.contains("report")) {
-      return;
-    }
-    const SceneJson& value = root_["report"];
-    expect_object(value, "report");
-    expect_keys(value, "report", report_keys);
-    request_.reported.links = listed_parts(value, "links", mechanism_.links(), "link");
-    request_.reported.joints = listed_parts(value, "joints", mechanism_.joints(), "joint");
-  }
-
-  void read_reference() {
-    if (!root_.contains("reference")) {
-      drawn_.refer(request_);
-      return;
-    }
-    const SceneJson& value = root_["reference"];
-    expect_object(value, "reference");
-    for (const auto& [name, angle] : value.items()) {
-      const std::string part = "reference." + name;
-      const LinkIndex link = index_of(mechanism_.links(), name);
-      if (!link.exists()) {
-        throw MechanismError("reference",
-                             "no link named " + text::in_quotes(name) +
-                                 text::suggestion_or_choice(name, names_of(mechanism_.links())));
-      }
-      request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
-    }
-  }
-
-  void read_redundancy() {
-    if (!root_.contains("redundancy")) {
-      return;
-    }
-    const SceneJson& value = root_["redundancy"];
-    expect_object(value, "redundancy");
-    expect_keys(value, "redundancy", redundancy_keys);
-    const std::string part = "redundancy.tolerance";
-    request_.redundancy_tolerance =
-        mechanism_.add_number(number_of(required(value, "tolerance", "redundancy"), part), part);
-  }
-
-  template <typename Key, typename Part>
-  static std::optional<std::vector<Key>> listed_parts(const SceneJson& report,
-                                                      const std::string& key,
-                                                      const Table<Key, Part>& parts,
-                                                      const std::string& what) {
-    if (!report.contains(key)) {
-      return std::nullopt;
-    }
-    const std::string list = "report." + key;
-    if (!report[key].is_array()) {
-      throw MechanismError(list, "expected a list of the names of " + key);
-    }
-    std::vector<Key> result;
-    for (std::size_t index = 0; index < report[key].size(); ++index) {
-      const std::string part = list + "[" + std::to_string(index) + "]";
-      const std::string name = text_of(report[key][index], part);
-      result.push_back(index_of(parts, name));
-      if (!result.back().exists()) {
-        throw MechanismError(part, "no " + what + " named " + text::in_quotes(name) +
-                                       text::suggestion_or_choice(name, names_of(parts)));
-      }
-    }
-    return result;
-  }
-
-  void read_sweep() {
-    if (!root_.contains("sweep")) {
-      return;
-    }
-    const SceneJson& value = root_["sweep"];
-    expect_object(value, "sweep");
-    expect_keys(value, "sweep", sweep_keys);
-    Sweep sweep;
-    sweep.parameter = mechanism_.parameter_named(
-        text_of(required(value, "parameter", "sweep"), "sweep.parameter"), "sweep.parameter");
-    const auto end = [&](const std::string& key) {
-      const std::string part = "sweep." + key;
-      return mechanism_.add_number(number_of(required(value, key, "sweep"), part), part);
-    };
-    sweep.from = end("from");
-    sweep.to = end("to");
-    const SceneJson& count = required(value, "count", "sweep");
-    if (!count.is_number_integer() || count.get<double>() < 1 || count.get<double>() > 1e7) {
-      throw MechanismError("sweep.count", "expected a whole number from 1 to 10000000");
-    }
-    sweep.count = count.get<int>();
-    request_.sweep = sweep;
-  }
-
-  void read_covariance() {
-    if (!root_.contains("covariance")) {
-      return;
-    }
-    const SceneJson& value = root_["covariance"];
-    expect_object(value, "covariance");
-    expect_keys(value, "covariance", covariance_keys);
-    const SceneJson& parameters = required(value, "parameters", "covariance");
-    if (!parameters.is_array() || parameters.empty()) {
-      throw MechanismError("covariance.parameters",
-                           "expected one or more names of parameters [\"AB\", ...]");
-    }
-    Covariance covariance;
-    for (std::size_t index = 0; index < parameters.size(); ++index) {
-      const std::string part = "covariance.parameters[" + std::to_string(index) + "]";
-      const std::string name = text_of(parameters[index], part);
-      const ParameterIndex parameter = mechanism_.parameter_named(name, part);
-      if (std::find(covariance.parameters.begin(), covariance.parameters.end(), parameter) !=
-          covariance.parameters.end()) {
-        throw MechanismError(part, "the parameter " + text::in_quotes(name) + " occurs twice");
-      }
-      covariance.parameters.push_back(parameter);
-    }
-    const SceneJson& matrix = required(value, "matrix", "covariance");
-    const std::string size = std::to_string(parameters.size());
-    if (!matrix.is_array() || matrix.size() != parameters.size()) {
-      throw MechanismError("covariance.matrix",
-                           "expected a row for each of the parameters, " + size + " in all");
-    }
-    for (std::size_t row = 0; row < matrix.size(); ++row) {
-      const std::string part = "covariance.matrix[" + std::to_string(row) + "]";
-      if (!matrix[row].is_array() || matrix[row].size() != parameters.size()) {
-        throw MechanismError(part,
-                             "expected a number for each of the parameters, " + size + " in all");
-      }
-      covariance.matrix.emplace_back();
-      for (std::size_t column = 0; column < parameters.size(); ++column) {
-        const std::string entry = part + "[" + std::to_string(column) + "]";
-        covariance.matrix.back().push_back(
-            mechanism_.add_number(number_of(matrix[row][column], entry), entry));
-      }
-    }
-    request_.covariance = std::move(covariance);
   }
 
   const SceneJson& root_;
