@@ -4,8 +4,7 @@
 #include <set>
 
 #include "audit/auditor.hpp"
-#include "audit/code/cpp_matrix.hpp"
-#include "audit/code/matlab_matrix.hpp"
+#include "audit/code/code_matrix.hpp"
 #include "audit/kind_audit.hpp"
 #include "closures/read_formula.hpp"
 

@@ -7,9 +7,8 @@
 #include <stdexcept>
 
 #include "audit/audit.hpp"
-#include "audit/code/code_error.hpp"
-#include "audit/code/cpp_matrix.hpp"
-#include "audit/code/matlab_matrix.hpp"
+#include "audit/code/code_matrix.hpp"
+#include "audit/code/tokens.hpp"
 #include "audit/latex/paper_audit.hpp"
 #include "closures/closure_reader.hpp"
 

@@ -1,7 +1,7 @@
 // Turns the values that code has given to a matrix, or returns, into entries that can be compared.
 #pragma once
 
-#include "audit/code/expression.hpp"
+#include "audit/code/variables.hpp"
 
 namespace assur::generator::audit::code {
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "audit/code/declared_type.hpp"
-#include "audit/code/directives.hpp"
 
 namespace assur::generator::audit::code {
 

@@ -1,4 +1,4 @@
-// Turns the tokens of a C++ file into the list of what it declares.
+// What a C++ file declares: functions, structures, statements, and lines for the preprocessor.
 #pragma once
 
 #include "audit/code/tokens.hpp"
@@ -32,5 +32,9 @@ void expect_plain_words(Tokens statement);
 [[nodiscard]] bool names_variable(Tokens tokens, std::size_t at, const std::string& name);
 /// The first token that names the variable, or nullptr.
 [[nodiscard]] const Token* mention_of(Tokens tokens, const std::string& name);
+
+/// Throws CodeError unless all directives change nothing: known headers, `#pragma once`, `#define
+/// _USE_MATH_DEFINES`, and a guard around the file.
+void check_directives(Tokens tokens);
 
 }  // namespace assur::generator::audit::code

@@ -1,7 +1,7 @@
-#include "audit/code/cpp_matrix.hpp"
-
+// C++ files, functions and statements into entries.
 #include <algorithm>
 
+#include "audit/code/code_matrix.hpp"
 #include "audit/code/cpp_file.hpp"
 #include "audit/code/cpp_filled_matrix.hpp"
 #include "audit/code/cpp_given_values.hpp"

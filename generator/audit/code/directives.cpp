@@ -1,7 +1,8 @@
-#include "audit/code/directives.hpp"
-
+// Lines for the preprocessor, which are refused where they may change what the code says.
 #include <algorithm>
 #include <set>
+
+#include "audit/code/cpp_file.hpp"
 
 namespace assur::generator::audit::code {
 

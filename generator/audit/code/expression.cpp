@@ -1,11 +1,12 @@
-#include "audit/code/expression.hpp"
-
+// The values of expressions of C++ and MATLAB.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+
+#include "audit/code/variables.hpp"
 
 namespace assur::generator::audit::code {
 

@@ -1,13 +1,23 @@
-// Turns C++ into its tokens, each with the place where it stands.
+// The tokens of C++ and MATLAB with their places, and the error of code that cannot be read.
 #pragma once
 
+#include <set>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "audit/code/code_error.hpp"
+#include "closures/statement.hpp"
 
 namespace assur::generator::audit::code {
+
+struct CodeError : std::runtime_error {
+  CodeError(const std::string& what, closures::Place at) : std::runtime_error(what), place(at) {}
+  closures::Place place;
+};
+
+/// The advice for code that is more than a list of plain assignments.
+inline const std::string by_running = "; audit it by running: 'printed run' with --run";
 
 struct Token {
   /// A `text` is a string or a character, a `directive` a whole line for the preprocessor.
@@ -44,5 +54,16 @@ using Tokens = std::span<const Token>;
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
 /// The number that a token spells; 999999 for more than six digits, which no index has.
 [[nodiscard]] std::size_t whole_number(const Token& token);
+
+/// MATLAB with comments and line continuations blanked and `.*` as ` *`, so that every letter keeps
+/// its place and the tokens are those of C++. Throws CodeError.
+struct PlainMatlab {
+  std::string text;
+  std::set<std::size_t> joined_lines;  ///< that continue on the next line
+};
+[[nodiscard]] PlainMatlab plain_matlab(const std::string& code);
+/// The elements of `[a, b; c d]` without its brackets, row by row.
+[[nodiscard]] std::vector<std::vector<Tokens>> matlab_rows(
+    Tokens inside, const std::set<std::size_t>& joined_lines);
 
 }  // namespace assur::generator::audit::code

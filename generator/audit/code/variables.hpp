@@ -1,4 +1,4 @@
-// Turns the names in code into the values that they have at that point.
+// The values that names in code, and expressions of them, have at that point.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -119,5 +119,12 @@ class Variables {
   std::vector<std::pair<const Variable*, std::string>> held_;
   bool in_function_ = false;
 };
+
+/// Sums, products, quotients, signs, brackets, calls of the functions that formulas have, numbers,
+/// pi, and variables; in MATLAB powers as well. The cell has a reason in place of a value where
+/// a formula could not be read either. Throws Unreadable for a variable that cannot be read, and
+/// CodeError for everything else, since it may do more than give a value.
+[[nodiscard]] Cell read_expression(Tokens tokens, Variables& variables, const TypeNames* types,
+                                   std::vector<Spelled>* used = nullptr);
 
 }  // namespace assur::generator::audit::code

@@ -1,4 +1,4 @@
-// Turns straight-line C++ that fills a matrix, or gives some values, into these.
+// The entries of the matrix, or the values, that straight-line C++ or MATLAB computes.
 #pragma once
 
 #include "audit/code/code_entries.hpp"
@@ -12,5 +12,12 @@ namespace assur::generator::audit::code {
 [[nodiscard]] std::vector<CodeEntry> read_cpp_matrix(const std::string& code,
                                                      const AuditedMatrix& matrix,
                                                      closures::ClosureSystem& system);
+
+/// Finds what one function, or a script, assigns to a matrix: `ARRAY(i, j) = EXPR`, indices from 1,
+/// or `ARRAY = [EXPR, EXPR; EXPR, EXPR]`, with or without commas; or what a function named ARRAY
+/// gives. Refuses as read_cpp_matrix does.
+[[nodiscard]] std::vector<CodeEntry> read_matlab_matrix(const std::string& code,
+                                                        const AuditedMatrix& matrix,
+                                                        closures::ClosureSystem& system);
 
 }  // namespace assur::generator::audit::code
