@@ -4,7 +4,7 @@
 #include <assur/text/input_file.hpp>
 
 #include "audit/auditor.hpp"
-#include "audit/source_lines.hpp"
+#include "audit/finding.hpp"
 
 namespace assur::generator::audit {
 

@@ -44,4 +44,7 @@ struct AuditReport {
   [[nodiscard]] bool agrees() const;
 };
 
+/// Fills the findings' lines; `text` is that of the report's own file.
+void quote_lines(AuditReport& report, const std::string& text);
+
 }  // namespace assur::generator::audit

@@ -1,9 +1,8 @@
-#include "audit/init/derivative_pairs.hpp"
-
+// Pairs of a position and its derivative, by values where they can be computed, else by names.
 #include <algorithm>
 #include <regex>
 
-#include "audit/init/quantity_values.hpp"
+#include "audit/init/program_quantities.hpp"
 
 namespace assur::generator::audit::init {
 

@@ -1,5 +1,4 @@
-#include "audit/init/draft_text.hpp"
-
+// The draft of the map of a paper's notation.
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
@@ -7,6 +6,7 @@
 #include <filesystem>
 #include <set>
 
+#include "audit/init/draft_text.hpp"
 #include "latex/displayed.hpp"
 #include "latex/macros.hpp"
 #include "latex/notation.hpp"

@@ -1,12 +1,12 @@
-#include "audit/init/draft_text.hpp"
-
+// The draft of a program's audit file: its names and its statements.
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
 #include <assur/text/names.hpp>
 #include <filesystem>
 
-#include "audit/init/derivative_pairs.hpp"
+#include "audit/init/draft_text.hpp"
+#include "audit/init/program_quantities.hpp"
 #include "audit/init/written_call.hpp"
 
 namespace assur::generator::audit::init {

@@ -1,4 +1,5 @@
-// The positions, rates and matrices that the functions of a program give.
+// The positions, rates and matrices that the functions of a program give, their values, and which
+// of them are derivatives of which.
 #pragma once
 
 #include "audit/init/program_outline.hpp"
@@ -47,5 +48,40 @@ class ProgramQuantities {
   std::vector<Quantity> all_;
   std::set<std::string> angles_;
 };
+
+/// A derivative and the position that it is the derivative of.
+struct DerivativePair {
+  Quantity position;
+  Quantity derived;
+  std::vector<std::string> by;      ///< parameters; empty for rates
+  std::vector<std::string> moving;  ///< whose rates the derivative takes
+  int order = 1;                    ///< of the rate
+  bool guessed = false;             ///< from numbers of names alone
+};
+
+/// By the values that the functions compute; where these say nothing, by names and numbers of
+/// columns.
+[[nodiscard]] std::vector<DerivativePair> derivative_pairs(const ProgramQuantities& quantities);
+
+/// What no pair has, and no other function of the file calls: its closures are not in the file.
+[[nodiscard]] std::vector<Quantity> without_pair(const ProgramQuantities& quantities,
+                                                 const std::vector<DerivativePair>& pairs);
+
+/// Whether an entry can be computed at all.
+[[nodiscard]] bool is_computable(const ProgramFunction& function, const Given& given);
+
+/// The symbols that the columns of a matrix are derivatives of the position by, as far as most of
+/// the entries say so; empty where a column is none.
+[[nodiscard]] std::vector<std::string> derived_by(const ProgramFunction& of, const Given& position,
+                                                  const ProgramFunction& derived,
+                                                  const Given& matrix);
+
+/// Whether half of the numbers that a function gives are, up to their signs, the first or second
+/// derivatives of the position by the time, where `rates` are its parameters for the rates of the
+/// moving symbols and then for their second rates.
+[[nodiscard]] bool follows_rates(const ProgramFunction& of, const Given& position,
+                                 const ProgramFunction& derived, const Given& column,
+                                 const std::vector<std::string>& moving,
+                                 const std::vector<std::string>& rates);
 
 }  // namespace assur::generator::audit::init

@@ -1,9 +1,10 @@
-#include "audit/init/quantity_values.hpp"
-
+// What straight-line functions compute. It decides only what is proposed; the audit judges.
 #include <algorithm>
 #include <assur/text/expression.hpp>
 #include <cmath>
 #include <optional>
+
+#include "audit/init/program_quantities.hpp"
 
 namespace assur::generator::audit::init {
 

@@ -1,5 +1,5 @@
-#include "audit/latex/matrix_statement.hpp"
-
+// Statements whose left side is a matrix of the map.
+#include "audit/latex/paper_statements.hpp"
 #include "latex/read_matrix.hpp"
 #include "latex/rows.hpp"
 

@@ -5,8 +5,8 @@
 #include <assur/text/names.hpp>
 #include <set>
 
-#include "audit/latex/matrix_statement.hpp"
-#include "audit/source_lines.hpp"
+#include "audit/finding.hpp"
+#include "audit/latex/paper_statements.hpp"
 #include "latex/indices.hpp"
 #include "latex/macros.hpp"
 

@@ -1,9 +1,10 @@
-// Turns the displayed equations of a paper into statements, with the closure that each prints or
-// the name that it defines, if any.
+// The statements that the displayed equations of a paper make, and the findings of those about
+// matrices.
 #pragma once
 
 #include <optional>
 
+#include "audit/latex/paper_formulas.hpp"
 #include "audit/latex/paper_map.hpp"
 
 namespace assur::generator::audit::latex {
@@ -22,5 +23,17 @@ struct Stated {
 /// The statements of a paper, except those that the map skips. Throws FormulaError for a file that
 /// cannot be followed.
 [[nodiscard]] std::vector<Stated> paper_statements(const Tokens& tokens, PaperMap& map);
+
+/// The findings of a statement about matrices.
+struct MatrixAnswer {
+  std::size_t columns = 0;  ///< zero where the findings are not of single entries
+  std::vector<Finding> findings;
+};
+
+/// `J = \begin{pmatrix} ... \end{pmatrix}` entry by entry, and `dq/da = -[df/dq]^{-1} df/da`, which
+/// is audited as `df/dq dq/da = -df/da`. Nothing where no matrix of the map stands on the left.
+/// Throws FormulaError.
+[[nodiscard]] std::optional<MatrixAnswer> audit_matrix_statement(PaperFormulas& formulas,
+                                                                 const Stated& stated);
 
 }  // namespace assur::generator::audit::latex

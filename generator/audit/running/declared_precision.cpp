@@ -1,9 +1,10 @@
-#include "audit/running/declared_precision.hpp"
-
+// Whether a C or C++ file declares parameters of single precision.
 #include <algorithm>
 #include <cctype>
 #include <set>
 #include <vector>
+
+#include "audit/running/drivers.hpp"
 
 namespace assur::generator::audit::running {
 

@@ -1,5 +1,7 @@
-// Turns a user's program into the text of a small program, the driver, that computes its values.
+// The text of a small program, the driver, that computes the values of a user's program.
 #pragma once
+
+#include <string>
 
 #include "audit/running/program_values.hpp"
 
@@ -20,5 +22,8 @@ inline constexpr const char* entry_is_unclear = "assur_cannot_tell_how_an_entry_
 
 [[nodiscard]] Driver driver_of(const UserProgram& program, const MatrixSize& size,
                                const PointTable& table);
+
+/// Whether the file declares a function that the code calls with a parameter of type float.
+[[nodiscard]] bool has_single_parameters(const std::string& file_text, const std::string& code);
 
 }  // namespace assur::generator::audit::running

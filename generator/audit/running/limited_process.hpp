@@ -1,4 +1,4 @@
-// Turns a command line into the outcome of running it within limits of time and memory.
+// A directory of its own for a program, and its run within limits of time and memory.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +6,23 @@
 #include <vector>
 
 namespace assur::generator::audit::running {
+
+class WorkDirectory {
+ public:
+  WorkDirectory();
+  WorkDirectory(const WorkDirectory&) = delete;
+  WorkDirectory& operator=(const WorkDirectory&) = delete;
+  ~WorkDirectory();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and callers that read by name need no path
+  std::filesystem::path write(const std::string& name, const std::string& text) const;
+  /// Empty where there is no such file.
+  [[nodiscard]] std::string read(const std::string& name) const;
+
+ private:
+  std::filesystem::path path_;
+};
 
 struct ProcessLimits {
   double seconds = 10;

@@ -12,10 +12,8 @@
 #include <optional>
 #include <sstream>
 
-#include "audit/running/declared_precision.hpp"
 #include "audit/running/drivers.hpp"
 #include "audit/running/limited_process.hpp"
-#include "audit/running/work_directory.hpp"
 
 namespace assur::generator::audit::running {
 

@@ -1,3 +1,4 @@
+// Masses, gravity, forces, moments and springs.
 #include "load_keys.hpp"
 #include "loads_and_requests.hpp"
 

@@ -1,3 +1,4 @@
+// What is wanted, of which parts, by which reference, and over which range.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>

@@ -1,4 +1,4 @@
-#include "audit/source_lines.hpp"
+#include "audit/finding.hpp"
 
 #include <assur/text/input_file.hpp>
 #include <sstream>
