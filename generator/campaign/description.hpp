@@ -58,4 +58,17 @@ struct Description {
 /// FNV-1a with 64 bits, in hexadecimal digits.
 [[nodiscard]] std::string hash_of(const std::string& text);
 
+/// An axis of the grid, for people.
+struct NamedAxis {
+  std::string name;
+  double from, to;
+  std::uint64_t count;
+};
+
+/// The entry of an axis in a description.
+[[nodiscard]] std::string axis_text(const NamedAxis& axis);
+
+/// The axes of a map, in their order; a table of a sample has none.
+[[nodiscard]] std::vector<NamedAxis> axes_of(const Description& description);
+
 }  // namespace assur::generator::campaign

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "campaign/grid_axes.hpp"
+#include "campaign/description.hpp"
 
 namespace assur::generator::campaign {
 

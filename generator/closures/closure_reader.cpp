@@ -1,13 +1,57 @@
 #include "closures/closure_reader.hpp"
 
 #include <algorithm>
+#include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
 #include <assur/text/suggestion.hpp>
 
-#include "closures/model_symbols.hpp"
 #include "closures/read_formula.hpp"
+#include "equations/closure.hpp"
+#include "structure/kind.hpp"
 
 namespace assur::generator::closures {
+
+namespace {
+
+const structure::Model& model_that_has(const std::string& text) {
+  for (const structure::Group& group : structure::known_groups()) {
+    if (const std::optional<structure::Kind> kind = structure::parse_kind(group, text)) {
+      return structure::model_of(group, *kind);
+    }
+  }
+  throw text::InputError("no group has a kind '" + text + "'; a tetrad's is spelled like RRP-RRR");
+}
+
+/// Declares the variables of the kind's model under their own names, the unknowns as unknown and
+/// the inputs as moving, and its scalar closures as f1, f2, ... Throws InputError if no group has
+/// the kind.
+void declare_model(const std::string& kind, ClosureSystem& system) {
+  const equations::ClosureEquations equations = equations::closure_equations(model_that_has(kind));
+  GiNaC::exmap in_angles;
+  for (const auto* list : {&equations.unknowns, &equations.dimensions, &equations.inputs}) {
+    for (const equations::Variable& variable : *list) {
+      if (system.is_known(variable.name)) {
+        throw text::InputError("the model's '" + variable.name + "' is declared already");
+      }
+      AuditSymbol& symbol = system.declare(variable.name, variable.is_angle());
+      symbol.unknown = list == &equations.unknowns;
+      symbol.moving = list == &equations.inputs;
+      if (variable.is_angle()) {
+        in_angles[variable.cosine] = GiNaC::cos(symbol.symbol);
+        in_angles[variable.sine] = GiNaC::sin(symbol.symbol);
+      } else {
+        in_angles[variable.value] = symbol.symbol;
+      }
+    }
+  }
+  int number = 0;
+  for (const GiNaC::ex& residual : equations.residuals) {
+    system.close("f" + std::to_string(++number),
+                 equations.vocabulary.expand(residual).subs(in_angles));
+  }
+}
+
+}  // namespace
 
 struct ClosureReader::Keyword {
   std::string word;

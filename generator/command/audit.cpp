@@ -1,4 +1,5 @@
-#include "command/audit.hpp"
+// Audits, and drafts of audit files.
+#include "audit/audit.hpp"
 
 #include <algorithm>
 #include <assur/text/error.hpp>
@@ -6,14 +7,13 @@
 #include <filesystem>
 #include <sstream>
 
-#include "audit/audit.hpp"
 #include "audit/audit_report.hpp"
 #include "audit/init/draft.hpp"
 #include "audit/latex/paper_audit.hpp"
 #include "audit/scene/scene_values.hpp"
 #include "campaign/partial_file.hpp"
+#include "command/commands.hpp"
 #include "command/output.hpp"
-#include "command/progress.hpp"
 
 namespace assur::generator::command {
 

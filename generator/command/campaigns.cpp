@@ -12,9 +12,8 @@
 #include "campaign/execution.hpp"
 #include "campaign/merge.hpp"
 #include "campaign/table_file.hpp"
-#include "command/progress.hpp"
+#include "command/output.hpp"
 #include "command/ranks.hpp"
-#include "command/remarks.hpp"
 
 namespace assur::generator::command {
 

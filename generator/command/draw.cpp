@@ -1,5 +1,4 @@
-#include "command/draw.hpp"
-
+// Pictures of scenes.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>
@@ -11,6 +10,7 @@
 #include <filesystem>
 
 #include "campaign/partial_file.hpp"
+#include "command/commands.hpp"
 #include "command/scene_warnings.hpp"
 #include "emission/cpp/files.hpp"
 

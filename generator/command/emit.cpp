@@ -1,4 +1,5 @@
-#include "command/emit.hpp"
+// Files of C++ and C.
+#include "emission/model/emit.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,11 +11,10 @@
 #include <utility>
 
 #include "campaign/partial_file.hpp"
-#include "command/progress.hpp"
-#include "command/remarks.hpp"
+#include "command/commands.hpp"
+#include "command/output.hpp"
 #include "command/scene_warnings.hpp"
 #include "emission/closures/emit_closures.hpp"
-#include "emission/model/emit.hpp"
 #include "emission/scene/emit_scene.hpp"
 #include "emission/scene/scene_warnings.hpp"
 #include "emission/scene/variable_parameters.hpp"

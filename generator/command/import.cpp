@@ -1,12 +1,12 @@
-#include "command/import.hpp"
-
+// Scenes of other programs.
 #include <assur/mechanism/imported_scene.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/quoted.hpp>
 #include <filesystem>
 
 #include "campaign/partial_file.hpp"
-#include "command/remarks.hpp"
+#include "command/commands.hpp"
+#include "command/output.hpp"
 #include "emission/cpp/files.hpp"
 
 namespace assur::generator::command {

@@ -10,7 +10,6 @@
 #include "campaign/partial_file.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
-#include "command/remarks.hpp"
 #include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {

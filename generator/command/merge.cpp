@@ -8,7 +8,6 @@
 #include "campaign/sample_summary.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
-#include "command/progress.hpp"
 
 namespace assur::generator::command {
 

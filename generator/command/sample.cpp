@@ -10,7 +10,6 @@
 #include "campaign/sample_summary.hpp"
 #include "command/campaigns.hpp"
 #include "command/output.hpp"
-#include "command/remarks.hpp"
 #include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {

@@ -4,7 +4,7 @@
 #include <array>
 #include <assur/text/quoted.hpp>
 
-#include "command/remarks.hpp"
+#include "command/output.hpp"
 
 namespace assur::generator::command {
 

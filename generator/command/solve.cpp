@@ -1,12 +1,11 @@
-#include "command/solve.hpp"
-
+// The configurations of a scene.
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
 #include <optional>
 
+#include "command/commands.hpp"
 #include "command/output.hpp"
-#include "command/remarks.hpp"
 #include "command/scene_warnings.hpp"
 
 namespace assur::generator::command {

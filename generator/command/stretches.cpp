@@ -4,7 +4,7 @@
 #include <assur/mechanism/report.hpp>
 #include <assur/text/numbers.hpp>
 
-#include "command/remarks.hpp"
+#include "command/output.hpp"
 
 namespace assur::generator::command {
 

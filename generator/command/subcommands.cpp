@@ -10,17 +10,11 @@
 #include <vector>
 
 #include "command/arguments.hpp"
-#include "command/audit.hpp"
 #include "command/campaigns.hpp"
 #include "command/catalogue.hpp"
+#include "command/commands.hpp"
 #include "command/derive.hpp"
-#include "command/draw.hpp"
-#include "command/emit.hpp"
-#include "command/import.hpp"
 #include "command/output.hpp"
-#include "command/remarks.hpp"
-#include "command/solve.hpp"
-#include "command/sweep.hpp"
 #include "document/render.hpp"
 #include "emission/scene/solver_scene.hpp"
 

@@ -1,5 +1,4 @@
-#include "command/sweep.hpp"
-
+// The rows of a sweep's branches.
 #include <algorithm>
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/sweep.hpp>
@@ -7,9 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "command/commands.hpp"
 #include "command/output.hpp"
-#include "command/progress.hpp"
-#include "command/remarks.hpp"
 #include "command/scene_warnings.hpp"
 #include "command/stretches.hpp"
 

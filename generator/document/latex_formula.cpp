@@ -4,8 +4,6 @@
 #include <cctype>
 #include <utility>
 
-#include "document/latex_name.hpp"
-
 namespace assur::generator::document {
 
 namespace {

@@ -1,9 +1,22 @@
-// Turns formulas in the syntax of scene files, and prose that holds their names, into LaTeX.
+// Names, formulas and prose of a derivation in LaTeX.
 #pragma once
 
 #include <string>
 
 namespace assur::generator::document {
+
+/// A name in two parts, between which an exponent goes: `\cos` and `\theta`; or the whole name and
+/// an empty text.
+struct LatexName {
+  std::string head;
+  std::string tail;
+
+  [[nodiscard]] std::string whole() const { return head + tail; }
+};
+
+[[nodiscard]] LatexName latex_name(const std::string& name);
+/// A word of several letters set as one.
+[[nodiscard]] std::string latex_word(const std::string& letters);
 
 /// A formula for math mode. A line may be broken before a sign that follows a space.
 [[nodiscard]] std::string latex_formula(const std::string& formula);

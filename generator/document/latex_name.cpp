@@ -1,10 +1,11 @@
-#include "document/latex_name.hpp"
-
+// Names such as `theta_BCG` or `BC_x` in LaTeX.
 #include <algorithm>
 #include <cctype>
 #include <map>
 #include <utility>
 #include <vector>
+
+#include "document/latex_formula.hpp"
 
 namespace assur::generator::document {
 

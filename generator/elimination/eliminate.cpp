@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "derivatives/mobility.hpp"
-#include "elimination/polynomial_record.hpp"
+#include "elimination/record.hpp"
 #include "error.hpp"
 
 namespace assur::generator::elimination {

@@ -1,6 +1,7 @@
 // Turns what an elimination does into a record of steps for people to read and to check.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -41,5 +42,21 @@ struct RecordedStep {
   /// Records an equation, value = 0.
   void record_equation(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
 };
+
+/// Two equations as polynomials in `second`, with coefficients that contain no unknown but `first`.
+[[nodiscard]] RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equations,
+                                             const equations::Variable& second,
+                                             const equations::Variable& first);
+
+/// The coefficients of the final polynomial; its only formula is the polynomial in their names.
+/// Above its degree, up to `formal_degree`, coefficients were found to vanish.
+[[nodiscard]] RecordedStep final_coefficients(const std::vector<equations::Vector2>& polynomial,
+                                              const equations::Variable& unknown,
+                                              std::size_t formal_degree);
+
+/// (1 + t^2)^n T with cos kx + i sin kx = ((1 + i t)^2 / (1 + t^2))^k, t = tan(x/2), from the
+/// quantities of `final_coefficients`.
+[[nodiscard]] RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
+                                           const equations::Variable& unknown);
 
 }  // namespace assur::generator::elimination
