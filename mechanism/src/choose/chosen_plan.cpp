@@ -8,10 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "plan/mechanism_parts.hpp"
 #include "plan/other_plans.hpp"
-#include "plan/overloaded_parts.hpp"
 #include "plan/refusals.hpp"
-#include "plan/reported_part.hpp"
 #include "plan/usable_request.hpp"
 #include "solve/longest_on_links.hpp"
 #include "solve/solver.hpp"

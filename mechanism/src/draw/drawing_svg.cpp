@@ -7,8 +7,7 @@
 #include "draw/drawing_text.hpp"
 #include "draw/labels.hpp"
 #include "draw/palette.hpp"
-#include "draw/svg_legend.hpp"
-#include "draw/svg_symbols.hpp"
+#include "draw/svg_parts.hpp"
 
 namespace assur::mechanism::draw {
 

@@ -1,7 +1,8 @@
-#include "draw/picture.hpp"
-
+// The scale and place of a drawing in its picture.
 #include <algorithm>
 #include <cmath>
+
+#include "draw/svg_parts.hpp"
 
 namespace assur::mechanism::draw {
 

@@ -1,10 +1,10 @@
-#include "draw/svg_element.hpp"
-
+// Elements of a picture, at rest and moving, as SVG.
 #include <algorithm>
 #include <assur/text/numbers.hpp>
 #include <assur/text/xml.hpp>
 
 #include "draw/drawing_text.hpp"
+#include "draw/svg_parts.hpp"
 
 namespace assur::mechanism::draw {
 

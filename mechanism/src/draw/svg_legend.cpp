@@ -1,5 +1,4 @@
-#include "draw/svg_legend.hpp"
-
+// The line below a picture: its scale, its colours, its marks, its forces.
 #include <algorithm>
 #include <assur/text/numbers.hpp>
 #include <assur/text/xml.hpp>
@@ -8,6 +7,7 @@
 #include "draw/drawing_text.hpp"
 #include "draw/labels.hpp"
 #include "draw/palette.hpp"
+#include "draw/svg_parts.hpp"
 
 namespace assur::mechanism::draw {
 

@@ -1,10 +1,10 @@
-#include "draw/svg_symbols.hpp"
-
+// The shapes of a stance as elements of a picture.
 #include <array>
 #include <cmath>
 #include <initializer_list>
 
 #include "draw/drawing_text.hpp"
+#include "draw/svg_parts.hpp"
 
 namespace assur::mechanism::draw {
 

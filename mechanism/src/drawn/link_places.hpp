@@ -2,11 +2,24 @@
 #pragma once
 
 #include <assur/mechanism/drawn_mechanism.hpp>
+#include <assur/mechanism/mechanism.hpp>
 
-#include "drawn/own_values.hpp"
 #include "drawn/planar_formula.hpp"
 
 namespace assur::mechanism::drawn {
+
+/// The values of a mechanism's parameters.
+class OwnValues {
+ public:
+  /// Throws MechanismError for a parameter that has no value or that depends on itself.
+  explicit OwnValues(const Mechanism& mechanism);
+
+  /// Throws MechanismError for a value that is not a finite number.
+  [[nodiscard]] double of(const Formula& formula, const std::string& part) const;
+
+ private:
+  Table<ParameterIndex, double> parameters_;
+};
 
 /// A line of the drawing, from one place to another. Each end is a point of the drawing, or a place
 /// without a name, whose index does not exist.

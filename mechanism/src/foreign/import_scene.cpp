@@ -3,11 +3,8 @@
 #include <assur/text/quoted.hpp>
 #include <assur/text/utf8.hpp>
 
-#include "foreign/linkage_mechanism.hpp"
-#include "foreign/pmks_mechanism.hpp"
 #include "foreign/pmks_payload.hpp"
-#include "foreign/pyslvs_mechanism.hpp"
-#include "foreign/scene_writer.hpp"
+#include "foreign/scene_text.hpp"
 
 namespace assur::mechanism::foreign {
 

@@ -1,11 +1,11 @@
-#include "foreign/linkage_mechanism.hpp"
-
+// Files of Linkage: rigid bodies, slots, inputs, actuators and gears.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "foreign/drive_period.hpp"
 #include "foreign/linkage_bodies.hpp"
+#include "foreign/scene_text.hpp"
 
 namespace assur::mechanism::foreign {
 

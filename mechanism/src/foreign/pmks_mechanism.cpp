@@ -1,5 +1,4 @@
-#include "foreign/pmks_mechanism.hpp"
-
+// Links that PMKS+ shares, with masses and forces.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "foreign/drive_period.hpp"
 #include "foreign/pmks_payload.hpp"
+#include "foreign/scene_text.hpp"
 
 namespace assur::mechanism::foreign {
 

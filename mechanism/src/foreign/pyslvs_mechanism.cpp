@@ -1,5 +1,4 @@
-#include "foreign/pyslvs_mechanism.hpp"
-
+// Expressions of Pyslvs.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <cctype>
@@ -8,6 +7,7 @@
 #include <map>
 
 #include "foreign/drive_period.hpp"
+#include "foreign/scene_text.hpp"
 
 namespace assur::mechanism::foreign {
 

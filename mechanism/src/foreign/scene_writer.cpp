@@ -1,5 +1,4 @@
-#include "foreign/scene_writer.hpp"
-
+// The text of a drawn scene, with one line for each of its parts.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <assur/text/quoted.hpp>
@@ -7,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "foreign/scene_names.hpp"
+#include "foreign/scene_text.hpp"
 
 namespace assur::mechanism::foreign {
 

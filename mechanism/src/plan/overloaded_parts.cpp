@@ -1,7 +1,8 @@
-#include "overloaded_parts.hpp"
-
+// The parts of a mechanism that have too many constraints on their own.
 #include <algorithm>
 #include <map>
+
+#include "mechanism_parts.hpp"
 
 namespace assur::mechanism::plan {
 

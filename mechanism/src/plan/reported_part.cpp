@@ -1,8 +1,8 @@
-#include "plan/reported_part.hpp"
-
+// The part of a mechanism on which depends what is reported of it.
 #include <algorithm>
 
 #include "driver_laws.hpp"
+#include "mechanism_parts.hpp"
 
 namespace assur::mechanism::plan {
 

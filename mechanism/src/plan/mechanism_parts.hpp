@@ -1,7 +1,9 @@
-// Turns a mechanism with too many constraints into the parts that have too many on their own.
+// Parts of a mechanism that can be planned alone: those with too many constraints, and the part
+// that is reported.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
+#include <assur/mechanism/request.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <vector>
 
@@ -18,5 +20,16 @@ namespace assur::mechanism::plan {
 [[nodiscard]] std::vector<RedundantJoint> of_whole(const Mechanism& mechanism,
                                                    const Table<LinkIndex, bool>& kept,
                                                    std::vector<RedundantJoint> redundant);
+
+/// A part of a mechanism, with the request for it.
+struct ReportedPart {
+  Mechanism mechanism;
+  Request request;  ///< with the part's links and joints in place of the mechanism's
+};
+
+/// The part of the mechanism that consists of the links that are reported or carry outputs, and of
+/// all links that hold them, up to the ground.
+[[nodiscard]] ReportedPart reported_part(const Mechanism& mechanism, const Structure& structure,
+                                         const Request& request);
 
 }  // namespace assur::mechanism::plan
