@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/text/quoted.hpp>
-#include <assur/text/suggestion.hpp>
+
+#include "refusals.hpp"
 
 namespace assur::mechanism::description {
 
@@ -30,12 +31,7 @@ bool is_named(const std::vector<Part>& parts, const std::string& name) {
 namespace assur::mechanism {
 
 LinkIndex Mechanism::link_named(const std::string& name, const std::string& part) const {
-  const LinkIndex link = index_of(links_, name);
-  if (!link.exists()) {
-    throw MechanismError(part, "no link named " + text::in_quotes(name) +
-                                   text::suggestion_or_choice(name, names_of(links_)));
-  }
-  return link;
+  return description::part_named(links_, name, "link", part);
 }
 
 FeatureIndex Mechanism::point_named(const std::string& name, const std::string& part) const {

@@ -5,8 +5,7 @@
 #include <assur/text/suggestion.hpp>
 #include <set>
 
-#include "line_direction.hpp"
-#include "unmeasured_joint.hpp"
+#include "refusals.hpp"
 
 namespace assur::mechanism::description {
 
@@ -56,18 +55,13 @@ void Mechanism::set_unit(const std::string& unit) {
 ParameterIndex Mechanism::parameter_named(const std::string& name, const std::string& part) const {
   const auto found = parameter_of_name_.find(name);
   if (found == parameter_of_name_.end()) {
-    throw MechanismError(part, "no parameter named " + text::in_quotes(name) +
-                                   text::suggestion_or_choice(name, names_of(parameters_)));
+    throw description::refusal_of_name(part, "parameter", name, names_of(parameters_));
   }
   return found->second;
 }
 
 JointIndex Mechanism::joint_named(const std::string& name, const std::string& part) const {
-  const JointIndex joint = index_of(joints_, name);
-  if (!joint.exists()) {
-    throw MechanismError(part, "no joint named " + text::in_quotes(name) +
-                                   text::suggestion_or_choice(name, names_of(joints_)));
-  }
+  const JointIndex joint = description::part_named(joints_, name, "joint", part);
   if (joints_[joint].between.size() != 2) {
     throw MechanismError(
         part,
@@ -210,11 +204,7 @@ Feature Mechanism::on_link(const std::string& name, const std::string& part) con
   const std::string link_name = name.substr(0, dot);
   Feature feature;
   feature.name = name.substr(dot + 1);
-  feature.link = index_of(links_, link_name);
-  if (!feature.link.exists()) {
-    throw MechanismError(part, "no link named " + text::in_quotes(link_name) +
-                                   text::suggestion_or_choice(link_name, names_of(links_)));
-  }
+  feature.link = link_named(link_name, part);
   return feature;
 }
 
@@ -380,11 +370,7 @@ DriverIndex Mechanism::add_driver(const std::string& joint, const Given& positio
                                   const std::optional<Given>& acceleration) {
   const std::string part = "drivers." + joint;
   Driver driver;
-  driver.joint = index_of(joints_, joint);
-  if (!driver.joint.exists()) {
-    throw MechanismError("drivers", "no joint named " + text::in_quotes(joint) +
-                                        text::suggestion_or_choice(joint, names_of(joints_)));
-  }
+  driver.joint = description::part_named(joints_, joint, "joint", "drivers");
   expect_measured(joints_[driver.joint], part);
   for (const Driver& other : drivers_) {
     if (other.joint == driver.joint) {

@@ -3,7 +3,7 @@
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 
-#include "description/unmeasured_joint.hpp"
+#include "description/refusals.hpp"
 #include "drawn/drawn_joints.hpp"
 #include "drawn/link_places.hpp"
 
@@ -63,8 +63,7 @@ DrawnLinkIndex DrawnMechanism::link_named(const std::string& name, const std::st
                                    " has a frame of its own; join it with 'between', or list its "
                                    "drawn points");
   }
-  throw MechanismError(part, "no link named " + text::in_quotes(name) +
-                                 text::suggestion_or_choice(name, names_of(mechanism_.links())));
+  throw description::refusal_of_name(part, "link", name, names_of(mechanism_.links()));
 }
 
 drawn::DrawnEnd DrawnMechanism::end_named(const std::string& name) const {
@@ -157,8 +156,7 @@ Formula DrawnMechanism::coordinate_of(const std::string& joint, const std::strin
     for (const auto& [name, coordinate] : coordinates_) {
       names.push_back(name);
     }
-    throw MechanismError(part, "no joint named " + text::in_quotes(joint) +
-                                   text::suggestion_or_choice(joint, names));
+    throw description::refusal_of_name(part, "joint", joint, names);
   }
   if (const auto links = unmeasured_.find(joint); links != unmeasured_.end()) {
     throw drawn::refusal_of_pin(parts_, part, joint, links->second);

@@ -3,6 +3,7 @@
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 
+#include "description/refusals.hpp"
 #include "loads_and_requests.hpp"
 
 namespace assur::mechanism::file {
@@ -78,12 +79,7 @@ class RequestReader {
     expect_object(value, "reference");
     for (const auto& [name, angle] : value.items()) {
       const std::string part = "reference." + name;
-      const LinkIndex link = index_of(mechanism_.links(), name);
-      if (!link.exists()) {
-        throw MechanismError("reference",
-                             "no link named " + text::in_quotes(name) +
-                                 text::suggestion_or_choice(name, names_of(mechanism_.links())));
-      }
+      const LinkIndex link = description::part_named(mechanism_.links(), name, "link", "reference");
       request_.reference.push_back({link, mechanism_.add_number(number_of(angle, part), part)});
     }
   }
@@ -116,11 +112,7 @@ class RequestReader {
     for (std::size_t index = 0; index < report[key].size(); ++index) {
       const std::string part = list + "[" + std::to_string(index) + "]";
       const std::string name = text_of(report[key][index], part);
-      result.push_back(index_of(parts, name));
-      if (!result.back().exists()) {
-        throw MechanismError(part, "no " + what + " named " + text::in_quotes(name) +
-                                       text::suggestion_or_choice(name, names_of(parts)));
-      }
+      result.push_back(description::part_named(parts, name, what, part));
     }
     return result;
   }

@@ -7,6 +7,7 @@
 #include <assur/text/suggestion.hpp>
 #include <assur/text/utf8.hpp>
 
+#include "description/refusals.hpp"
 #include "json_values.hpp"
 #include "loads_and_requests.hpp"
 #include "scene_keys.hpp"
@@ -289,11 +290,7 @@ class SceneReader {
     expect_object(root_["drivers"], "drivers");
     for (const auto& [name, value] : root_["drivers"].items()) {
       const std::string part = "drivers." + name;
-      if (!index_of(mechanism_.joints(), name).exists()) {
-        throw MechanismError("drivers",
-                             "no joint named " + text::in_quotes(name) +
-                                 text::suggestion_or_choice(name, names_of(mechanism_.joints())));
-      }
+      (void)description::part_named(mechanism_.joints(), name, "joint", "drivers");
       expect_object(value, part);
       expect_keys(value, part, driver_keys);
       const auto number = [&, &driver = value](const std::string& key) {

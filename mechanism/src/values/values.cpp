@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "covariance.hpp"
-#include "description/line_direction.hpp"
+#include "description/refusals.hpp"
 #include "group_numbers.hpp"
 #include "plan/plan_data.hpp"
 #include "rates.hpp"
