@@ -10,15 +10,15 @@ using Telling = closures::ClosurePoints::Telling;
 
 /// The condition by the sign of one quantity; empty if it does not tell.
 BranchCondition told_by(closures::ClosurePoints& points, const Telling& telling,
-                        const std::vector<Trial>& trials) {
+                        const std::vector<TestedPoint>& tested) {
   int sense = 0;
   bool reaches_zero = false;
-  const bool tells = std::ranges::all_of(trials, [&](const Trial& trial) {
-    const int sign = points.sign(telling, *trial.point);
-    const int here = trial.holds ? sign : -sign;
+  const bool tells = std::ranges::all_of(tested, [&](const TestedPoint& one) {
+    const int sign = points.sign(telling, *one.point);
+    const int here = one.holds ? sign : -sign;
     sense = sense == 0 ? here : sense;
     reaches_zero = reaches_zero || here == 0;
-    return here == sense || (here == 0 && trial.holds);
+    return here == sense || (here == 0 && one.holds);
   });
   if (!tells || sense == 0) {
     return {};
@@ -31,10 +31,10 @@ BranchCondition told_by(closures::ClosurePoints& points, const Telling& telling,
 }  // namespace
 
 BranchCondition branch_condition(closures::ClosurePoints& points, const GiNaC::ex& statement,
-                                 const std::vector<Trial>& trials) {
+                                 const std::vector<TestedPoint>& tested) {
   BranchCondition first;
   for (const Telling& telling : points.telling(statement)) {
-    const BranchCondition condition = told_by(points, telling, trials);
+    const BranchCondition condition = told_by(points, telling, tested);
     if (condition.empty()) {
       continue;
     }
@@ -45,14 +45,14 @@ BranchCondition branch_condition(closures::ClosurePoints& points, const GiNaC::e
     }
     first = first.empty() ? condition : first;
   }
-  const BranchCondition by_determinant = told_by(points, points.determinant(), trials);
+  const BranchCondition by_determinant = told_by(points, points.determinant(), tested);
   return by_determinant.empty() ? first : by_determinant;
 }
 
-std::string branch_text(const std::vector<Trial>& trials, const BranchCondition& condition) {
+std::string branch_text(const std::vector<TestedPoint>& tested, const BranchCondition& condition) {
   const auto holding =
-      std::ranges::count_if(trials, [](const Trial& trial) { return trial.holds; });
-  return "agrees at " + std::to_string(holding) + " of " + std::to_string(trials.size()) +
+      std::ranges::count_if(tested, [](const TestedPoint& one) { return one.holds; });
+  return "agrees at " + std::to_string(holding) + " of " + std::to_string(tested.size()) +
          " points, " +
          (condition.empty() ? "and no simple condition tells which"
                             : "all those where " + condition.where_it_holds);

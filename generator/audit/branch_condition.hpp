@@ -7,7 +7,7 @@
 namespace assur::generator::audit {
 
 /// Whether a statement holds at one point.
-struct Trial {
+struct TestedPoint {
   closures::ClosurePoints::Point* point;
   bool holds;
 };
@@ -26,10 +26,10 @@ struct BranchCondition {
 /// and then its determinant.
 [[nodiscard]] BranchCondition branch_condition(closures::ClosurePoints& points,
                                                const GiNaC::ex& statement,
-                                               const std::vector<Trial>& trials);
+                                               const std::vector<TestedPoint>& tested);
 
 /// `agrees at 20 of 40 points, all those where cos(ph) > 0`, or that no simple condition tells.
-[[nodiscard]] std::string branch_text(const std::vector<Trial>& trials,
+[[nodiscard]] std::string branch_text(const std::vector<TestedPoint>& tested,
                                       const BranchCondition& condition);
 
 }  // namespace assur::generator::audit

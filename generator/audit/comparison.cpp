@@ -107,7 +107,7 @@ class PointwiseComparison {
 
   /// An expression without roots of its own.
   Comparison run() {
-    for (std::size_t index = 0; trials_.size() < wanted(); ++index) {
+    for (std::size_t index = 0; tested_.size() < wanted(); ++index) {
       closures::ClosurePoints::Point* const point = points_.point(index, assembled_);
       if (point == nullptr) {
         break;
@@ -118,7 +118,7 @@ class PointwiseComparison {
         obstacle_ = error.what();
       }
     }
-    if (trials_.size() < fewest) {
+    if (tested_.size() < fewest) {
       return {Verdict::undecided,
               obstacle_.empty() ? "no point was found where the closures hold" : obstacle_, "", ""};
     }
@@ -136,10 +136,10 @@ class PointwiseComparison {
     bool explained = true;
     for (closures::ClosurePoints::Point& point : drawn_) {
       add(point, points_.value(rooted, point));
-      const bool is_added = !trials_.empty() && trials_.back().point == &point;
-      explained = explained && (!is_added || trials_.back().holds || would_hold(rooted, point));
+      const bool is_added = !tested_.empty() && tested_.back().point == &point;
+      explained = explained && (!is_added || tested_.back().holds || would_hold(rooted, point));
     }
-    if (trials_.size() < fewest) {
+    if (tested_.size() < fewest) {
       return {Verdict::undecided, "no rational points were found where its roots are real", "", ""};
     }
     const std::size_t roots = rooted.algebra.root_count() - rooted.first_own;
@@ -157,8 +157,8 @@ class PointwiseComparison {
   static constexpr std::size_t fewest = 3;
 
   [[nodiscard]] bool is_computed() const {
-    return std::ranges::any_of(trials_,
-                               [](const Trial& trial) { return trial.point->is_computed; });
+    return std::ranges::any_of(tested_,
+                               [](const TestedPoint& one) { return one.point->is_computed; });
   }
   [[nodiscard]] std::size_t wanted() const {
     return is_computed() ? closures::computed_points : fewest;
@@ -166,7 +166,7 @@ class PointwiseComparison {
 
   void add(closures::ClosurePoints::Point& point, const GiNaC::ex& value) {
     if (const auto holds = vanishes_at(points_, sides_.difference, value, point)) {
-      trials_.push_back({&point, *holds});
+      tested_.push_back({&point, *holds});
       values_.push_back(value);
     } else {
       obstacle_ = "rounding hides whether it holds";
@@ -176,29 +176,29 @@ class PointwiseComparison {
   /// Adds points of all factors of the closures, if a statement that holds at all others does not
   /// hold at one of them.
   void add_other_factors() {
-    if (!std::ranges::all_of(trials_, &Trial::holds)) {
+    if (!std::ranges::all_of(tested_, &TestedPoint::holds)) {
       return;
     }
-    const std::size_t known = trials_.size();
+    const std::size_t known = tested_.size();
     for (closures::ClosurePoints::Point& point : points_.points_of_all_factors()) {
       try {
         const GiNaC::ex value = points_.value(sides_.difference, point);
         if (const auto holds = vanishes_at(points_, sides_.difference, value, point)) {
-          trials_.push_back({&point, *holds});
+          tested_.push_back({&point, *holds});
           values_.push_back(value);
         }
       } catch (const closures::NotAlgebraic&) {
         continue;  // it has no value there
       }
     }
-    if (std::ranges::all_of(trials_, &Trial::holds)) {
-      trials_.resize(known);
+    if (std::ranges::all_of(tested_, &TestedPoint::holds)) {
+      tested_.resize(known);
       values_.resize(known);
     }
   }
 
   [[nodiscard]] std::string where() const {
-    const std::string count = "at " + std::to_string(trials_.size()) + " ";
+    const std::string count = "at " + std::to_string(tested_.size()) + " ";
     if (is_computed()) {
       return count + closures::computed_sort + " where the closures hold";
     }
@@ -227,19 +227,19 @@ class PointwiseComparison {
 
   Comparison verdict(bool has_branches, const std::string& remark) {
     const auto holding =
-        std::ranges::count_if(trials_, [](const Trial& trial) { return trial.holds; });
-    if (holding == std::ssize(trials_)) {
+        std::ranges::count_if(tested_, [](const TestedPoint& one) { return one.holds; });
+    if (holding == std::ssize(tested_)) {
       const bool proved = !points_.system().follows_closures(sides_.difference) &&
                           points_.vanishes(sides_.difference);
       return {Verdict::agrees, proved ? "identically" : where(), "", ""};
     }
     if (holding > 0 && has_branches) {
-      const BranchCondition condition = branch_condition(points_, sides_.difference, trials_);
+      const BranchCondition condition = branch_condition(points_, sides_.difference, tested_);
       if (!condition.empty() || explained_by_roots_) {
         return on_one_branch(condition);
       }
-      Comparison comparison = different("; " + branch_text(trials_, condition) + remark);
-      comparison.branch = branch_text(trials_, condition);
+      Comparison comparison = different("; " + branch_text(tested_, condition) + remark);
+      comparison.branch = branch_text(tested_, condition);
       return comparison;
     }
     return different(remark);
@@ -247,14 +247,14 @@ class PointwiseComparison {
 
   Comparison different(const std::string& remark) {
     const bool negated = std::ranges::all_of(
-        trials_, [&](const Trial& trial) { return are_opposite(points_, sides_, *trial.point); });
+        tested_, [&](const TestedPoint& one) { return are_opposite(points_, sides_, *one.point); });
     const std::size_t failing = first(false);
     return {negated ? Verdict::differs_by_sign : Verdict::differs, where() + remark,
             text_of(failing), amount(values_[failing])};
   }
 
   Comparison on_one_branch(const BranchCondition& condition) {
-    const std::string branch = branch_text(trials_, condition);
+    const std::string branch = branch_text(tested_, condition);
     const std::size_t failing = first(false);
     const std::string fails = condition.empty() ? "" : " where " + condition.where_it_fails;
     return {Verdict::on_one_branch,
@@ -265,11 +265,11 @@ class PointwiseComparison {
 
   [[nodiscard]] std::size_t first(bool holds) const {
     const auto found =
-        std::ranges::find_if(trials_, [&](const Trial& trial) { return trial.holds == holds; });
-    return static_cast<std::size_t>(found - trials_.begin());
+        std::ranges::find_if(tested_, [&](const TestedPoint& one) { return one.holds == holds; });
+    return static_cast<std::size_t>(found - tested_.begin());
   }
-  [[nodiscard]] std::string text_of(std::size_t trial) {
-    return points_.point_text(*trials_[trial].point, shown_, assembled_);
+  [[nodiscard]] std::string text_of(std::size_t index) {
+    return points_.point_text(*tested_[index].point, shown_, assembled_);
   }
 
   closures::ClosurePoints& points_;
@@ -279,8 +279,8 @@ class PointwiseComparison {
   bool explained_by_roots_ = false;
   std::string obstacle_;
   std::deque<closures::ClosurePoints::Point> drawn_;
-  std::vector<Trial> trials_;
-  std::vector<GiNaC::ex> values_;  ///< of the difference, at the points of the trials
+  std::vector<TestedPoint> tested_;
+  std::vector<GiNaC::ex> values_;  ///< of the difference, at these points
 };
 
 std::optional<closures::ClosurePoints::Rooted> rooted(closures::ClosurePoints& points,

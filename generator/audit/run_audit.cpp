@@ -186,7 +186,7 @@ class ProgramAudit {
     std::size_t failing = 0;
     std::size_t differing = 0;
     bool negated = true;
-    std::vector<Trial> trials;
+    std::vector<TestedPoint> tested;
     for (std::size_t at = 0; at < drawn_.given.size(); ++at) {
       const ExpectedValue& expected = drawn_.expected[at][entry];
       if (!expected.obstacle.empty()) {
@@ -200,7 +200,7 @@ class ProgramAudit {
         continue;
       }
       ++told;
-      trials.push_back({&drawn_.asked[at].point, !wrong});
+      tested.push_back({&drawn_.asked[at].point, !wrong});
       negated = negated &&
                 alike(entry, drawn_.given[at].entries[entry], -expected.value, *expected.tolerance);
     }
@@ -210,8 +210,8 @@ class ProgramAudit {
                                        : Verdict::agrees;
     if (differing > 0 && differing < told) {
       const BranchCondition branch =
-          branch_condition(points_, reference_.expressions()[entry], trials);
-      comparison.branch = branch_text(trials, branch);
+          branch_condition(points_, reference_.expressions()[entry], tested);
+      comparison.branch = branch_text(tested, branch);
       comparison.evidence = comparison.branch + ": evidence, not proof";
       comparison.verdict = branch.empty() ? Verdict::differs : Verdict::on_one_branch;
     }

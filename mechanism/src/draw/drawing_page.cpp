@@ -137,9 +137,9 @@ Json solved_anew(const SceneText& scene) {
 std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene,
                     int chosen) {
   const std::size_t taken = bytes_beside_numbers + inside_html(scene).size();
-  const std::size_t left = taken < most_page_bytes ? most_page_bytes - taken : 0;
+  const std::size_t room = taken < most_page_bytes ? most_page_bytes - taken : 0;
   const auto most_numbers = static_cast<std::size_t>(
-      static_cast<double>(std::min(left, most_number_bytes)) / bytes_of_number);
+      static_cast<double>(std::min(room, most_number_bytes)) / bytes_of_number);
   Film film = film_of(mechanism, request, {most_numbers, chosen, scene.is_null(), std::nullopt});
   if (film.shapes.empty()) {
     throw MechanismError("",

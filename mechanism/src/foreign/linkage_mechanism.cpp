@@ -176,20 +176,20 @@ class DriveBuilder {
   /// Gears turn against one another, wheels with a chain the same way, both relative to what
   /// carries them. The one whose joint is driven already leads; otherwise the first.
   void add_ratios() {
-    std::vector<const LinkageRatio*> left;
+    std::vector<const LinkageRatio*> waiting;
     for (const LinkageRatio& ratio : file_.ratios) {
-      left.push_back(&ratio);
+      waiting.push_back(&ratio);
     }
-    for (bool only_driven = true; !left.empty();) {
-      const auto next = std::ranges::find_if(left, [&](const LinkageRatio* ratio) {
+    for (bool only_driven = true; !waiting.empty();) {
+      const auto next = std::ranges::find_if(waiting, [&](const LinkageRatio* ratio) {
         return !only_driven || has_driven_wheel(*ratio);
       });
-      if (next == left.end()) {
+      if (next == waiting.end()) {
         only_driven = false;
         continue;
       }
       add_ratio(**next);
-      left.erase(next);
+      waiting.erase(next);
       only_driven = true;
     }
   }

@@ -38,19 +38,19 @@ struct UnreachedParts {
 [[nodiscard]] Vector2 settled(const UnreachedParts& parts, Vector2 e) {
   constexpr int most_steps = 60;
   constexpr int most_halvings = 6;
-  SmallVector left = parts.at(e);
+  SmallVector unreached = parts.at(e);
   for (int step = 0; step < most_steps; ++step) {
     const SmallVector slope = parts.turning * Vector2(-e.y(), e.x());
     const double square = slope.squaredNorm();
-    double by = square > 0 ? -slope.dot(left) / square : 0;
+    double by = square > 0 ? -slope.dot(unreached) / square : 0;
     bool gains = false;
     for (int halving = 0; halving < most_halvings && by != 0 && !gains; ++halving, by /= 2) {
       const Vector2 next = turned_by(std::clamp(by, -1.0, 1.0), e).normalized();
       const SmallVector there = parts.at(next);
-      gains = there.norm() < left.norm();
+      gains = there.norm() < unreached.norm();
       if (gains) {
         e = next;
-        left = there;
+        unreached = there;
       }
     }
     if (!gains) {

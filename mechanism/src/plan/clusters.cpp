@@ -133,17 +133,17 @@ class ClusterFinder {
       Linkage linkage = with_hubs_in(set, base);
       Links moving = set;
       std::erase(moving, base);
-      Component left;
+      Component rest;
       std::vector<ElementaryJointIndex> joints;
       for (const ElementaryJointIndex joint : component_.joints) {
         const ElementaryJoint& at = linkage.joints[joint];
         const bool is_within = is_among(at.first, set) && is_among(at.second, set);
-        (is_within ? joints : left.joints).push_back(joint);
+        (is_within ? joints : rest.joints).push_back(joint);
       }
       std::optional<FoundGroup> found = find_group(linkage, moving, joints);
       if (found) {
         found->base = base;
-        best_ = Candidate{rank, std::move(linkage), {std::move(*found), std::move(left)}};
+        best_ = Candidate{rank, std::move(linkage), {std::move(*found), std::move(rest)}};
       }
     }
   }
@@ -195,12 +195,12 @@ class ClusterFinder {
     Cluster& cluster = best_->cluster;
     Links moving = cluster.group.links;
     std::ranges::sort(moving);
-    for (const ElementaryJointIndex index : cluster.left.joints) {
+    for (const ElementaryJointIndex index : cluster.rest.joints) {
       ElementaryJoint& at = linkage_.joints[index];
       at.first = is_among(at.first, moving) ? cluster.group.base : at.first;
       at.second = is_among(at.second, moving) ? cluster.group.base : at.second;
     }
-    std::ranges::copy_if(component_.links, std::back_inserter(cluster.left.links),
+    std::ranges::copy_if(component_.links, std::back_inserter(cluster.rest.links),
                          [&](LinkIndex link) { return !is_among(link, moving); });
     return std::move(cluster);
   }

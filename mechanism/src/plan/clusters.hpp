@@ -13,7 +13,7 @@ namespace assur::mechanism::plan {
 /// solved, its base. In the rest of the component they are one link whose shape moves.
 struct Cluster {
   FoundGroup group;  ///< with its base
-  Component left;    ///< the rest, in which the base takes over the joints of the group's links
+  Component rest;    ///< of the component; the base takes over the joints of the group's links
 };
 
 /// The smallest cluster among some links, nothing if there is none. n links with k joints are a

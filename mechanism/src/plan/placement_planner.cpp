@@ -136,21 +136,21 @@ class PlacementPlanner {
         continue;  // A driver places this link, and the link that carries it has listed it.
       }
       component.links = carriers_of(component);
-      Component left = component;
-      std::optional<FoundGroup> found = find_group(structure_.linkage, left.links, left.joints);
+      Component rest = component;
+      std::optional<FoundGroup> found = find_group(structure_.linkage, rest.links, rest.joints);
       while (!found) {
-        std::optional<Cluster> cluster = find_cluster(structure_.linkage, left);
+        std::optional<Cluster> cluster = find_cluster(structure_.linkage, rest);
         if (!cluster) {
           std::string obstacle;
-          found = derived_group(structure_.linkage, left.links, left.joints, obstacle);
+          found = derived_group(structure_.linkage, rest.links, rest.joints, obstacle);
           if (!found) {
             refuse(component, obstacle);
           }
           break;
         }
         add(std::move(cluster->group));
-        left = std::move(cluster->left);
-        found = find_group(structure_.linkage, left.links, left.joints);
+        rest = std::move(cluster->rest);
+        found = find_group(structure_.linkage, rest.links, rest.joints);
       }
       add(std::move(*found));
     }
@@ -237,16 +237,16 @@ class PlacementPlanner {
              std::ranges::none_of(read_for(link), [&](LinkIndex read) { return waits[read]; });
     };
     while (!waiting.empty()) {
-      std::vector<CarriedLink> left;
+      std::vector<CarriedLink> still_waiting;
       for (const CarriedLink& link : waiting) {
         if (is_ready(link)) {
           waits[link.to] = false;
           structure_.carried.push_back(link);
         } else {
-          left.push_back(link);
+          still_waiting.push_back(link);
         }
       }
-      waiting = std::move(left);
+      waiting = std::move(still_waiting);
     }
   }
 

@@ -21,7 +21,7 @@ constexpr int most_rounds = 100;
 
 /// A mechanism with one or two constraints less. It has either a structure or fewer constraints too
 /// many than before.
-struct Step {
+struct RelaxedMechanism {
   RedundantJoint redundant;
   std::string from = {};   ///< the joint towards which the slot that stands in leads
   std::size_t points = 0;  ///< number of points to which that slot could lead
@@ -32,7 +32,7 @@ struct Step {
   bool loses_kept = false;  ///< whether the joint is one that should be kept
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
-  /// A step comes before those of a larger rank. Slots on bars come early: a slot on a bar leaves
+  /// It comes before those of a larger rank. Slots on bars come early: a slot on a bar leaves
   /// out the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
   /// leaves out no single length.
   using Rank =
@@ -61,7 +61,7 @@ class Balancer {
       : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
 
   /// Returns the steps from a mechanism with this fault, the best one first.
-  [[nodiscard]] std::vector<Step> steps(const OverConstrained& fault) {
+  [[nodiscard]] std::vector<RelaxedMechanism> steps(const OverConstrained& fault) {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
       const Joint& at = mechanism_.joints()[joint];
@@ -73,8 +73,10 @@ class Balancer {
         relax(joint, feature);
       }
     }
-    std::ranges::stable_sort(
-        steps_, [](const Step& one, const Step& other) { return one.rank() < other.rank(); });
+    std::ranges::stable_sort(steps_,
+                             [](const RelaxedMechanism& one, const RelaxedMechanism& other) {
+                               return one.rank() < other.rank();
+                             });
     return std::move(steps_);
   }
 
@@ -160,7 +162,7 @@ class Balancer {
 
   /// Lists a step after which the mechanism has `less` constraints less. If its surplus does not
   /// decrease by `less`, the step has set links free elsewhere and is not listed.
-  void consider(Step step, int less) {
+  void consider(RelaxedMechanism step, int less) {
     step.mechanism = relaxed(mechanism_, step.redundant);
     FoundStructure found = found_structure(step.mechanism);
     if (auto* const structure = std::get_if<Structure>(&found)) {
@@ -184,7 +186,7 @@ class Balancer {
   LeftOut most_;
   const std::vector<std::string>& kept_;
   int surplus_ = 0;
-  std::vector<Step> steps_;
+  std::vector<RelaxedMechanism> steps_;
 };
 
 /// Searches depth first for the constraints to leave out one after another. The best step is tried
@@ -203,8 +205,9 @@ class BalanceSearch {
       return result;
     }
     ++rounds_;
-    std::vector<Step> steps = Balancer(mechanism, described_, places_, most_, kept_).steps(fault);
-    for (Step& step : steps) {
+    std::vector<RelaxedMechanism> steps =
+        Balancer(mechanism, described_, places_, most_, kept_).steps(fault);
+    for (RelaxedMechanism& step : steps) {
       if (step.structure && result.size() < most_ways) {
         result.push_back({std::move(step.mechanism), std::move(*step.structure), {step.redundant}});
       }
