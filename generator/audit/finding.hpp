@@ -1,4 +1,4 @@
-// Turns what a source prints, item by item, into the findings of an audit.
+// What a source prints, item by item, and the verdict on each: the findings of an audit.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Turns `printed` statements of an audit file, one after the other, into findings.
+// The `printed` statements of an audit file, one after the other, with their findings.
 #include <assur/text/counts.hpp>
 #include <assur/text/input_file.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-// Turns the description of a campaign's table into named texts that can be compared, and back.
+// The description of a campaign's table: named texts that can be compared, and axes among them.
 #pragma once
 
 #include <assur/mechanism/campaign_columns.hpp>

@@ -1,4 +1,4 @@
-// Turns the description of a table into the rows that must stand in it, one after the other.
+// The rows that must stand in a table with a description, one after the other.
 #pragma once
 
 #include <cstdint>

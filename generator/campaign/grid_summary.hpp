@@ -1,4 +1,4 @@
-// Turns the rows of a grid into the number of configurations of each cell, and where it changes.
+// The number of configurations of each cell of a grid, and where it changes.
 #pragma once
 
 #include <cstdint>

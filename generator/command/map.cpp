@@ -1,4 +1,4 @@
-// Turns the options of `assur map` into rows, a summary and a picture of a grid of parameters.
+// `assur map`: rows, a summary and a picture of a grid of parameters.
 #include <algorithm>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/counts.hpp>

@@ -1,4 +1,4 @@
-// Turns the options of `assur merge` into one table of all shards, its summary and its picture.
+// `assur merge`: one table of all shards, its summary and its picture.
 #include "campaign/merge.hpp"
 
 #include <assur/text/error.hpp>

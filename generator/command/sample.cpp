@@ -1,4 +1,4 @@
-// Turns the options of `assur sample` into rows, a summary and a picture of random deviations.
+// `assur sample`: rows, a summary and a picture of random deviations.
 #include <array>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/counts.hpp>

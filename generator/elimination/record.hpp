@@ -1,4 +1,4 @@
-// Turns what an elimination does into a record of steps for people to read and to check.
+// The steps of an elimination, for people to read and to check.
 #pragma once
 
 #include <array>

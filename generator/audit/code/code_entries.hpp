@@ -1,4 +1,4 @@
-// Turns the values that code has given to a matrix, or returns, into entries that can be compared.
+// The values that code has given to a matrix, or returns, as entries that can be compared.
 #pragma once
 
 #include "audit/code/variables.hpp"

@@ -1,4 +1,4 @@
-// Turns masses, forces, couples and springs, added one by one, into the loading of a mechanism.
+// The loading of a mechanism: masses, forces, couples and springs, added one by one.
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/text/quoted.hpp>

@@ -1,4 +1,4 @@
-// Turns a mechanism and its sweep into one HTML page that needs no other file.
+// One HTML page of a mechanism and its sweep that needs no other file.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>

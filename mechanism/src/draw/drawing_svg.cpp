@@ -1,4 +1,4 @@
-// Turns a drawing into an SVG picture.
+// Drawings as SVG pictures.
 #include <algorithm>
 #include <assur/text/numbers.hpp>
 #include <assur/text/xml.hpp>

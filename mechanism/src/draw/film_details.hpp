@@ -1,4 +1,4 @@
-// Turns configurations into the angles, transmission angles and forces of a film.
+// Angles, transmission angles and forces of the configurations of a film.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>

@@ -1,4 +1,4 @@
-// Turns points of a drawing into points and lines in the frames of the links.
+// Points and lines of a drawing in the frames of the links.
 #pragma once
 
 #include <assur/mechanism/drawn_mechanism.hpp>

@@ -1,4 +1,4 @@
-// Turns a mechanism into its structure: the order in which links are placed and groups are solved.
+// The structure of a mechanism: the order in which links are placed and groups are solved.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
 #include <assur/text/names.hpp>
