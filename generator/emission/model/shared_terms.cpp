@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/text/names.hpp>
+#include <iterator>
 #include <set>
 
 #include "emission/cpp/cpp_text.hpp"
